@@ -1,0 +1,82 @@
+"""One family of errors: what is wrong, where, and what to do about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing that is wrong with an input, with its place and its remedy.
+
+    `line` and `column` count from 1; both are None where a finding concerns the whole source.
+    """
+
+    message: str
+    remedy: str = ""
+    source: str | None = None
+    line: int | None = None
+    column: int | None = None
+
+    def __str__(self) -> str:
+        """`file:line:column: what is wrong; what to do`, without the parts that are unknown."""
+        place = [self.source or ""]
+        if self.line is not None:
+            place += [str(self.line), str(self.column or 1)]
+        where = ":".join(part for part in place if part)
+        text = f"{self.message}; {self.remedy}" if self.remedy else self.message
+        return f"{where}: {text}" if where else text
+
+
+class TsplanError(Exception):
+    """Root of every error that tsplan raises on purpose."""
+
+
+class InputError(TsplanError, ValueError):
+    """An input cannot be used. `findings` holds everything that is wrong with it at once."""
+
+    def __init__(self, findings: Iterable[Finding]) -> None:
+        self.findings: tuple[Finding, ...] = tuple(findings)
+        super().__init__("\n".join(str(finding) for finding in self.findings))
+
+
+class FormulaError(InputError):
+    """A formula cannot be read or does not fit its use."""
+
+
+class MapError(InputError):
+    """A map cannot be read or is inconsistent."""
+
+
+class MissionError(InputError):
+    """A mission cannot be read or does not fit its map, team or formula."""
+
+
+class PlanError(InputError):
+    """A plan file is not one, or a plan does not fit its mission."""
+
+
+class SolverError(TsplanError, RuntimeError):
+    """A solver failed, or answered something that cannot be used."""
+
+
+class SolverUnavailableError(SolverError):
+    """A solver is not installed, or its licence does not allow this model."""
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """A remedy that names the known word closest to `name`, or lists some known ones.
+
+    >>> nearest("gren", ["green", "blue"])
+    "did you mean 'green'?"
+    """
+    words = sorted(set(known))
+    close = get_close_matches(name, words, n=1, cutoff=0.5)
+    if close:
+        return f"did you mean '{close[0]}'?"
+    if not words:
+        return "none are defined"
+    shown = ", ".join(words[:8]) + (", ..." if len(words) > 8 else "")
+    return f"known: {shown}"

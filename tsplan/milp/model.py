@@ -1,0 +1,198 @@
+"""A mixed-integer linear program as plain arrays: columns, rows, and a tag for every row.
+
+The model is always a minimisation of `objective @ x + offset` subject to
+`row_lower <= matrix @ x <= row_upper` and `lower <= x <= upper`. Arrays, unlike the objects of
+modelling layers, go into any solver at once and can be sent to another process.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+from scipy import sparse
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+Ints: TypeAlias = npt.NDArray[np.int64]
+Bools: TypeAlias = npt.NDArray[np.bool_]
+
+INFINITY = float("inf")
+
+
+@dataclass(frozen=True, slots=True)
+class Tag:
+    """What the rows `start .. stop-1` stand for: a kind, and the formula node and step, if any."""
+
+    kind: str
+    start: int
+    stop: int
+    node: Hashable | None = None
+    step: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """How large a model is."""
+
+    columns: int
+    integers: int
+    rows: int
+    nonzeros: int
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A minimisation problem over arrays; see the module's text for its meaning."""
+
+    objective: Floats
+    lower: Floats
+    upper: Floats
+    integer: Bools
+    matrix: sparse.csr_array
+    row_lower: Floats
+    row_upper: Floats
+    tags: tuple[Tag, ...] = ()
+    offset: float = 0.0
+
+    def __post_init__(self) -> None:
+        rows, columns = self.matrix.shape
+        if not len(self.objective) == len(self.lower) == len(self.upper) == columns:
+            raise ValueError("objective, bounds and matrix disagree about the number of columns")
+        if len(self.integer) != columns or len(self.row_lower) != rows:
+            raise ValueError("integrality or row bounds do not fit the matrix")
+
+    @property
+    def size(self) -> Size:
+        """Numbers of columns, integer columns, rows and nonzeros."""
+        rows, columns = self.matrix.shape
+        return Size(columns, int(self.integer.sum()), rows, int(self.matrix.nnz))
+
+    def with_objective(self, objective: Floats, offset: float = 0.0) -> Model:
+        """The same constraints, minimising something else."""
+        return replace(self, objective=objective, offset=offset)
+
+    def with_bounds(self, lower: Floats, upper: Floats) -> Model:
+        """The same model between other column bounds."""
+        return replace(self, lower=lower, upper=upper)
+
+    def with_integrality(self, integer: Bools) -> Model:
+        """The same model with other columns integer."""
+        return replace(self, integer=integer)
+
+    def with_row(self, coefficients: Floats, lower: float, upper: float, kind: str) -> Model:
+        """The model and one more row, given densely: `lower <= coefficients @ x <= upper`."""
+        row = sparse.csr_array(coefficients.reshape(1, -1))
+        count = self.matrix.shape[0]
+        return replace(
+            self,
+            matrix=sparse.csr_array(sparse.vstack([self.matrix, row], format="csr")),
+            row_lower=np.append(self.row_lower, lower),
+            row_upper=np.append(self.row_upper, upper),
+            tags=(*self.tags, Tag(kind, count, count + 1)),
+        )
+
+    def violation(self, values: Floats) -> float:
+        """Largest violation of any bound, row or integrality by the point `values`."""
+        activity = self.matrix @ values
+        gaps = [
+            np.maximum(self.lower - values, values - self.upper),
+            np.maximum(self.row_lower - activity, activity - self.row_upper),
+            np.abs(values - np.round(values)) * self.integer,
+        ]
+        return max((float(gap.max()) for gap in gaps if gap.size), default=0.0)
+
+
+class Draft:
+    """Collects columns and rows in blocks of arrays, then becomes a `Model`.
+
+    >>> draft = Draft()
+    >>> x = draft.columns(2, upper=3.0, integer=True)
+    >>> draft.rows([0, 0], x, [1.0, 1.0], lower=[2.0], upper=[4.0], kind="demo")
+    >>> draft.build().size
+    Size(columns=2, integers=2, rows=1, nonzeros=2)
+    """
+
+    def __init__(self) -> None:
+        self.column_count = 0
+        self.row_count = 0
+        self._lower: list[Floats] = []
+        self._upper: list[Floats] = []
+        self._integer: list[Bools] = []
+        self._entries: list[tuple[Ints, Ints, Floats]] = []
+        self._row_lower: list[Floats] = []
+        self._row_upper: list[Floats] = []
+        self._tags: list[Tag] = []
+
+    def columns(
+        self,
+        count: int,
+        lower: npt.ArrayLike = 0.0,
+        upper: npt.ArrayLike = INFINITY,
+        *,
+        integer: bool = False,
+    ) -> Ints:
+        """Add `count` columns; return their indices. Bounds are scalars or arrays."""
+        start = self.column_count
+        self.column_count += count
+        self._lower.append(np.broadcast_to(np.asarray(lower, dtype=np.float64), (count,)))
+        self._upper.append(np.broadcast_to(np.asarray(upper, dtype=np.float64), (count,)))
+        self._integer.append(np.full(count, integer))
+        return np.arange(start, start + count, dtype=np.int64)
+
+    def rows(
+        self,
+        index: npt.ArrayLike,
+        column: npt.ArrayLike,
+        value: npt.ArrayLike,
+        *,
+        lower: npt.ArrayLike,
+        upper: npt.ArrayLike,
+        kind: str,
+        node: Hashable | None = None,
+        step: int | None = None,
+    ) -> None:
+        """Add a block of rows given as triplets; `index` counts from 0 within the block.
+
+        The longer of `lower` and `upper` says how many rows there are. Entries at the same place
+        are added up.
+        """
+        low = np.atleast_1d(np.asarray(lower, dtype=np.float64))
+        high = np.atleast_1d(np.asarray(upper, dtype=np.float64))
+        count = max(len(low), len(high))
+        rows = np.asarray(index, dtype=np.int64) + self.row_count
+        columns = np.asarray(column, dtype=np.int64)
+        values = np.broadcast_to(np.asarray(value, dtype=np.float64), rows.shape)
+        self._entries.append((rows, columns, values))
+        self._row_lower.append(np.broadcast_to(low, (count,)))
+        self._row_upper.append(np.broadcast_to(high, (count,)))
+        self._tags.append(Tag(kind, self.row_count, self.row_count + count, node, step))
+        self.row_count += count
+
+    def build(self) -> Model:
+        """The collected columns and rows as a model with a zero objective."""
+        rows, columns, values = (
+            np.concatenate([entry[part] for entry in self._entries])
+            if self._entries
+            else np.empty(0)
+            for part in range(3)
+        )
+        shape = (self.row_count, self.column_count)
+        coordinates = (rows.astype(np.int64), columns.astype(np.int64))
+        matrix = sparse.csr_array(sparse.coo_array((values, coordinates), shape=shape))
+        return Model(
+            objective=np.zeros(self.column_count),
+            lower=_joined(self._lower, np.float64),
+            upper=_joined(self._upper, np.float64),
+            integer=_joined(self._integer, np.bool_),
+            matrix=matrix,
+            row_lower=_joined(self._row_lower, np.float64),
+            row_upper=_joined(self._row_upper, np.float64),
+            tags=tuple(self._tags),
+        )
+
+
+def _joined(parts: Sequence[npt.NDArray[Any]], kind: type) -> npt.NDArray[Any]:
+    return np.concatenate([*parts, np.empty(0, dtype=kind)]).astype(kind)
