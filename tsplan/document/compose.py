@@ -1,0 +1,260 @@
+"""From the events of the YAML parser to nodes, without recursion and without running any code.
+
+Three things are bounded, so that no file can exhaust the machine: how deep collections nest, how
+much aliases multiply, and which tags are understood (an unknown tag is a finding, never a call).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import yaml
+from yaml import events
+
+from tsplan.document.scalars import TAGS, resolve
+from tsplan.errors import Finding, InputError
+
+DEEPEST = 50
+MOST_FROM_ALIASES = 100_000
+
+_STANDARD = "tag:yaml.org,2002:"
+SET = _STANDARD + "set"
+TUPLE = _STANDARD + "python/tuple"
+_COLLECTIONS = frozenset({"!", SET, TUPLE, "!Ts", "!Model"}) | {
+    _STANDARD + word for word in ("map", "seq", "omap", "python/dict", "python/list")
+}
+_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+@dataclass(slots=True, eq=False)
+class Node:
+    """One value of a document, with its place (from 1) and its children.
+
+    `children` follows `value`: a dict or list of nodes, None for scalars. `text` is a scalar's
+    own text; `start` and `end` are offsets into the document's text; `keys` holds the places of a
+    mapping's keys. `size` counts the nodes below, aliases expanded.
+    """
+
+    value: Any
+    line: int
+    column: int
+    start: int
+    end: int
+    tag: str | None = None
+    text: str | None = None
+    style: str | None = None
+    children: dict[str, Node] | list[Node] | None = None
+    keys: dict[str, tuple[int, int]] = field(default_factory=dict)
+    size: int = 1
+
+
+@dataclass(slots=True, eq=False)
+class _Open:
+    """A collection whose end has not been seen; `key` waits for its value."""
+
+    node: Node
+    anchor: str | None
+    mapping: bool
+    key: Node | None = None
+
+
+class Composer:
+    """Builds the node tree of one text; see `compose`."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.findings: list[Finding] = []
+        self.root: Node | None = None
+        self._stack: list[_Open] = []
+        self._anchors: dict[str, Node | None] = {}
+        self._copied = 0
+
+    def take(self, event: Any) -> None:
+        """Take in the next event."""
+        kind = type(event)
+        if kind is events.ScalarEvent:
+            self._place(self._scalar(event), event.anchor)
+        elif kind is events.MappingStartEvent or kind is events.SequenceStartEvent:
+            self._begin(event, mapping=kind is events.MappingStartEvent)
+        elif kind is events.MappingEndEvent or kind is events.SequenceEndEvent:
+            done = self._stack.pop()
+            done.node.end = event.end_mark.index
+            self._place(done.node, done.anchor)
+        elif kind is events.AliasEvent:
+            self._alias(event)
+        elif kind is events.DocumentStartEvent and self.root is not None:
+            raise self._stop("the file holds more than one document", "keep one", event.start_mark)
+
+    def _stop(self, message: str, remedy: str, mark: Any) -> InputError:
+        last = Finding(message, remedy, self.source, mark.line + 1, mark.column + 1)
+        return InputError([*self.findings, last])
+
+    def _report(self, message: str, remedy: str, line: int, column: int) -> None:
+        self.findings.append(Finding(message, remedy, self.source, line, column))
+
+    def _scalar(self, event: Any) -> Node:
+        mark, text, tag = event.start_mark, event.value, event.tag
+        line, column = mark.line + 1, mark.column + 1
+        if tag is None:
+            value = resolve(text) if event.implicit[0] else text
+        elif tag in TAGS:
+            try:
+                value = TAGS[tag](text)
+            except ValueError:
+                value = text
+                self._report(f"'{text}' does not fit its tag", "drop the tag", line, column)
+        else:
+            value = text
+            self._unknown_tag(tag, line, column)
+        return Node(value, line, column, mark.index, event.end_mark.index, tag, text, event.style)
+
+    def _unknown_tag(self, tag: str, line: int, column: int) -> None:
+        shown = tag.replace(_STANDARD, "!!")
+        self._report(f"the tag '{shown}' is not accepted", "write plain data", line, column)
+
+    def _begin(self, event: Any, *, mapping: bool) -> None:
+        mark, tag = event.start_mark, event.tag
+        if len(self._stack) >= DEEPEST:
+            raise self._stop(
+                f"nested deeper than {DEEPEST} levels", "use a flatter structure", mark
+            )
+        line, column = mark.line + 1, mark.column + 1
+        if tag is not None and tag not in _COLLECTIONS:
+            self._unknown_tag(tag, line, column)
+        value: Any = {} if mapping else []
+        node = Node(value, line, column, mark.index, mark.index, tag)
+        node.children = {} if mapping else []
+        if event.anchor is not None:
+            self._anchors[event.anchor] = None
+        self._stack.append(_Open(node, event.anchor, mapping))
+
+    def _alias(self, event: Any) -> None:
+        if event.anchor not in self._anchors:
+            raise self._stop(
+                f"'*{event.anchor}' refers to nothing", "define its anchor first", event.start_mark
+            )
+        target = self._anchors[event.anchor]
+        if target is None:
+            raise self._stop(
+                f"'*{event.anchor}' contains itself", "write the value out", event.start_mark
+            )
+        self._copied += target.size
+        if self._copied > MOST_FROM_ALIASES:
+            raise self._stop(
+                f"aliases multiply to more than {MOST_FROM_ALIASES} values",
+                "write the values out",
+                event.start_mark,
+            )
+        self._place(target, None)
+
+    def _place(self, node: Node, anchor: str | None) -> None:
+        """Put a finished node into the collection that is open."""
+        if anchor is not None:
+            self._anchors[anchor] = node
+        if not self._stack:
+            self.root = _as_set(node)
+            return
+        top = self._stack[-1]
+        if not top.mapping:
+            node = _as_set(node)
+            top.node.size += node.size
+            top.node.value.append(node.value)
+            top.node.children.append(node)  # type: ignore[union-attr]  # a list, as `mapping` says
+        elif top.key is None:
+            top.key = node
+        else:
+            self._entry(top, top.key, _as_set(node))
+            top.key = None
+
+    def _entry(self, top: _Open, key_node: Node, node: Node) -> None:
+        children = top.node.children
+        assert isinstance(children, dict)
+        key = self._key(key_node)
+        top.node.size += node.size + 1
+        if key in children:
+            first = top.node.keys[key][0]
+            self._report(
+                f"the key '{key}' appears twice, first in line {first}",
+                "keep one of them",
+                key_node.line,
+                key_node.column,
+            )
+            return
+        top.node.value[key] = node.value
+        children[key] = node
+        top.node.keys[key] = (key_node.line, key_node.column)
+
+    def _key(self, node: Node) -> str:
+        """The text of a key; a sequence of scalars (a tuple in Python) is written `(a, b)`."""
+        if node.text is not None:
+            return node.text
+        if isinstance(node.children, list) and all(c.text is not None for c in node.children):
+            return "(" + ", ".join(str(child.text) for child in node.children) + ")"
+        self._report("a key cannot be a collection", "use a word", node.line, node.column)
+        return ""
+
+
+def _as_set(node: Node) -> Node:
+    """A `!!set` as the list of its members; every other node as it is."""
+    if node.tag != SET or not isinstance(node.children, dict):
+        return node
+    members = []
+    for key, (line, column) in node.keys.items():
+        members.append(Node(key, line, column, node.start, node.end, text=key))
+    node.value, node.children = [child.value for child in members], list(members)
+    return node
+
+
+def compose(text: str, source: str) -> Node:
+    """The node tree of a YAML text.
+
+    Raises
+    ------
+    InputError
+        With every duplicate key and unknown tag, or with the one place where reading had to stop:
+        wrong syntax, nesting beyond `DEEPEST`, aliases beyond `MOST_FROM_ALIASES` values.
+
+    """
+    composer = Composer(source)
+    try:
+        loader = _Loader(text)
+        try:
+            while loader.check_event():
+                composer.take(loader.get_event())
+        finally:
+            loader.dispose()
+    except yaml.MarkedYAMLError as error:
+        raise InputError([*composer.findings, _syntax(error, source)]) from None
+    except yaml.YAMLError as error:
+        raise InputError([*composer.findings, _character(error, text, source)]) from None
+    if composer.findings:
+        raise InputError(composer.findings)
+    return composer.root or Node(None, 1, 1, 0, 0, text="")
+
+
+def _syntax(error: yaml.MarkedYAMLError, source: str) -> Finding:
+    mark = error.problem_mark or error.context_mark
+    words = [part for part in (error.context, error.problem) if part]
+    return Finding(
+        "not valid YAML: " + ", ".join(words),
+        "look at the punctuation and the indentation here",
+        source,
+        mark.line + 1 if mark else None,
+        mark.column + 1 if mark else None,
+    )
+
+
+def _character(error: yaml.YAMLError, text: str, source: str) -> Finding:
+    """A character that YAML does not allow; the C parser counts its place in bytes."""
+    for number, line in enumerate(text.split("\n"), start=1):
+        for column, char in enumerate(line, start=1):
+            if not char.isprintable() and char not in "\t\r\x85\ufeff\u2028\u2029":
+                return Finding(
+                    f"the character U+{ord(char):04X} is not allowed in YAML",
+                    "remove it",
+                    source,
+                    number,
+                    column,
+                )
+    return Finding(f"not valid YAML: {str(error).splitlines()[0]}", "", source)

@@ -1,0 +1,221 @@
+"""A YAML document whose every part knows its place in the file."""
+
+from __future__ import annotations
+
+import hashlib
+import pathlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, TypeAlias
+
+from tsplan.document.compose import Node, compose
+from tsplan.errors import Finding, InputError
+
+Path: TypeAlias = tuple[str | int, ...]
+
+LARGEST_FILE = 64 * 1024 * 1024  # bytes
+
+
+@dataclass(frozen=True)
+class Document:
+    """What a YAML text says, and where.
+
+    `data` is made of dict, list, str, int, float, bool and None only; the keys of its dicts are
+    the text of the keys. A path is a tuple of keys and list positions from the root. Lines and
+    columns count from 1.
+
+    >>> document = parse_document("team: [{count: two}]", "mission.yaml")
+    >>> document.place(("team", 0, "count"))
+    (1, 16)
+    >>> str(document.finding(("team", 0, "count"), "not a number", "write 2"))
+    'mission.yaml:1:16: not a number; write 2'
+    """
+
+    data: Any
+    source: str
+    digest: str
+    content: str = field(repr=False, compare=False)
+    root: Node = field(repr=False, compare=False)
+
+    @cached_property
+    def positions(self) -> Mapping[Path, tuple[int, int]]:
+        """The place of every value by its path (a mapping entry's is that of its value)."""
+        return {path: (node.line, node.column) for path, node in self._walk()}
+
+    def _walk(self) -> Iterator[tuple[Path, Node]]:
+        stack: list[tuple[Path, Node]] = [((), self.root)]
+        while stack:
+            path, node = stack.pop()
+            yield path, node
+            if isinstance(node.children, dict):
+                stack.extend(((*path, key), child) for key, child in node.children.items())
+            elif node.children:
+                stack.extend(((*path, index), child) for index, child in enumerate(node.children))
+
+    def _nearest(self, path: Path) -> tuple[Node, int]:
+        """The node at a path or its nearest ancestor, and how many steps of the path lead to it."""
+        node = self.root
+        for depth, step in enumerate(path):
+            children = node.children
+            if isinstance(children, dict) and step in children:
+                node = children[str(step)]
+            elif isinstance(children, list) and isinstance(step, int) and step < len(children):
+                node = children[step]
+            else:
+                return node, depth
+        return node, len(path)
+
+    def _node(self, path: Path) -> Node:
+        node, depth = self._nearest(path)
+        if depth < len(path):
+            raise KeyError(path)
+        return node
+
+    def at(self, path: Path) -> Any:
+        """The value at a path; KeyError where there is none."""
+        return self._node(path).value
+
+    def place(self, path: Path) -> tuple[int | None, int | None]:
+        """Line and column of the value at a path, or of its nearest ancestor."""
+        node, _ = self._nearest(path)
+        return node.line, node.column
+
+    def key_place(self, path: Path) -> tuple[int | None, int | None]:
+        """Line and column of the key that a path ends with; for a list entry, of the entry."""
+        if path:
+            node, depth = self._nearest(path[:-1])
+            if depth == len(path) - 1 and path[-1] in node.keys:
+                return node.keys[str(path[-1])]
+        return self.place(path)
+
+    def tag(self, path: Path) -> str | None:
+        """The tag written at a path (`!Ts`; the standard ones in full), or None."""
+        return self._node(path).tag
+
+    def text(self, path: Path) -> str | None:
+        """A scalar exactly as written (`01` where `data` says 1); None for collections."""
+        return self._node(path).text
+
+    def finding(self, path: Path, message: str, remedy: str = "") -> Finding:
+        """A finding at the place of a path."""
+        return Finding(message, remedy, self.source, *self.place(path))
+
+    def key_finding(self, path: Path, message: str, remedy: str = "") -> Finding:
+        """A finding at the place of the key that a path ends with."""
+        return Finding(message, remedy, self.source, *self.key_place(path))
+
+    def text_origin(self, path: Path) -> tuple[int, int]:
+        """Line and column of the first character of a scalar's content."""
+        return self.inside(path, 1, 1)
+
+    def inside(self, path: Path, line: int, column: int) -> tuple[int, int]:
+        """Where line `line`, column `column` of the text of a scalar lies in the file.
+
+        Folding, indentation and quotes move white space only, so the place is found by counting
+        the other characters. Inside double quotes, escapes are not counted exactly.
+        """
+        node = self._node(path)
+        text = node.text or ""
+        lines = text.split("\n")
+        offset = sum(len(part) + 1 for part in lines[: line - 1]) + column - 1
+        start = self._content_start(node)
+        return self._line_and_column(_aligned(text, offset, self.content, start, node.end))
+
+    def _content_start(self, node: Node) -> int:
+        """Offset of a scalar's content: after its quote, or on the line after `|` or `>`."""
+        if node.style in ("'", '"'):
+            return node.start + 1
+        if node.style not in ("|", ">"):
+            return node.start
+        start = self.content.find("\n", node.start) + 1
+        while start < node.end and self.content[start].isspace():
+            start += 1
+        # leading spaces that belong to the text, beyond the indentation
+        lead = (node.text or "").split("\n")[0]
+        return start - (len(lead) - len(lead.lstrip()))
+
+    def _line_and_column(self, offset: int) -> tuple[int, int]:
+        before = self.content[:offset]
+        return before.count("\n") + 1, offset - (before.rfind("\n") + 1) + 1
+
+
+def _aligned(text: str, offset: int, content: str, start: int, end: int) -> int:
+    """Offset into `content` of the character `offset` of a scalar whose content is there."""
+    place, last = start, -1
+    for index, char in enumerate(text[: offset + 1]):
+        if char.isspace():
+            continue
+        found = content.find(char, place, end)
+        if found < 0:
+            break
+        if index == offset:
+            return found
+        place, last = found + 1, index
+    return place + max(offset - last - 1, 0)
+
+
+def parse_document(text: str, source: str) -> Document:
+    """A document from its text; `source` is what findings call it.
+
+    Raises
+    ------
+    InputError
+        Wrong YAML, duplicate keys, unknown tags, nesting or aliases beyond the bounds.
+
+    """
+    text = text.removeprefix("\ufeff")
+    root = compose(text, source)
+    digest = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+    return Document(root.value, source, digest, text, root)
+
+
+def read_document(path: str | pathlib.Path) -> Document:
+    """A document from a file.
+
+    Raises
+    ------
+    InputError
+        The file is missing, too large or not UTF-8, or as `parse_document` says.
+
+    """
+    source = str(path)
+    return parse_document(read_text(path), source)
+
+
+def read_text(path: str | pathlib.Path) -> str:
+    """The text of an input file; InputError where it is missing, too large or not UTF-8."""
+    file, source = pathlib.Path(path), str(path)
+    try:
+        if file.is_dir():
+            raise InputError([Finding("this is a directory", "name a file", source)])
+        if file.stat().st_size > LARGEST_FILE:
+            limit = LARGEST_FILE // 1024**2
+            raise InputError([Finding(f"larger than {limit} MiB", "use a smaller file", source)])
+        raw = file.read_bytes()
+    except FileNotFoundError:
+        raise InputError([_missing(file, source)]) from None
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise InputError([Finding(f"cannot be read: {reason}", "check the path", source)]) from None
+    try:
+        return raw.decode("utf-8")
+    except UnicodeDecodeError as error:
+        before = raw[: error.start]
+        line = before.count(b"\n") + 1
+        column = len(before[before.rfind(b"\n") + 1 :].decode("utf-8", "replace")) + 1
+        finding = Finding("not UTF-8 text", "save the file as UTF-8", source, line, column)
+        raise InputError([finding]) from None
+
+
+def _missing(file: pathlib.Path, source: str) -> Finding:
+    """There is no such file; name the closest one beside it."""
+    from difflib import get_close_matches  # noqa: PLC0415 - only for the message
+
+    folder = file.parent
+    names = [item.name for item in folder.iterdir()] if folder.is_dir() else []
+    close = get_close_matches(file.name, names, n=1)
+    remedy = f"did you mean '{folder / close[0]}'?" if close else "check the path"
+    return Finding("there is no such file", remedy, source)

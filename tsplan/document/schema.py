@@ -1,0 +1,141 @@
+"""Checking a part of a document against a pydantic model, with findings a person can act on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, TypeVar, get_args
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from tsplan.document.document import Document, Path
+from tsplan.errors import Finding, nearest
+
+SchemaT = TypeVar("SchemaT", bound=BaseModel)
+
+# what pydantic calls the kind of an error: what a value should be, and how to write one
+_KINDS: dict[str, tuple[str, str]] = {
+    "int_type": ("a whole number", "write it without quotes, as in 3"),
+    "int_parsing": ("a whole number", "write it without quotes, as in 3"),
+    "int_from_float": ("a whole number", "round it"),
+    "float_type": ("a number", "write it without quotes, as in 1.5"),
+    "float_parsing": ("a number", "write it without quotes, as in 1.5"),
+    "finite_number": ("a finite number", "write its value"),
+    "string_type": ("text", "put it in quotes"),
+    "bool_type": ("true or false", "write true or false"),
+    "bool_parsing": ("true or false", "write true or false"),
+    "list_type": ("a list", "write it as [a, b]"),
+    "tuple_type": ("a list", "write it as [a, b]"),
+    "set_type": ("a list", "write it as [a, b]"),
+    "frozen_set_type": ("a list", "write it as [a, b]"),
+    "dict_type": ("a mapping", "write it as {key: value}"),
+    "model_type": ("a mapping", "write it as {key: value}"),
+    "model_attributes_type": ("a mapping", "write it as {key: value}"),
+}
+
+
+def validated(
+    document: Document, schema: type[SchemaT], path: Path = ()
+) -> tuple[SchemaT | None, list[Finding]]:
+    """The part of a document at `path` as a pydantic model, or else everything wrong with it.
+
+    Findings stand at the value they are about, those on unknown keys at the key. A validator may
+    raise `PydanticCustomError(kind, message, {"remedy": ...})` to say its own message and remedy.
+    """
+    try:
+        return schema.model_validate(document.at(path)), []
+    except ValidationError as error:
+        found = [_finding(document, schema, path, item) for item in error.errors()]
+        return None, list(dict.fromkeys(found))
+
+
+def _finding(
+    document: Document, schema: type[BaseModel], path: Path, error: ErrorDetails
+) -> Finding:
+    here = (*path, *error["loc"])
+    kind, context = error["type"], error.get("ctx", {})
+    if kind == "missing":
+        return _missing(document, here)
+    if kind == "extra_forbidden":
+        remedy = nearest(str(here[-1]), _known_keys(schema, error["loc"][:-1]))
+        return document.key_finding(here, f"unknown key '{here[-1]}'", remedy)
+    if kind in _KINDS:
+        wanted, how = _KINDS[kind]
+        if error["input"] is None and kind != "string_type":
+            how = "give it a value or leave the key out"
+        return document.finding(here, f"{_subject(here)}{_shown(error)} is not {wanted}", how)
+    remedy = str(context.get("remedy", "")) or _bound_remedy(kind, context)
+    return document.finding(here, f"{_subject(here)}{_message(error)}", remedy)
+
+
+def _missing(document: Document, path: Path) -> Finding:
+    """A key that is not there, or an entry that a list is too short for."""
+    if isinstance(path[-1], int):
+        return document.finding(path[:-1], f"entry {path[-1] + 1} is missing", "add it")
+    return document.finding(path[:-1], f"'{path[-1]}' is missing", f"add '{path[-1]}: ...'")
+
+
+def _subject(path: Path) -> str:
+    """The name of what is wrong: the last key of the path that is a word."""
+    words = [step for step in path if isinstance(step, str)]
+    return f"{words[-1]}: " if words else ""
+
+
+def _shown(error: ErrorDetails) -> str:
+    value = error["input"]
+    if value is None:
+        return "nothing"
+    if isinstance(value, Mapping):
+        return "a mapping"
+    if isinstance(value, list):
+        return "a list"
+    text = str(value).lower() if isinstance(value, bool) else str(value)
+    text = text if len(text) <= 40 else text[:37] + "..."  # noqa: PLR2004 - a line's worth
+    return f"'{text}'"
+
+
+def _message(error: ErrorDetails) -> str:
+    """Pydantic's own words, in this project's style."""
+    text = error["msg"].removeprefix("Value error, ").removeprefix("Input ")
+    if text.startswith("should"):
+        text = f"{_shown(error)} {text}"
+    return text[:1].lower() + text[1:] if text[1:2].islower() else text
+
+
+def _bound_remedy(kind: str, context: Mapping[str, Any]) -> str:
+    for key, words in (
+        ("ge", "at least"),
+        ("gt", "more than"),
+        ("le", "at most"),
+        ("lt", "less than"),
+    ):
+        if key in context:
+            return f"use a number that is {words} {context[key]}"
+    if kind == "literal_error" and "expected" in context:
+        return f"use one of {context['expected']}"
+    if "min_length" in context:
+        return "add an entry"
+    return ""
+
+
+def _models(annotation: Any) -> list[type[BaseModel]]:
+    """Every pydantic model named in a type, through unions, lists and mappings."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [model for part in get_args(annotation) for model in _models(part)]
+
+
+def _known_keys(schema: type[BaseModel], location: tuple[int | str, ...]) -> list[str]:
+    """The keys that are known at a location below a schema."""
+    models = [schema]
+    for step in location:
+        inner = [
+            found
+            for model in models
+            for name, field in model.model_fields.items()
+            if step in (name, field.alias)
+            for found in _models(field.annotation)
+        ]
+        # a list position or a free key stays within the same models
+        models = inner or models
+    return [field.alias or name for model in models for name, field in model.model_fields.items()]
