@@ -3,10 +3,16 @@
 - `scalars`: what a plain scalar means (YAML 1.2 core rules, booleans kept narrow).
 - `compose`: events of the YAML parser to nodes, with bounds on nesting and on aliases.
 - `document`: the document, places of its parts, and reading files.
+- `fields`: types for the fields of file schemas.
 - `schema`: checking a part of a document against a pydantic model.
 """
 
+from typing import TYPE_CHECKING
+
 from tsplan.document.document import Document, Path, parse_document, read_document
+
+if TYPE_CHECKING:
+    from tsplan.document.schema import validated
 
 __all__ = ["Document", "Path", "parse_document", "read_document", "validated"]
 

@@ -9,6 +9,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from tsplan.document.document import Document, Path
+from tsplan.document.fields import shown
 from tsplan.errors import Finding, nearest
 
 SchemaT = TypeVar("SchemaT", bound=BaseModel)
@@ -40,7 +41,7 @@ def validated(
     """The part of a document at `path` as a pydantic model, or else everything wrong with it.
 
     Findings stand at the value they are about, those on unknown keys at the key. A validator may
-    raise `PydanticCustomError(kind, message, {"remedy": ...})` to say its own message and remedy.
+    raise `fields.complaint(message, remedy)` to say its own message and remedy.
     """
     try:
         return schema.model_validate(document.at(path)), []
@@ -63,9 +64,13 @@ def _finding(
         wanted, how = _KINDS[kind]
         if error["input"] is None and kind != "string_type":
             how = "give it a value or leave the key out"
-        return document.finding(here, f"{_subject(here)}{_shown(error)} is not {wanted}", how)
+        return document.finding(
+            here, f"{_subject(here)}{shown(error['input'])} is not {wanted}", how
+        )
     remedy = str(context.get("remedy", "")) or _bound_remedy(kind, context)
-    return document.finding(here, f"{_subject(here)}{_message(error)}", remedy)
+    about = context.get("about")
+    subject = f"{about}: " if about else _subject(here)
+    return document.finding(here, f"{subject}{_message(error)}", remedy)
 
 
 def _missing(document: Document, path: Path) -> Finding:
@@ -81,24 +86,11 @@ def _subject(path: Path) -> str:
     return f"{words[-1]}: " if words else ""
 
 
-def _shown(error: ErrorDetails) -> str:
-    value = error["input"]
-    if value is None:
-        return "nothing"
-    if isinstance(value, Mapping):
-        return "a mapping"
-    if isinstance(value, list):
-        return "a list"
-    text = str(value).lower() if isinstance(value, bool) else str(value)
-    text = text if len(text) <= 40 else text[:37] + "..."  # noqa: PLR2004 - a line's worth
-    return f"'{text}'"
-
-
 def _message(error: ErrorDetails) -> str:
     """Pydantic's own words, in this project's style."""
     text = error["msg"].removeprefix("Value error, ").removeprefix("Input ")
     if text.startswith("should"):
-        text = f"{_shown(error)} {text}"
+        text = f"{shown(error['input'])} {text}"
     return text[:1].lower() + text[1:] if text[1:2].islower() else text
 
 

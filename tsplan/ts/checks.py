@@ -1,0 +1,142 @@
+"""What makes states and edges a transition system, checked all at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from tsplan.errors import Finding, nearest
+from tsplan.ts.parts import Edge, State
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One thing wrong with the state or edge number `index` of what was given.
+
+    `part` is the field that is wrong, or None for the whole. `first` is the number of the earlier
+    one that a repetition repeats.
+    """
+
+    kind: Literal["system", "state", "edge"]
+    index: int
+    part: str | None
+    message: str
+    remedy: str
+    first: int | None = None
+
+    def finding(self) -> Finding:
+        """The problem without a place, as for systems built in Python."""
+        return Finding(self.message, self.remedy)
+
+
+def in_order(findings: Iterable[Finding]) -> list[Finding]:
+    """Findings by place in the file, each once."""
+    return sorted(dict.fromkeys(findings), key=lambda item: (item.line or 0, item.column or 0))
+
+
+def problems(states: Sequence[State], edges: Sequence[Edge]) -> Iterator[Problem]:
+    """Everything that keeps these states and edges from being a transition system."""
+    if not states:
+        yield Problem("system", 0, "states", "the map has no states", "add at least one state")
+    seen: dict[str, int] = {}
+    for index, state in enumerate(states):
+        yield from _state(index, state)
+        if state.name in seen:
+            message = f"the state '{state.name}' is defined twice"
+            yield Problem("state", index, None, message, "keep one of them", seen[state.name])
+        seen.setdefault(state.name, index)
+    yield from _edges(edges, seen)
+
+
+def _edges(edges: Sequence[Edge], names: Collection[str]) -> Iterator[Problem]:
+    known: dict[tuple[str, str], int] = {}
+    repeated: set[tuple[str, str]] = set()
+    for index, edge in enumerate(edges):
+        for part, name in (("source", edge.source), ("target", edge.target)):
+            if name not in names and names:
+                message = f"no state is called '{name}'"
+                yield Problem("edge", index, part, message, nearest(str(name), map(str, names)))
+        if not (type(edge.duration) is int and edge.duration >= 1):
+            yield from _duration(index, edge)
+        if edge.cost is not None and not _is_cost(edge.cost):
+            message = f"cost: {edge.cost} is not a finite number of at least 0"
+            yield Problem("edge", index, "cost", message, "write a number such as 2.5")
+        yield from _capacity("edge", index, edge.capacity)
+        if edge.pair in known:
+            message = f"a second edge leads from '{edge.source}' to '{edge.target}'"
+            remedy = "keep one, or put a state between"
+            yield Problem("edge", index, None, message, remedy, known[edge.pair])
+            repeated.add(edge.pair)
+        known.setdefault(edge.pair, index)
+    yield from _pairs(edges, known, repeated)
+
+
+def _pairs(
+    edges: Sequence[Edge],
+    known: Mapping[tuple[str, str], int],
+    repeated: Collection[tuple[str, str]],
+) -> Iterator[Problem]:
+    """Each edge of both directions needs its reverse, equal to it in everything else."""
+    for index, edge in enumerate(edges):
+        if not edge.both_ways:
+            continue
+        if edge.is_wait:
+            message = f"the edge from '{edge.source}' to itself cannot go both ways"
+            yield Problem("edge", index, "both_ways", message, "drop both_ways")
+            continue
+        if (edge.target, edge.source) in repeated:
+            continue
+        back = known.get((edge.target, edge.source))
+        if back is None or edges[back] != edge.reverse():
+            message = f"the edge from '{edge.source}' to '{edge.target}' lacks its equal reverse"
+            yield Problem(
+                "edge", index, "both_ways", message, "add edge.reverse(), or drop both_ways"
+            )
+
+
+def _state(index: int, state: State) -> Iterator[Problem]:
+    if not isinstance(state.name, str) or not state.name:
+        message = f"a state's name is {state.name!r}"
+        yield Problem("state", index, "name", message, "give it a name of at least one character")
+    if state.at is not None and not _is_point(state.at):
+        message = f"at: {state.at} is not a pair of finite numbers"
+        yield Problem("state", index, "at", message, "write it as [x, y]")
+    if state.shape is not None and not all(map(_is_point, state.shape)):
+        message = "shape: a corner is not a pair of finite numbers"
+        yield Problem("state", index, "shape", message, "write it as [[x, y], [x, y], [x, y]]")
+    yield from _capacity("state", index, state.capacity)
+
+
+def _duration(index: int, edge: Edge) -> Iterator[Problem]:
+    remedy = "durations are whole numbers of steps, at least 1"
+    if isinstance(edge.duration, Mapping):
+        if not edge.duration:
+            message = "duration: no class is listed, so nobody can use this edge"
+            yield Problem("edge", index, "duration", message, "list a class, or drop the edge")
+        for class_name, value in edge.duration.items():
+            if type(value) is not int or value < 1:
+                message = f"duration: {value} for '{class_name}' is not a whole number from 1 on"
+                yield Problem("edge", index, "duration", message, remedy)
+    else:
+        message = f"duration: {edge.duration} is not a whole number from 1 on"
+        yield Problem("edge", index, "duration", message, remedy)
+
+
+def _capacity(kind: Literal["state", "edge"], index: int, value: Any) -> Iterator[Problem]:
+    if value is not None and (type(value) is not int or value < 0):
+        message = f"capacity: {value} is not a whole number of at least 0"
+        yield Problem(kind, index, "capacity", message, "write how many agents fit, as in 2")
+
+
+def _is_cost(value: Any) -> bool:
+    return _is_number(value) and value >= 0
+
+
+def _is_point(value: Any) -> bool:
+    return isinstance(value, tuple) and len(value) == 2 and all(map(_is_number, value))  # noqa: PLR2004 - x and y
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

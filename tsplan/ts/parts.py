@@ -1,0 +1,153 @@
+"""What a transition system is made of: states, edges, and durations that differ by class."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+NOTHING: frozenset[str] = frozenset()
+
+# the key of a per-class mapping that stands for every class it does not list
+DEFAULT = "default"
+
+
+class ByClass(Mapping[str, int]):
+    """A frozen mapping from class names to whole numbers; the key `default` covers the others.
+
+    >>> durations = ByClass({"heavy": 3, "default": 1})
+    >>> durations.of("heavy"), durations.of("scout"), ByClass({"heavy": 3}).of("scout")
+    (3, 1, None)
+    """
+
+    __slots__ = ("_entries",)
+
+    def __init__(self, entries: Mapping[str, int] | Iterable[tuple[str, int]]) -> None:
+        self._entries = dict(entries)
+
+    def __getitem__(self, class_name: str) -> int:
+        return self._entries[class_name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._entries)
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self._entries.items()))
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, ByClass):
+            return self._entries == other._entries
+        return NotImplemented
+
+    def __repr__(self) -> str:
+        return f"ByClass({self._entries!r})"
+
+    def of(self, class_name: str) -> int | None:
+        """The number of a class, else the default, else None."""
+        return self._entries.get(class_name, self._entries.get(DEFAULT))
+
+
+Duration: TypeAlias = int | Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A place where agents can be.
+
+    `at` and `shape` (a polygon) are coordinates for drawing, in any unit. `capacity` bounds the
+    agents here at each step. Only agents with all capabilities of `needs` may be here.
+    """
+
+    name: str
+    labels: frozenset[str] = NOTHING
+    at: tuple[float, float] | None = None
+    shape: tuple[tuple[float, float], ...] | None = None
+    color: str | None = None
+    capacity: int | None = None
+    needs: frozenset[str] = NOTHING
+
+    def __post_init__(self) -> None:
+        """Freeze what was given as another collection; a single word is one label."""
+        if type(self.labels) is not frozenset:
+            object.__setattr__(self, "labels", words(self.labels))
+        if type(self.needs) is not frozenset:
+            object.__setattr__(self, "needs", words(self.needs))
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """A move from one state to another, or a wait where both are the same.
+
+    An agent that enters the edge at step k arrives at step k + duration and is at no state in
+    between. `cost` is per use; without it, a move costs its duration and a wait nothing.
+    `capacity` bounds the agents that have entered and not yet arrived. The two directions of an
+    edge written `both_ways` share that capacity. Only agents with all of `needs` may use it.
+    """
+
+    source: str
+    target: str
+    duration: Duration = 1
+    cost: float | None = None
+    capacity: int | None = None
+    needs: frozenset[str] = NOTHING
+    both_ways: bool = False
+
+    def __post_init__(self) -> None:
+        """Freeze what was given as another collection."""
+        if type(self.duration) is not int and isinstance(self.duration, Mapping):
+            object.__setattr__(self, "duration", ByClass(self.duration))
+        if type(self.needs) is not frozenset:
+            object.__setattr__(self, "needs", words(self.needs))
+
+    @property
+    def pair(self) -> tuple[str, str]:
+        """The names of both ends, by which a transition system finds the edge."""
+        return self.source, self.target
+
+    @property
+    def is_wait(self) -> bool:
+        """Whether the edge leads back to where it starts."""
+        return self.source == self.target
+
+    def duration_for(self, class_name: str) -> int | None:
+        """Steps that a class needs for this edge; None where the class cannot use it."""
+        if isinstance(self.duration, ByClass):
+            return self.duration.of(class_name)
+        assert isinstance(self.duration, int)
+        return self.duration
+
+    def cost_for(self, class_name: str) -> float:
+        """Cost of one use by a class; infinite where the class cannot use the edge."""
+        if self.cost is not None:
+            return self.cost
+        if self.is_wait:
+            return 0.0
+        duration = self.duration_for(class_name)
+        return math.inf if duration is None else float(duration)
+
+    def shortest(self) -> int | None:
+        """Steps that the quickest class needs; None where the edge lists no class at all."""
+        if isinstance(self.duration, Mapping):
+            return min(self.duration.values(), default=None)
+        return self.duration
+
+    def reverse(self) -> Edge:
+        """The same edge in the other direction."""
+        return Edge(
+            self.target,
+            self.source,
+            self.duration,
+            self.cost,
+            self.capacity,
+            self.needs,
+            self.both_ways,
+        )
+
+
+def words(given: Iterable[str]) -> frozenset[str]:
+    """A set of words; one string is one word, not its letters."""
+    return frozenset((given,) if isinstance(given, str) else given)

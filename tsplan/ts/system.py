@@ -1,0 +1,158 @@
+"""A transition system: the map that agents move on, as one frozen value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from tsplan.errors import Finding, MapError
+from tsplan.ts.checks import Problem, in_order, problems
+from tsplan.ts.parts import Edge, State
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+Pair: TypeAlias = tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Extras:
+    """What a file of another format says that this package does not use, kept for writing it back.
+
+    `format` names the format it belongs to; `system`, `states` and `edges` hold what that format
+    knows about the whole, each state and each edge.
+    """
+
+    format: str
+    system: Mapping[str, Any] = field(default_factory=dict)
+    states: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    edges: Mapping[Pair, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class TransitionSystem:
+    """States and directed edges, at most one edge for each ordered pair of states.
+
+    Build one with `TransitionSystem.build`, which checks it. States and edges keep the order in
+    which they were given.
+
+    >>> town = TransitionSystem.build(
+    ...     [State("home"), State("shop", frozenset({"open"}))],
+    ...     [Edge("home", "shop", 2), Edge("shop", "shop")],
+    ... )
+    >>> town.labels["open"], town.edges["home", "shop"].duration
+    (('shop',), 2)
+    """
+
+    name: str
+    states: Mapping[str, State]
+    edges: Mapping[Pair, Edge]
+    extras: Extras | None = field(default=None, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Freeze the mappings."""
+        object.__setattr__(self, "states", MappingProxyType(dict(self.states)))
+        object.__setattr__(self, "edges", MappingProxyType(dict(self.edges)))
+
+    def __hash__(self) -> int:
+        return hash((self.name, len(self.states), len(self.edges), next(iter(self.states), "")))
+
+    def __repr__(self) -> str:
+        counts = f"{len(self.states)} states, {len(self.edges)} edges"
+        return f"<TransitionSystem {self.name!r}: {counts}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle as plain dicts, so that a system can be sent to another process."""
+        return TransitionSystem, (self.name, dict(self.states), dict(self.edges), self.extras)
+
+    @classmethod
+    def build(
+        cls,
+        states: Iterable[State],
+        edges: Iterable[Edge],
+        name: str = "",
+        *,
+        extras: Extras | None = None,
+        locate: Callable[[Problem], Finding] = Problem.finding,
+    ) -> TransitionSystem:
+        """A transition system from its parts, in the order given.
+
+        `locate` turns a problem into a finding with its place, for parts that come from a file.
+
+        Raises
+        ------
+        MapError
+            No states, names that repeat, edges with unknown ends or that repeat, durations that
+            are not whole numbers from 1 on, wrong capacities and costs; all of them at once.
+
+        """
+        states, edges = tuple(states), tuple(edges)
+        found = [locate(problem) for problem in problems(states, edges)]
+        if found:
+            raise MapError(in_order(found))
+        return cls(
+            name,
+            {state.name: state for state in states},
+            {(edge.source, edge.target): edge for edge in edges},
+            extras,
+        )
+
+    @cached_property
+    def labels(self) -> Mapping[str, tuple[str, ...]]:
+        """The states that carry each label, in the order of the states."""
+        carriers: dict[str, list[str]] = {}
+        for state in self.states.values():
+            for label in sorted(state.labels):
+                carriers.setdefault(label, []).append(state.name)
+        return MappingProxyType({label: tuple(names) for label, names in carriers.items()})
+
+    @cached_property
+    def capacity_groups(self) -> tuple[tuple[int, tuple[Pair, ...]], ...]:
+        """Edge capacities with the edges that share each: one edge, or one in both directions."""
+        groups: list[tuple[int, tuple[Pair, ...]]] = []
+        for pair, edge in self.edges.items():
+            if edge.capacity is None:
+                continue
+            if not edge.both_ways:
+                groups.append((edge.capacity, (pair,)))
+                continue
+            back = (edge.target, edge.source)
+            # the direction that comes first stands for both
+            if self._position[pair] < self._position[back]:
+                groups.append((edge.capacity, (pair, back)))
+        return tuple(groups)
+
+    @cached_property
+    def _position(self) -> Mapping[Pair, int]:
+        return {pair: index for index, pair in enumerate(self.edges)}
+
+    @cached_property
+    def graph(self) -> nx.DiGraph[str]:
+        """A frozen networkx graph: nodes hold `state`; edges hold `edge` and `weight`.
+
+        `weight` is the duration, for classes that differ the shortest one.
+        """
+        import networkx as nx  # noqa: PLC0415 - slow to import, and needed for graph work only
+
+        graph: nx.DiGraph[str] = nx.DiGraph(name=self.name)
+        graph.add_nodes_from((name, {"state": state}) for name, state in self.states.items())
+        graph.add_edges_from(
+            (source, target, {"edge": edge, "weight": edge.shortest()})
+            for (source, target), edge in self.edges.items()
+        )
+        nx.freeze(graph)
+        return graph
+
+    def leaving(self, state: str) -> tuple[Edge, ...]:
+        """The edges that leave a state, waits included."""
+        return self._leaving.get(state, ())
+
+    @cached_property
+    def _leaving(self) -> Mapping[str, tuple[Edge, ...]]:
+        found: dict[str, list[Edge]] = {}
+        for edge in self.edges.values():
+            found.setdefault(edge.source, []).append(edge)
+        return {name: tuple(edges) for name, edges in found.items()}
