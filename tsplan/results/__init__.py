@@ -1,0 +1,36 @@
+"""Plans: the paths of all agents, their independent check, reading, writing and showing them."""
+
+from tsplan.results.check import Report, certify, check, objective_values
+from tsplan.results.flows import ClassFlow, decompose
+from tsplan.results.plan import (
+    AgentPlan,
+    MissionRef,
+    ModelSize,
+    ObjectiveValue,
+    Plan,
+    SolverUse,
+    Status,
+    StoppedBy,
+    Timings,
+)
+from tsplan.results.planfile import load_plan, save_plan
+
+__all__ = [
+    "AgentPlan",
+    "ClassFlow",
+    "MissionRef",
+    "ModelSize",
+    "ObjectiveValue",
+    "Plan",
+    "Report",
+    "SolverUse",
+    "Status",
+    "StoppedBy",
+    "Timings",
+    "certify",
+    "check",
+    "decompose",
+    "load_plan",
+    "objective_values",
+    "save_plan",
+]

@@ -1,0 +1,97 @@
+"""Plans for many robots at once from a map, a team and a temporal-logic formula.
+
+>>> import tsplan
+>>> mission = tsplan.load_mission("mission.yaml")                       # doctest: +SKIP
+>>> plan = tsplan.plan(mission)                                         # doctest: +SKIP
+
+Names are loaded when they are first used, so importing the package is quick and loads no solver.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from tsplan.encode.problem import Problem
+    from tsplan.errors import (
+        Finding,
+        FormulaError,
+        InputError,
+        MapError,
+        MissionError,
+        PlanError,
+        SolverError,
+        SolverUnavailableError,
+        TsplanError,
+    )
+    from tsplan.logic import parse
+    from tsplan.mission import Group, Mission, SolverChoice, load_mission
+    from tsplan.planner import plan
+    from tsplan.results import AgentPlan, Plan, check, load_plan, save_plan
+    from tsplan.ts import Edge, State, TransitionSystem
+    from tsplan.ts.read import load_map
+
+_HOMES = {
+    "tsplan.encode.problem": ("Problem",),
+    "tsplan.errors": (
+        "Finding",
+        "FormulaError",
+        "InputError",
+        "MapError",
+        "MissionError",
+        "PlanError",
+        "SolverError",
+        "SolverUnavailableError",
+        "TsplanError",
+    ),
+    "tsplan.logic": ("parse",),
+    "tsplan.mission": ("Group", "Mission", "SolverChoice", "load_mission"),
+    "tsplan.planner": ("plan",),
+    "tsplan.results": ("AgentPlan", "Plan", "check", "load_plan", "save_plan"),
+    "tsplan.ts": ("Edge", "State", "TransitionSystem"),
+    "tsplan.ts.read": ("load_map",),
+}
+_HOME = {name: module for module, names in _HOMES.items() for name in names}
+
+__version__ = "0.1.0"
+__all__ = [
+    "AgentPlan",
+    "Edge",
+    "Finding",
+    "FormulaError",
+    "Group",
+    "InputError",
+    "MapError",
+    "Mission",
+    "MissionError",
+    "Plan",
+    "PlanError",
+    "Problem",
+    "SolverChoice",
+    "SolverError",
+    "SolverUnavailableError",
+    "State",
+    "TransitionSystem",
+    "TsplanError",
+    "check",
+    "load_map",
+    "load_mission",
+    "load_plan",
+    "parse",
+    "plan",
+    "save_plan",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Load a public name from its module on first use."""
+    if name not in _HOME:
+        raise AttributeError(f"module 'tsplan' has no attribute '{name}'")
+    value: object = getattr(import_module(_HOME[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,285 @@
+"""What has to fit together in a mission: team and map, formula and map, objective, horizon.
+
+Every check returns problems that name their place as a path in a mission file or as a node of
+the formula; who reads a file turns them into findings with lines and columns.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+from tsplan.errors import Finding, nearest
+from tsplan.mission.data import OBJECTIVES, TaskInterval
+
+if TYPE_CHECKING:
+    from tsplan.logic import Formula
+    from tsplan.mission.data import Group, Mission
+    from tsplan.ts import TransitionSystem
+
+Place: TypeAlias = "tuple[str | int, ...]"
+FORMULA: Place = ("spec", "formula")
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """Something that does not fit: where it is in the mission, and whether it forbids planning."""
+
+    path: Place
+    message: str
+    remedy: str = ""
+    serious: bool = True
+    node: Formula | None = None
+
+    def finding(self) -> Finding:
+        """The problem of a mission that was not read from a file."""
+        where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in self.path)
+        return Finding(f"{where.lstrip('.')}: {self.message}", self.remedy)
+
+
+def problems_of(mission: Mission) -> list[Problem]:
+    """Everything that does not fit together in a mission."""
+    return [
+        *objective_problems(mission.objective),
+        *team_problems(mission.team, mission.system),
+        *map_problems(mission.system, mission.team),
+        *formula_problems(mission.formula, mission.system, mission.team),
+        *horizon_problems(mission.formula, mission.task_interval, mission.horizon),
+    ]
+
+
+def objective_problems(objective: Sequence[str]) -> list[Problem]:
+    """Unknown and repeated objectives."""
+    problems = []
+    for place, name in enumerate(objective):
+        path = ("objective", place)
+        if name not in OBJECTIVES:
+            remedy = nearest(name, OBJECTIVES)
+            problems.append(Problem(path, f"unknown objective '{name}'", remedy))
+        elif name in objective[:place]:
+            problems.append(Problem(path, f"objective '{name}' is named twice", "remove one"))
+    return problems
+
+
+def team_problems(team: Sequence[Group], system: TransitionSystem | None) -> list[Problem]:
+    """Counts, classes and start states; without a map, only what does not need it."""
+    problems: list[Problem] = []
+    if not team:
+        problems.append(Problem(("team",), "the team is empty", "add at least one robot"))
+    for place, group in enumerate(team):
+        if not group.starts:
+            problems.append(
+                Problem(("team", place, "at"), "no start state", "say where the robots start")
+            )
+        for state, count in group.starts:
+            if count < 1:
+                problems.append(
+                    Problem(
+                        ("team", place, "at", state),
+                        f"{count} robots at '{state}'",
+                        "a count is a whole number of at least 1",
+                    )
+                )
+            if system is not None:
+                problems += _start_problems(system, group, ("team", place, "at", state))
+    if system is not None:
+        problems += _crowds(team, system)
+    return problems + _differing(team)
+
+
+def _start_problems(system: TransitionSystem, group: Group, path: Place) -> list[Problem]:
+    state = str(path[-1])
+    if state not in system.states:
+        remedy = nearest(state, system.states)
+        return [Problem(path, f"the map has no state '{state}'", remedy)]
+    missing = sorted(system.states[state].needs - group.capabilities)
+    if not missing:
+        return []
+    needed = ", ".join(missing)
+    return [
+        Problem(
+            path,
+            f"class '{group.class_name}' may not be at '{state}', which needs {needed}",
+            f"start elsewhere or give the class the capability {needed}",
+        )
+    ]
+
+
+def _crowds(team: Sequence[Group], system: TransitionSystem) -> list[Problem]:
+    """States at which more robots start than fit."""
+    starting: Counter[str] = Counter()
+    last: dict[str, Place] = {}
+    for place, group in enumerate(team):
+        for state, count in group.starts:
+            starting[state] += count
+            last[state] = ("team", place, "at", state)
+    problems = []
+    for state, count in starting.items():
+        capacity = system.states[state].capacity if state in system.states else None
+        if capacity is not None and count > capacity:
+            problems.append(
+                Problem(
+                    last[state],
+                    f"{count} robots start at '{state}', which holds {capacity}",
+                    "start some of them elsewhere or raise the state's capacity",
+                )
+            )
+    return problems
+
+
+def _differing(team: Sequence[Group]) -> list[Problem]:
+    """Entries of one class that differ in their capabilities (a warning)."""
+    first: dict[str, Group] = {}
+    problems = []
+    for place, group in enumerate(team):
+        known = first.setdefault(group.class_name, group)
+        if known.capabilities != group.capabilities:
+            problems.append(
+                Problem(
+                    ("team", place, "capabilities"),
+                    f"class '{group.class_name}' has other capabilities here than in an earlier "
+                    "entry",
+                    "both are kept apart; give them different class names if that is meant",
+                    serious=False,
+                )
+            )
+    return problems
+
+
+def map_problems(system: TransitionSystem, team: Sequence[Group]) -> list[Problem]:
+    """Durations and costs that the map gives to classes the team does not have (warnings)."""
+    classes = {group.class_name for group in team} | {"default"}
+    unknown: dict[str, str] = {}
+    for edge in system.edges.values():
+        if isinstance(edge.duration, Mapping):
+            for name in edge.duration:
+                if name not in classes:
+                    unknown.setdefault(name, f"{edge.source} to {edge.target}")
+    return [
+        Problem(
+            ("map",),
+            f"the map gives a duration to class '{name}' (edge {where}), which the team lacks",
+            nearest(name, classes - {"default"}),
+            serious=False,
+        )
+        for name, where in unknown.items()
+    ]
+
+
+def formula_problems(
+    formula: Formula, system: TransitionSystem | None, team: Iterable[Group]
+) -> list[Problem]:
+    """Labels, capabilities and kinds of atoms; without a map, labels are not judged."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    known: frozenset[str] = frozenset().union(*(group.capabilities for group in team))
+    problems: list[Problem] = []
+    for node in logic.walk(formula):
+        problems += _refused(node)
+        if isinstance(node, logic.Count | logic.Task | logic.Limit):
+            if system is not None and node.label not in system.labels:
+                problems.append(
+                    Problem(
+                        FORMULA,
+                        f"no state of the map has the label '{node.label}'",
+                        nearest(node.label, system.labels),
+                        node=node,
+                    )
+                )
+            problems += [
+                Problem(
+                    FORMULA,
+                    f"no robot has the capability '{name}', so it always counts 0",
+                    nearest(name, known),
+                    serious=False,
+                    node=node,
+                )
+                for name in _capabilities(node)
+                if name not in known
+            ]
+    return problems
+
+
+def _capabilities(node: Formula) -> tuple[str, ...]:
+    """The capabilities that an atom itself names, in order."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    if isinstance(node, logic.Task | logic.Limit):
+        return tuple(dict.fromkeys(name for name, _ in node.needs))
+    if isinstance(node, logic.Count) and node.capability is not None:
+        return (node.capability,)
+    return ()
+
+
+def _refused(node: Formula) -> list[Problem]:
+    """Atoms that have a meaning elsewhere but not for a team."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    if isinstance(node, logic.Linear):
+        return [
+            Problem(
+                FORMULA,
+                f"'{node}' speaks about signals, and a team has only counts of robots",
+                "write what is to be counted, for example sum(A) >= 2 for a label A",
+                node=node,
+            )
+        ]
+    if isinstance(node, logic.Task) and node.resources:
+        return [
+            Problem(
+                FORMULA,
+                f"'{node}' asks for resources, which are not planned",
+                "remove the last braces of the task",
+                node=node,
+            )
+        ]
+    if isinstance(node, logic.Count) and isinstance(node.bound, logic.Percent):
+        return [
+            Problem(
+                FORMULA,
+                f"'{node}' asks for a percentage, which only a swarm has",
+                "write the number of robots",
+                node=node,
+            )
+        ]
+    return []
+
+
+def horizon_problems(
+    formula: Formula, task_interval: TaskInterval, horizon: int | None
+) -> list[Problem]:
+    """A horizon that is too short to judge the formula."""
+    own, problems = formula_horizon(formula, task_interval)
+    if horizon is not None and own is not None and horizon < own:
+        problems.append(
+            Problem(
+                ("horizon",),
+                f"the horizon {horizon} is shorter than the formula's, {own}",
+                f"set it to at least {own} or leave it out",
+            )
+        )
+    return problems
+
+
+def formula_horizon(
+    formula: Formula, task_interval: TaskInterval
+) -> tuple[int | None, list[Problem]]:
+    """The last step the formula speaks about, or why it has no meaning in this interval."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    if task_interval == "half-open":
+        empty = [
+            Problem(
+                FORMULA,
+                f"'{node}' is empty when tasks are half-open",
+                "give the task a duration of at least 1",
+                node=node,
+            )
+            for node in logic.walk(formula)
+            if isinstance(node, logic.Task) and node.duration < 1
+        ]
+        if empty:
+            return None, empty
+    return logic.horizon(logic.translate(formula, interval=task_interval)), []

@@ -1,0 +1,202 @@
+"""The mission: what the planner is asked to do.
+
+A mission is checked when it is made, however it is made: from a file (`load_mission`), from
+Python values (`Mission.of`) or by its constructor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from hashlib import sha256
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, cast
+
+from tsplan.errors import Finding, MissionError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from tsplan.logic import Formula
+    from tsplan.ts import TransitionSystem
+
+Language: TypeAlias = Literal["catl", "mtl", "stl"]
+TaskInterval: TypeAlias = Literal["closed", "half-open"]
+Sense: TypeAlias = Literal["maximise", "minimise"]
+
+LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl")
+TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
+OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
+    {
+        "availability": "maximise",
+        "travel": "minimise",
+        "cost": "minimise",
+        "makespan": "minimise",
+        "agents": "minimise",
+    }
+)
+DEFAULT_OBJECTIVE = ("travel",)
+
+
+class Agent(NamedTuple):
+    """One robot of the team, before it has a path."""
+
+    id: str
+    class_name: str
+    capabilities: frozenset[str]
+    start: str
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Robots of one class with the same capabilities: how many of them start at which state."""
+
+    class_name: str
+    capabilities: frozenset[str]
+    starts: tuple[tuple[str, int], ...]
+
+    @property
+    def count(self) -> int:
+        """How many robots the group has."""
+        return sum(count for _, count in self.starts)
+
+    @classmethod
+    def of(
+        cls,
+        class_name: str,
+        starts: Mapping[str, int] | Iterable[tuple[str, int]],
+        capabilities: Iterable[str] = (),
+    ) -> Group:
+        """A group from any mapping or pairs of start states and counts.
+
+        >>> Group.of("scout", {"q1": 3}, ["Vis"]).count
+        3
+        """
+        pairs = starts.items() if isinstance(starts, Mapping) else starts
+        return cls(class_name, frozenset(capabilities), tuple((s, n) for s, n in pairs))
+
+
+@dataclass(frozen=True, slots=True)
+class SolverChoice:
+    """What the mission asks of the solver; None leaves it to the planner."""
+
+    name: str | None = None
+    time_limit: float | None = None
+    gap: float | None = None
+    threads: int | None = None
+    seed: int | None = None
+
+
+@dataclass(frozen=True)
+class Mission:
+    """A map, a team, a formula and what to optimise.
+
+    `text` is the formula as it was written and `formula` what it parses to; `goal` is what is
+    encoded. `horizon` is the last step, at least the formula's own. `objective` is
+    lexicographic, the first name matters most; without any, every plan is as good as another.
+    `digest` is the SHA-256 of the mission's text.
+
+    Raises MissionError with everything that does not fit together.
+    """
+
+    name: str
+    system: TransitionSystem
+    team: tuple[Group, ...]
+    language: Language
+    text: str
+    formula: Formula
+    horizon: int
+    objective: tuple[str, ...] = DEFAULT_OBJECTIVE
+    task_interval: TaskInterval = "closed"
+    solver: SolverChoice = SolverChoice()
+    digest: str = ""
+    warnings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        from tsplan.mission.checks import problems_of  # noqa: PLC0415  (imports this module)
+
+        errors = [problem for problem in problems_of(self) if problem.serious]
+        if errors:
+            raise MissionError(problem.finding() for problem in errors)
+
+    @cached_property
+    def goal(self) -> Formula:
+        """The formula that is encoded: translated to counts, in positive normal form, simple."""
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+        plain = logic.translate(self.formula, interval=self.task_interval)
+        return logic.simplify(logic.positive(plain))
+
+    @cached_property
+    def agents(self) -> tuple[Agent, ...]:
+        """Every robot, numbered within its class in the order of the team: `scout-1`, ..."""
+        made: dict[str, int] = {}
+        agents: list[Agent] = []
+        for group in self.team:
+            number = made.get(group.class_name, 0)
+            for state, count in group.starts:
+                agents += (
+                    Agent(f"{group.class_name}-{n}", group.class_name, group.capabilities, state)
+                    for n in range(number + 1, number + count + 1)
+                )
+                number += count
+            made[group.class_name] = number
+        return tuple(agents)
+
+    @property
+    def size(self) -> int:
+        """How many robots the team has."""
+        return sum(group.count for group in self.team)
+
+    @cached_property
+    def capabilities(self) -> frozenset[str]:
+        """Every capability that some robot has."""
+        return frozenset().union(*(group.capabilities for group in self.team))
+
+    def having(self, capability: str | None) -> int:
+        """How many robots have a capability; all of them for None."""
+        return sum(
+            group.count
+            for group in self.team
+            if capability is None or capability in group.capabilities
+        )
+
+    @classmethod
+    def of(
+        cls,
+        *,
+        map: TransitionSystem | str | Path,  # noqa: A002  (the word of the mission file)
+        team: Iterable[Group | Mapping[str, Any]],
+        formula: str | bool | Formula | Sequence[str | bool],
+        language: Language = "catl",
+        objective: Sequence[str] = DEFAULT_OBJECTIVE,
+        task_interval: TaskInterval = "closed",
+        horizon: int | None = None,
+        solver: SolverChoice | Mapping[str, Any] | None = None,
+        name: str = "",
+    ) -> Mission:
+        """A mission from Python values, with the same checks as a file.
+
+        `map` is a transition system or the path of a map file. Each member of `team` is a Group
+        or a mapping with the keys of a mission file. `formula` is a text, several texts (their
+        conjunction) or a parsed formula. Raises MissionError with all findings.
+        """
+        from tsplan.mission.building import mission_from_values  # noqa: PLC0415  (imports this)
+
+        values = {
+            "name": name,
+            "map": map,
+            "team": list(team),
+            "spec": {"language": language, "formula": formula},
+            "objective": list(objective),
+            "task_interval": task_interval,
+            "horizon": horizon,
+            "solver": solver,
+        }
+        return mission_from_values(cast("Mapping[str, Any]", values))
+
+
+def digest_of(text: str) -> str:
+    """The SHA-256 of a mission's text, in hexadecimal."""
+    return sha256(text.encode()).hexdigest()

@@ -1,0 +1,249 @@
+"""From a mission file to a mission, with every finding at its place in the file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tsplan.errors import Finding, InputError, MissionError
+from tsplan.mission.checks import (
+    FORMULA,
+    Place,
+    Problem,
+    formula_horizon,
+    formula_problems,
+    horizon_problems,
+    map_problems,
+    objective_problems,
+    team_problems,
+)
+from tsplan.mission.data import Group, Mission, SolverChoice
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from tsplan.document import Document
+    from tsplan.logic import Formula
+    from tsplan.mission.schema import Member, MissionFile
+    from tsplan.ts import TransitionSystem
+
+
+def load_mission(path: str | Path) -> Mission:
+    """Read a mission file and the map it names.
+
+    Raises MissionError with everything that is wrong with the file, its map and its formula.
+    """
+    from tsplan.document import read_document  # noqa: PLC0415  (the reader is slow to import)
+
+    return _in_one_family(lambda: mission_from_document(read_document(path), Path(path).parent))
+
+
+def mission_from_text(text: str, source: str = "mission", folder: str | Path = ".") -> Mission:
+    """Read a mission from its text; maps are looked for in `folder`. Raises MissionError."""
+    from tsplan.document import parse_document  # noqa: PLC0415  (the reader is slow to import)
+
+    return _in_one_family(lambda: mission_from_document(parse_document(text, source), Path(folder)))
+
+
+def _in_one_family(read: Any) -> Mission:
+    try:
+        mission: Mission = read()
+    except MissionError:
+        raise
+    except InputError as error:
+        raise MissionError(error.findings) from None
+    return mission
+
+
+def mission_from_document(
+    document: Document, folder: Path, system: TransitionSystem | None = None
+) -> Mission:
+    """A mission from its document. With `system`, the document's own map is not read."""
+    from tsplan.document.schema import validated  # noqa: PLC0415  (pydantic is slow to import)
+    from tsplan.mission.schema import MissionFile  # noqa: PLC0415  (needs pydantic)
+
+    if isinstance(document.data, dict) and "swarm" in document.data:
+        what = "missions of a swarm are not planned by this version"
+        raise MissionError([document.key_finding(("swarm",), what, "describe a team instead")])
+    file, findings = validated(document, MissionFile)
+    draft = _Draft(document, list(findings))
+    draft.system = system if system is not None else draft.read_map(folder)
+    draft.read_formula()
+    if file is not None:
+        draft.team = draft.read_team(file.team)
+        draft.judge(file)
+    serious = [finding for finding in draft.findings if finding not in draft.warnings]
+    if serious or file is None or draft.system is None or draft.formula is None:
+        raise MissionError(draft.in_order())
+    return draft.mission(file, draft.system, draft.formula)
+
+
+@dataclass
+class _Draft:
+    """A mission while it is read: its parts as far as they are known, and what is wrong so far."""
+
+    document: Document
+    findings: list[Finding]
+    warnings: list[Finding] = field(default_factory=list)
+    system: TransitionSystem | None = None
+    formula: Formula | None = None
+    team: tuple[Group, ...] = ()
+    text: str = ""
+    places: dict[Formula, tuple[int, int]] = field(default_factory=dict)
+
+    def read_map(self, folder: Path) -> TransitionSystem | None:
+        """The map, inline or from the file beside the mission."""
+        from tsplan.ts.read import load_map, map_from_document  # noqa: PLC0415  (slow to import)
+
+        given = self.document.data.get("map") if isinstance(self.document.data, dict) else None
+        if isinstance(given, dict):
+            read = partial(map_from_document, self.document, ("map",))
+        elif isinstance(given, str):
+            read = partial(load_map, folder / given)
+        else:
+            if given is not None:
+                what = "the map is neither a file name nor a map"
+                self._report(("map",), what, "write the name of a map file")
+            return None
+        try:
+            return read()
+        except InputError as error:
+            self.findings += error.findings
+            what = "the map cannot be used, so labels and start states were not looked up in it"
+            self._report(("map",), what, "correct the map first")
+            return None
+
+    def read_formula(self) -> None:
+        """The formula; a list of texts means their conjunction."""
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+        spec = self.document.data.get("spec") if isinstance(self.document.data, dict) else None
+        if not isinstance(spec, dict) or "formula" not in spec:
+            return
+        given = spec["formula"]
+        entries = given if isinstance(given, list) else [given]
+        paths: list[Place] = [
+            (*FORMULA, n) if isinstance(given, list) else FORMULA for n in range(len(entries))
+        ]
+        if not entries:
+            self._report(FORMULA, "the list of formulas is empty", "write true for no demand")
+            return
+        texts = [self._text(entry, path) for entry, path in zip(entries, paths, strict=True)]
+        parsed = [
+            self._parsed(text, str(spec.get("language")), path)
+            for text, path in zip(texts, paths, strict=True)
+            if text is not None
+        ]
+        formulas = [formula for formula in parsed if formula is not None]
+        if len(formulas) < len(entries):
+            return
+        known = [text for text in texts if text is not None]
+        self.text = known[0] if len(known) == 1 else " && ".join(f"({text})" for text in known)
+        self.formula = formulas[0] if len(formulas) == 1 else logic.And(tuple(formulas))
+
+    def _text(self, value: Any, path: Place) -> str | None:
+        if isinstance(value, bool):
+            return "true" if value else "false"
+        if isinstance(value, str):
+            return value
+        self._report(path, "the formula is not a text", "write it in quotes or after a bar |")
+        return None
+
+    def _parsed(self, text: str, language: str, path: Place) -> Formula | None:
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+        from tsplan.mission.data import LANGUAGES  # noqa: PLC0415
+
+        known = next((name for name in LANGUAGES if name == language), None)
+        if known is None:
+            return None  # an unknown language is the schema's finding
+        inside = partial(self.document.inside, path)
+        try:
+            formula, places = logic.parse_with_places(text, known)
+        except InputError as error:
+            for item in error.findings:
+                line, column = inside(item.line or 1, item.column or 1)
+                self.findings.append(
+                    Finding(item.message, item.remedy, self.document.source, line, column)
+                )
+            return None
+        for node, spans in places.items():
+            if spans and node not in self.places:
+                self.places[node] = inside(spans[0][0], spans[0][1])
+        return formula
+
+    def read_team(self, members: Iterable[Member]) -> tuple[Group, ...]:
+        """The groups of the team; names as they are written."""
+        return tuple(self._group(member, ("team", n)) for n, member in enumerate(members))
+
+    def _group(self, member: Member, path: Place) -> Group:
+        if isinstance(member.at, dict):
+            starts = tuple(member.at.items())
+            total = sum(member.at.values())
+            if member.count is not None and member.count != total:
+                what = f"the count is {member.count} and the start states hold {total}"
+                self._report((*path, "count"), what, f"leave the count out or write {total}")
+            if not starts:
+                self._report((*path, "at"), "no start state", "say where the robots start")
+        else:
+            starts = ((self._word(member.at, (*path, "at")), member.count or 1),)
+        able = [
+            self._word(name, (*path, "capabilities", n))
+            for n, name in enumerate(member.capabilities)
+        ]
+        return Group(self._word(member.class_name, (*path, "class")), frozenset(able), starts)
+
+    def _word(self, value: str, path: Place) -> str:
+        """A name as it is written: `01` is no number here."""
+        return self.document.text(path) or value
+
+    def judge(self, file: MissionFile) -> None:
+        """Report what does not fit together, as far as the parts are known."""
+        problems = objective_problems(file.objective) + team_problems(self.team, self.system)
+        if self.system is not None:
+            problems += map_problems(self.system, self.team)
+        if self.formula is not None:
+            problems += formula_problems(self.formula, self.system, self.team)
+            _, empty = formula_horizon(self.formula, file.task_interval)
+            problems += empty or horizon_problems(self.formula, file.task_interval, file.horizon)
+        for problem in problems:
+            self._file(problem)
+
+    def _report(self, path: Place, message: str, remedy: str) -> None:
+        self._file(Problem(path, message, remedy))
+
+    def _file(self, problem: Problem) -> None:
+        """Turn a problem into a finding at its place."""
+        line, column = self.document.place(problem.path)
+        if problem.node is not None and problem.node in self.places:
+            line, column = self.places[problem.node]
+        finding = Finding(problem.message, problem.remedy, self.document.source, line, column)
+        if finding not in self.findings:
+            self.findings.append(finding)
+            if not problem.serious:
+                self.warnings.append(finding)
+
+    def in_order(self) -> list[Finding]:
+        """All findings, those of other files first, then by their place."""
+        own = self.document.source
+        return sorted(self.findings, key=lambda f: (f.source == own, f.line or 0, f.column or 0))
+
+    def mission(self, file: MissionFile, system: TransitionSystem, formula: Formula) -> Mission:
+        """The mission, when nothing serious is wrong."""
+        own, _ = formula_horizon(formula, file.task_interval)
+        solver: Mapping[str, Any] = file.solver.model_dump() if file.solver else {}
+        return Mission(
+            name=file.name,
+            system=system,
+            team=self.team,
+            language=file.spec.language,
+            text=self.text,
+            formula=formula,
+            horizon=file.horizon if file.horizon is not None else own or 0,
+            objective=tuple(file.objective),
+            task_interval=file.task_interval,
+            solver=SolverChoice(**solver),
+            digest=self.document.digest,
+            warnings=tuple(self.warnings),
+        )

@@ -1,0 +1,328 @@
+"""The independent check of a plan.
+
+It reads nothing but the map, the team, the formula and the agents' stays: it walks every path
+over the map, counts who is where, and evaluates the formula as written on those counts. Nothing
+of the model, the encoding or the solver enters, so a mistake there cannot hide here.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+
+from tsplan.errors import Finding, SolverError
+from tsplan.mission.data import OBJECTIVES, Mission
+from tsplan.results.legs import Leg, read_path
+from tsplan.results.measures import MEASURES
+from tsplan.results.occupancy import interval_counts, state_counts
+from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from tsplan.logic import Formula
+    from tsplan.ts import TransitionSystem
+
+Journeys: TypeAlias = "list[tuple[Bundle, tuple[Leg, ...]]]"
+
+TOLERANCE = 1e-6
+"""Relative difference up to which sums of costs that are not whole numbers count as equal."""
+
+_SHOWN = 20  # findings of one kind that are listed before the rest is only counted
+
+
+@dataclass(frozen=True)
+class Report:
+    """What the check found.
+
+    `findings` is empty exactly if the plan is accepted. `availability` and `values` are computed
+    from the paths; they are None and empty when the paths themselves are wrong. `facts` says in
+    words what was found to hold.
+    """
+
+    findings: tuple[Finding, ...]
+    facts: tuple[str, ...]
+    availability: float | None = None
+    values: Mapping[str, float] | None = None
+
+    @property
+    def ok(self) -> bool:
+        """Whether the plan is accepted."""
+        return not self.findings
+
+
+def check(mission: Mission, plan: Plan) -> Report:
+    """Judge a plan against its mission by the agents' stays alone.
+
+    The report lists everything that is wrong at once; only when a path is impossible are the
+    counts, the formula and the objectives left out, because they would say nothing.
+    """
+    if not plan.has_paths:
+        return Report((_finding(f"a plan of status {plan.status} has no paths to check"),), ())
+    findings, values = _judged(mission, plan)
+    if values is None:
+        return Report(_shortened(findings), ())
+    findings += _claims(mission, plan, values)
+    facts = _facts(mission, plan, values) if not findings else ()
+    return Report(_shortened(findings), facts, values["availability"], values)
+
+
+def certify(mission: Mission, plan: Plan) -> Plan:
+    """The plan marked as verified, if the check accepts it.
+
+    An availability or objective that the plan leaves open is filled in with its value; what it
+    claims is checked. Plans without paths are returned as they are. Raises SolverError with the
+    findings for a plan that is refused.
+    """
+    if not plan.has_paths:
+        return plan
+    findings, values = _judged(mission, plan)
+    if values is not None:
+        plan = _completed(mission, plan, values)
+        findings += _claims(mission, plan, values)
+    if findings:
+        listed = "\n".join(str(finding) for finding in _shortened(findings))
+        raise SolverError(f"the plan that was found does not stand up to the check:\n{listed}")
+    return replace(plan, verified=True)
+
+
+def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], dict[str, float] | None]:
+    """What is wrong with the paths, and every objective's value unless a path is impossible."""
+    findings = _horizon(mission, plan) + _team(mission, plan)
+    journeys, broken = _journeys(mission, plan)
+    findings += broken
+    if findings:
+        return findings, None
+    findings += _crowded_states(mission.system, plan)
+    findings += _crowded_edges(mission.system, plan, journeys)
+    availability = formula_robustness(mission, plan.bundles, plan.horizon)
+    if availability < 0:
+        findings.append(
+            _finding(f"the formula does not hold (its availability is {availability:g})")
+        )
+    values = {name: float(measure(journeys)) for name, measure in MEASURES.items()}
+    return findings, values | {"availability": availability}
+
+
+def _completed(mission: Mission, plan: Plan, values: Mapping[str, float]) -> Plan:
+    """The plan with what it leaves open filled in."""
+    finite = {name: value if math.isfinite(value) else None for name, value in values.items()}
+    items = plan.objective or tuple(ObjectiveValue(name, None) for name in mission.objective)
+    return replace(
+        plan,
+        availability=finite["availability"] if plan.availability is None else plan.availability,
+        objective=tuple(
+            replace(item, value=finite.get(item.name)) if item.value is None else item
+            for item in items
+        ),
+    )
+
+
+def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
+    """Every objective's value, by name, computed from the paths of a plan that fits the map."""
+    journeys, broken = _journeys(mission, plan)
+    if broken:
+        raise SolverError("\n".join(str(finding) for finding in broken))
+    values = {name: float(measure(journeys)) for name, measure in MEASURES.items()}
+    return values | {"availability": formula_robustness(mission, plan.bundles, plan.horizon)}
+
+
+def formula_robustness(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> float:
+    """Counting robustness at step 0 of the mission's formula as written, on the agents' counts."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+    from tsplan.logic.evaluate import CountTrace, robustness  # noqa: PLC0415
+
+    formula = logic.translate(mission.formula, interval=mission.task_interval)
+    states = tuple(mission.system.states)
+    row = {state: number for number, state in enumerate(states)}
+    labels = {
+        label: np.array([row[state] for state in members], dtype=np.int64)
+        for label, members in mission.system.labels.items()
+    }
+    counts = {
+        name: state_counts(bundles, states, horizon, name)
+        for name in (None, *sorted(_counted(formula)))
+    }
+    return float(robustness(formula, CountTrace(counts, labels))[0])
+
+
+def _counted(formula: Formula) -> frozenset[str]:
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    return frozenset(logic.capabilities(formula))
+
+
+def _horizon(mission: Mission, plan: Plan) -> list[Finding]:
+    if plan.horizon == mission.horizon:
+        return []
+    return [
+        _finding(f"the plan ends at step {plan.horizon} and the mission at step {mission.horizon}")
+    ]
+
+
+def _team(mission: Mission, plan: Plan) -> list[Finding]:
+    """Whether the agents of the plan are exactly those of the mission, where they start."""
+    findings = []
+    seen: set[str] = set()
+    team = {agent.id: agent for agent in mission.agents}
+    for planned in plan.agents:
+        agent = team.get(planned.id)
+        if agent is None:
+            findings.append(_finding(f"agent {planned.id} is not in the team"))
+            continue
+        if planned.id in seen:
+            findings.append(_finding(f"agent {planned.id} is there twice"))
+        seen.add(planned.id)
+        if planned.class_name != agent.class_name:
+            findings.append(
+                _finding(
+                    f"agent {agent.id} is of class {agent.class_name}, not {planned.class_name}"
+                )
+            )
+        if planned.capabilities != agent.capabilities:
+            findings.append(_finding(f"agent {agent.id} has other capabilities in the mission"))
+        if planned.stays and planned.stays[0][2] != agent.start:
+            start = planned.stays[0][2]
+            findings.append(_finding(f"agent {agent.id} starts at {agent.start}, not at {start}"))
+    if len(seen) < len(team):
+        findings += [_finding(f"agent {name} has no path") for name in team if name not in seen]
+    return findings
+
+
+def _journeys(mission: Mission, plan: Plan) -> tuple[Journeys, list[Finding]]:
+    """Every path read against the map, one for all agents that share it."""
+    journeys: Journeys = []
+    findings = []
+    for bundle in plan.bundles:
+        path = read_path(mission.system, bundle, plan.horizon)
+        journeys.append((bundle, path.legs))
+        who = _who(plan, bundle)
+        findings += [_finding(f"{who} {problem}") for problem in path.problems]
+    return journeys, findings
+
+
+def _who(plan: Plan, bundle: Bundle) -> str:
+    first = f"agent {plan.agents[bundle.agents[0]].id}"
+    more = len(bundle.agents) - 1
+    return f"{first} (and {more} on the same path)" if more else first
+
+
+def _crowded_states(system: TransitionSystem, plan: Plan) -> list[Finding]:
+    limited = [name for name, state in system.states.items() if state.capacity is not None]
+    counts = state_counts(plan.bundles, limited, plan.horizon)
+    findings = []
+    for name, row in zip(limited, counts, strict=True):
+        capacity = system.states[name].capacity
+        findings += _over(row, capacity or 0, f"at {name}")
+    return findings
+
+
+def _crowded_edges(system: TransitionSystem, plan: Plan, journeys: Journeys) -> list[Finding]:
+    findings = []
+    for capacity, edges in system.capacity_groups:
+        group = frozenset(edges)
+        row = interval_counts(
+            (
+                (leg.entered, leg.left - 1, len(bundle.agents))
+                for bundle, legs in journeys
+                for leg in legs
+                if (leg.edge.source, leg.edge.target) in group
+            ),
+            plan.horizon,
+        )
+        source, target = edges[0]
+        where = f"on the edge from {source} to {target}"
+        findings += _over(row, capacity, where + (" and back" if len(edges) > 1 else ""))
+    return findings
+
+
+def _over(
+    row: np.ndarray[tuple[int, ...], np.dtype[np.int64]], limit: int, where: str
+) -> list[Finding]:
+    return [
+        _finding(f"{row[step]} agents are {where} at step {step}, which holds {limit}")
+        for step in np.flatnonzero(row > limit).tolist()
+    ]
+
+
+def _claims(mission: Mission, plan: Plan, values: Mapping[str, float]) -> list[Finding]:
+    """Whether what the plan says about itself is so."""
+    findings = []
+    actual = values["availability"] if math.isfinite(values["availability"]) else None
+    if plan.availability != actual:
+        findings.append(
+            _finding(f"the plan claims availability {plan.availability} and has {actual}")
+        )
+    return findings + _objective(mission, plan, values)
+
+
+def _objective(mission: Mission, plan: Plan, values: Mapping[str, float]) -> list[Finding]:
+    """Whether the objectives are the mission's, with their true values and possible bounds."""
+    names = tuple(item.name for item in plan.objective)
+    if names != mission.objective:
+        return [
+            _finding(
+                f"the plan's objectives are {', '.join(names) or 'none'} and the mission's "
+                f"{', '.join(mission.objective) or 'none'}"
+            )
+        ]
+    findings = []
+    for item in plan.objective:
+        actual = values[item.name]
+        if not _claimed(item.value, actual):
+            findings.append(
+                _finding(f"the plan claims {item.name} {item.value} and has {actual:g}")
+            )
+        findings += _bound(item, actual, plan.status)
+    return findings
+
+
+def _claimed(value: float | None, actual: float) -> bool:
+    if value is None or not math.isfinite(actual):
+        return value is None and not math.isfinite(actual)
+    return math.isclose(value, actual, rel_tol=TOLERANCE, abs_tol=TOLERANCE)
+
+
+def _bound(item: ObjectiveValue, actual: float, status: Status) -> list[Finding]:
+    if item.bound is None or not math.isfinite(actual):
+        return []
+    if math.isclose(item.bound, actual, rel_tol=TOLERANCE, abs_tol=TOLERANCE):
+        return []
+    over = actual > item.bound
+    if over == (OBJECTIVES[item.name] == "maximise"):
+        return [_finding(f"{item.name} {actual:g} is better than its bound {item.bound:g}")]
+    if status is Status.OPTIMAL:
+        return [
+            _finding(f"{item.name} is called optimal at {actual:g} with the bound {item.bound:g}")
+        ]
+    return []
+
+
+def _facts(mission: Mission, plan: Plan, values: Mapping[str, float]) -> tuple[str, ...]:
+    def number(value: float) -> str:
+        return f"{value:g}" if math.isfinite(value) else "unbounded"
+
+    capacities = any(state.capacity is not None for state in mission.system.states.values())
+    fits = ["every capacity is kept"] if capacities or mission.system.capacity_groups else []
+    return (
+        f"the team is the mission's: {len(plan.agents)} agents, each with one path from its start",
+        f"every path follows the map's edges at their durations up to step {plan.horizon}",
+        *fits,
+        f"the formula holds, with availability {number(values['availability'])}",
+        *(f"{name} is {number(values[name])}" for name in mission.objective),
+    )
+
+
+def _shortened(findings: list[Finding]) -> tuple[Finding, ...]:
+    """The first findings, and how many more there are."""
+    if len(findings) <= _SHOWN:
+        return tuple(findings)
+    rest = _finding(f"and {len(findings) - _SHOWN} more")
+    return (*findings[:_SHOWN], rest)
+
+
+def _finding(message: str) -> Finding:
+    return Finding(message, source="plan")

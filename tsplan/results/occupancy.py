@@ -1,0 +1,44 @@
+"""Who is where when, counted from the agents' stays alone."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from tsplan.milp.model import Ints
+    from tsplan.results.plan import Bundle
+
+
+def state_counts(
+    bundles: Iterable[Bundle], states: Sequence[str], horizon: int, capability: str | None = None
+) -> Ints:
+    """Agents with a capability (all for None) at each of `states` and step; (states, horizon+1)."""
+    row = {state: number for number, state in enumerate(states)}
+    change = np.zeros((len(row), horizon + 2), dtype=np.int64)
+    for bundle in bundles:
+        if capability is not None and capability not in bundle.capabilities:
+            continue
+        agents = len(bundle.agents)
+        for first, last, state in bundle.stays:
+            place = row.get(state)
+            if place is not None:
+                change[place, min(first, horizon + 1)] += agents
+                change[place, min(last, horizon) + 1] -= agents
+    return np.cumsum(change, axis=1)[:, : horizon + 1]
+
+
+def interval_counts(intervals: Iterable[tuple[int, int, int]], horizon: int) -> Ints:
+    """Sum over `(from, to, agents)` intervals of the agents present at each step 0..horizon.
+
+    >>> interval_counts([(0, 1, 2), (1, 9, 1)], 3).tolist()
+    [2, 3, 1, 1]
+    """
+    change = np.zeros(horizon + 2, dtype=np.int64)
+    for first, last, agents in intervals:
+        change[min(first, horizon + 1)] += agents
+        change[min(last, horizon) + 1] -= agents
+    return np.cumsum(change)[: horizon + 1]

@@ -1,0 +1,244 @@
+"""Plans as `tsplan-plan/1` JSON, both ways."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import shutil
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from tsplan.errors import Finding, PlanError
+from tsplan.results.plan import (
+    AgentPlan,
+    MissionRef,
+    ModelSize,
+    ObjectiveValue,
+    Plan,
+    SolverUse,
+    Stay,
+    StoppedBy,
+    Timings,
+    contradictions,
+)
+
+if TYPE_CHECKING:
+    from tsplan.document import Document
+    from tsplan.results.planschema import PlanFile
+
+FORMAT = "tsplan-plan/1"
+_LOCATED = 2_000_000  # characters up to which a faulty file is read again for lines and columns
+
+
+def plan_to_json(plan: Plan) -> str:
+    """The plan as JSON text, one top-level key and one agent a line."""
+    entries: dict[str, Any] = {
+        "format": FORMAT,
+        "status": plan.status,
+        "stopped_by": plan.stopped_by,
+        "mission": asdict(plan.mission),
+        "horizon": plan.horizon,
+        "objective": [
+            {"name": item.name, "value": _number(item.value), "bound": _number(item.bound)}
+            for item in plan.objective
+        ],
+        "availability": _number(plan.availability),
+        "verified": plan.verified,
+        "agents": None,
+        "solver": asdict(plan.solver),
+        "size": asdict(plan.size),
+        "timings": {name: round(value, 6) for name, value in asdict(plan.timings).items()},
+        "notes": list(plan.notes),
+    }
+    if not plan.notes:
+        del entries["notes"]
+    if not plan.has_paths:
+        del entries["agents"]
+    lines = [
+        f"{json.dumps(key)}: {_agents(plan) if key == 'agents' else _dumped(value)}"
+        for key, value in entries.items()
+    ]
+    return "{" + ",\n ".join(lines) + "}\n"
+
+
+def _agents(plan: Plan) -> str:
+    """The list of agents; what agents on one path have in common is written out only once."""
+    lines = [""] * len(plan.agents)
+    for bundle in plan.bundles:
+        common: dict[str, Any] = {
+            "class": bundle.class_name,
+            "capabilities": sorted(bundle.capabilities),
+            "stays": bundle.stays,
+        }
+        if bundle.heading is not None:
+            common["heading"] = bundle.heading
+        tail = _dumped(common)[1:]
+        for place in bundle.agents:
+            lines[place] = f'{{"id": {json.dumps(plan.agents[place].id)}, {tail}'
+    return "[\n  " + ",\n  ".join(lines) + "]"
+
+
+def _dumped(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False, default=str)
+
+
+def _number(value: float | None) -> float | int | None:
+    """Whole numbers without a point, infinite ones as null."""
+    if value is None or not math.isfinite(value):
+        return None
+    return int(value) if value == int(value) else value
+
+
+def plan_from_json(text: str, source: str = "plan") -> Plan:
+    """Read a plan; raises PlanError with every finding for a text that is not one."""
+    from pydantic import ValidationError  # noqa: PLC0415  (slow to import)
+
+    from tsplan.results.planschema import PlanFile  # noqa: PLC0415  (needs pydantic)
+
+    data = _parsed(text, source)
+    if isinstance(data, dict) and data.get("format") != FORMAT:
+        given = data.get("format")
+        found = f"its format is {given!r}" if given is not None else "it names no format"
+        raise _refusal(f"this is no plan: {found}", f'a plan has "format": "{FORMAT}"', source)
+    try:
+        file = PlanFile.model_validate(data)
+    except ValidationError as error:
+        raise PlanError(_located(error, text, source)) from None
+    findings = [
+        Finding(finding.message, finding.remedy, source)
+        for finding in contradictions(
+            file.status,
+            StoppedBy(file.stopped_by) if file.stopped_by else None,
+            agents=bool(file.agents),
+        )
+    ]
+    if findings:
+        raise PlanError(findings)
+    return _built(file)
+
+
+def load_plan(path: str | Path) -> Plan:
+    """Read a plan file; raises PlanError if it is missing, not UTF-8 or not a plan."""
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise _refusal("the file is not UTF-8", "save it as UTF-8", str(path)) from None
+    except OSError as error:
+        why = error.strerror or "it cannot be read"
+        raise _refusal(f"cannot read the plan: {why}", "check the path", str(path)) from None
+    return plan_from_json(text, str(path))
+
+
+def save_plan(plan: Plan, path: str | Path) -> None:
+    """Write a plan file so that a reader sees the old file or the whole new one, never a part.
+
+    Raises PlanError if the place cannot be written.
+    """
+    write_whole(Path(path), plan_to_json(plan).encode())
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file beside its place and move it there at once; devices are written directly."""
+    place = path.resolve()
+    part = place.with_name(f".{place.name}.{os.getpid()}.part")
+    try:
+        if place.exists() and not place.is_file():
+            place.write_bytes(content)
+            return
+        try:
+            with part.open("xb") as stream:
+                stream.write(content)
+                stream.flush()
+                os.fsync(stream.fileno())
+            if place.exists():
+                shutil.copymode(place, part)
+            part.replace(place)
+        finally:
+            part.unlink(missing_ok=True)
+    except OSError as error:
+        why = error.strerror or "it cannot be written"
+        raise _refusal(f"cannot write: {why}", "choose another file", str(path)) from None
+
+
+def _parsed(text: str, source: str) -> Any:
+    try:
+        return json.loads(text, object_pairs_hook=_unrepeated, parse_constant=_not_json)
+    except json.JSONDecodeError as error:
+        place = Finding(f"this is not JSON: {error.msg}", "", source, error.lineno, error.colno)
+        raise PlanError([place]) from None
+    except RecursionError:
+        raise _refusal("the JSON is nested too deeply for a plan", "", source) from None
+    except ValueError as error:
+        raise _refusal(str(error), "correct the file", source) from None
+
+
+def _unrepeated(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    made = dict(pairs)
+    if len(made) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"the key '{twice}' is there twice")
+    return made
+
+
+def _not_json(word: str) -> NoReturn:
+    raise ValueError(f"{word} is not a JSON number")
+
+
+def _located(error: Any, text: str, source: str) -> list[Finding]:
+    """The schema's findings, with lines and columns unless the file is very large."""
+    document = _document(text, source) if len(text) <= _LOCATED else None
+    findings = []
+    for item in error.errors(include_url=False, include_input=False):
+        path = tuple(item["loc"])
+        line, column = document.place(path) if document is not None else (None, None)
+        where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path)
+        message = str(item["msg"]).removeprefix("Value error, ")
+        message = message[:1].lower() + message[1:]
+        findings.append(
+            Finding(f"{where.lstrip('.') or 'plan'}: {message}", "", source, line, column)
+        )
+    return findings
+
+
+def _document(text: str, source: str) -> Document | None:
+    """JSON is YAML too, whose reader knows the place of every value."""
+    from tsplan.document import parse_document  # noqa: PLC0415  (needed for faulty files only)
+    from tsplan.errors import InputError  # noqa: PLC0415
+
+    try:
+        return parse_document(text, source)
+    except InputError:
+        return None
+
+
+def _refusal(message: str, remedy: str, source: str) -> PlanError:
+    return PlanError([Finding(message, remedy, source)])
+
+
+def _built(file: PlanFile) -> Plan:
+    """The plan of a valid file. Equal paths become one object, which makes grouping cheap."""
+    paths: dict[tuple[Stay, ...], tuple[Stay, ...]] = {}
+    abilities: dict[tuple[str, ...], frozenset[str]] = {}
+    agents = []
+    for entry in file.agents or ():
+        stays = tuple(entry.stays)
+        able = abilities.setdefault(tuple(entry.capabilities), frozenset(entry.capabilities))
+        path = paths.setdefault(stays, stays)
+        agents.append(AgentPlan(entry.id, entry.class_name, able, path, entry.heading))
+    return Plan(
+        status=file.status,
+        stopped_by=StoppedBy(file.stopped_by) if file.stopped_by else None,
+        mission=MissionRef(file.mission.name, file.mission.sha256),
+        horizon=file.horizon,
+        objective=tuple(ObjectiveValue(o.name, o.value, o.bound) for o in file.objective),
+        availability=file.availability,
+        verified=file.verified,
+        agents=tuple(agents),
+        solver=SolverUse(file.solver.name, file.solver.version, file.solver.options),
+        size=ModelSize(**file.size.model_dump()),
+        timings=Timings(**file.timings.model_dump()),
+        notes=tuple(file.notes),
+    )

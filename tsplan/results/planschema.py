@@ -1,0 +1,104 @@
+"""The shape of a plan file, `tsplan-plan/1`."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+
+from tsplan.results.plan import Status
+
+Whole = Annotated[int, Field(strict=True, ge=0)]
+Word = Annotated[str, Field(min_length=1)]
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Outcome = Annotated[Status, Field()]
+
+
+def _forwards(stays: list[tuple[int, int, str]]) -> list[tuple[int, int, str]]:
+    before = -1
+    for first, last, _ in stays:
+        if not before < first <= last:
+            raise ValueError(f"the stay from {first} to {last} is out of order")
+        before = last
+    return stays
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+
+
+class Mission(_Part):
+    """Which mission the plan belongs to."""
+
+    name: str
+    sha256: str
+
+
+class Objective(_Part):
+    """Value and bound of one objective."""
+
+    name: Word
+    value: Finite | None
+    bound: Finite | None = None
+
+
+class Agent(_Part):
+    """One agent's path."""
+
+    id: Word
+    class_name: Word = Field(alias="class")
+    capabilities: list[Word] = []
+    stays: Annotated[
+        list[tuple[Whole, Whole, Word]], Field(min_length=1), AfterValidator(_forwards)
+    ]
+    heading: Word | None = None
+
+
+class Solver(_Part):
+    """The solver and its options."""
+
+    name: str = ""
+    version: str = ""
+    options: dict[str, Any] = {}
+
+
+class Size(_Part):
+    """Size of the model and the map."""
+
+    columns: Whole = 0
+    integers: Whole = 0
+    rows: Whole = 0
+    nonzeros: Whole = 0
+    states: Whole = 0
+    edges: Whole = 0
+
+
+class Timings(_Part):
+    """Seconds of each stage."""
+
+    load: Finite = 0.0
+    parse: Finite = 0.0
+    reduce: Finite = 0.0
+    build: Finite = 0.0
+    solve: Finite = 0.0
+    extract: Finite = 0.0
+    verify: Finite = 0.0
+    total: Finite = 0.0
+
+
+class PlanFile(_Part):
+    """A whole plan file."""
+
+    format: Literal["tsplan-plan/1"]
+    status: Outcome
+    stopped_by: Literal["time_limit", "gap", "interrupt", "memory"] | None = None
+    mission: Mission
+    horizon: Whole
+    objective: list[Objective] = []
+    availability: Finite | None = None
+    verified: Annotated[bool, Field(strict=True)] = False
+    agents: list[Agent] | None = None
+    solver: Solver = Solver()
+    size: Size = Size()
+    timings: Timings = Timings()
+    notes: list[str] = []
