@@ -11,6 +11,10 @@ from tsplan.errors import Finding, nearest
 from tsplan.ts.parts import Edge, State
 
 
+# the fewest corners of a shape
+CORNERS = 3
+
+
 @dataclass(frozen=True, slots=True)
 class Problem:
     """One thing wrong with the state or edge number `index` of what was given.
@@ -103,8 +107,8 @@ def _state(index: int, state: State) -> Iterator[Problem]:
     if state.at is not None and not _is_point(state.at):
         message = f"at: {state.at} is not a pair of finite numbers"
         yield Problem("state", index, "at", message, "write it as [x, y]")
-    if state.shape is not None and not all(map(_is_point, state.shape)):
-        message = "shape: a corner is not a pair of finite numbers"
+    if state.shape is not None and not _is_polygon(state.shape):
+        message = f"shape: not {CORNERS} or more pairs of finite numbers"
         yield Problem("state", index, "shape", message, "write it as [[x, y], [x, y], [x, y]]")
     yield from _capacity("state", index, state.capacity)
 
@@ -136,6 +140,10 @@ def _is_cost(value: Any) -> bool:
 
 def _is_point(value: Any) -> bool:
     return isinstance(value, tuple) and len(value) == 2 and all(map(_is_number, value))  # noqa: PLR2004 - x and y
+
+
+def _is_polygon(value: Any) -> bool:
+    return isinstance(value, tuple) and len(value) >= CORNERS and all(map(_is_point, value))
 
 
 def _is_number(value: Any) -> bool:

@@ -19,7 +19,7 @@ from tsplan.document import Document, Path, validated
 from tsplan.document.compose import SET, TUPLE
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
 from tsplan.errors import Finding, MapError
-from tsplan.ts.checks import Problem, in_order, problems
+from tsplan.ts.checks import CORNERS, Problem, in_order, problems
 from tsplan.ts.parts import Edge, State
 from tsplan.ts.system import Extras, Pair, TransitionSystem
 
@@ -250,7 +250,8 @@ def _polygon(kept: dict[str, Any]) -> tuple[tuple[float, float], ...] | None:
     if not isinstance(corners, list | tuple) or not corners:
         return None
     points = [_numbers(corner) for corner in corners]
-    if any(point is None or len(point) != 2 for point in points):  # noqa: PLR2004
+    flat = all(point is not None and len(point) == 2 for point in points)  # noqa: PLR2004
+    if len(points) < CORNERS or not flat:
         return None
     del kept["shape"]
     return tuple((point[0], point[1]) for point in points if point is not None)

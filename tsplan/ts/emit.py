@@ -1,0 +1,85 @@
+"""Values as YAML in flow style, so that each state and each edge of a map takes one line.
+
+Sets and tuples carry the tags under which LOMAP's files have them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from collections.abc import Set as AbstractSet
+from typing import Any
+
+_SAFE = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*\Z")
+# words that some YAML reader, of version 1.1 or 1.2, takes for something else than text
+_TAKEN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null", "none"))
+_SHORT = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"}
+_BYTE, _WIDE = 0xFF, 0xFFFF
+
+
+def word(text: str) -> str:
+    """A string, in quotes where it could be read as something else.
+
+    >>> word("q1"), word("12"), word("no")
+    ('q1', '"12"', '"no"')
+    """
+    if _SAFE.match(text) and text.lower() not in _TAKEN:
+        return text
+    return '"' + "".join(map(_character, text)) + '"'
+
+
+def _character(char: str) -> str:
+    if char in _SHORT:
+        return _SHORT[char]
+    if char.isprintable():
+        return char
+    code = ord(char)
+    if code <= _BYTE:
+        return f"\\x{code:02X}"
+    return f"\\u{code:04X}" if code <= _WIDE else f"\\U{code:08X}"
+
+
+def number(value: float) -> str:
+    """A number; whole ones without a decimal point."""
+    if isinstance(value, float) and value.is_integer():
+        return str(int(value))
+    return repr(value)
+
+
+def flow(value: Any) -> str:
+    """Any plain value on one line; tuples and sets with their tags.
+
+    >>> flow({"labels": ["a", "b c"], "at": (1, 2.5)})
+    '{labels: [a, "b c"], at: !!python/tuple [1, 2.5]}'
+    """
+    if isinstance(value, str):
+        return word(value)
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{word(key)}: {flow(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, tuple):
+        return "!!python/tuple " + flow(list(value))
+    if isinstance(value, list):
+        return "[" + ", ".join(map(flow, value)) + "]"
+    if isinstance(value, AbstractSet):
+        return "!!set {" + ", ".join(f"{member}: null" for member in sorted(map(flow, value))) + "}"
+    return _plain(value)
+
+
+def _plain(value: Any) -> str:
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float) and not value.is_integer():
+        return {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(repr(value), repr(value))
+    return repr(value)
+
+
+def points(corners: tuple[tuple[float, float], ...]) -> str:
+    """Pairs of coordinates as lists."""
+    return "[" + ", ".join(point(corner) for corner in corners) + "]"
+
+
+def point(at: tuple[float, float]) -> str:
+    """One pair of coordinates as a list."""
+    return f"[{number(at[0])}, {number(at[1])}]"

@@ -1,0 +1,143 @@
+"""Two systems that move at once, and moves split into single steps.
+
+The synchronous product is the usual one of transition systems (C. Baier and J.-P. Katoen,
+Principles of Model Checking, 2008, section 2.2.6): both components take an edge at once. Here an edge takes time, so both must take equally long.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tsplan.errors import Finding, MapError
+from tsplan.ts.parts import NOTHING, Edge, State
+from tsplan.ts.system import TransitionSystem
+
+
+def product(first: TransitionSystem, second: TransitionSystem) -> TransitionSystem:
+    """The synchronous product: its states are pairs, and in every move both systems take an edge.
+
+    The state `a|b` carries the labels and needs of both its parts. A joint edge takes the duration
+    that both its parts share and needs what either needs; its cost is the sum of theirs. Waits are
+    edges, so a system stands still only where it has one.
+
+    Raises
+    ------
+    MapError
+        The edges of the two systems do not all have one duration in common: a component would
+        arrive while the other is still on its way. `unit_steps` makes every duration 1. Also for
+        capacities, which bound each part's agents and have no meaning for pairs.
+
+    >>> states, edges = [State("on"), State("off")], [Edge("on", "off"), Edge("off", "on")]
+    >>> light = TransitionSystem.build(states, edges)
+    >>> next(iter(product(light, light).edges))
+    ('on|on', 'off|off')
+
+    """
+    found = [*_without_capacities(first), *_without_capacities(second)]
+    durations = {edge.duration for system in (first, second) for edge in system.edges.values()}
+    if len(durations) > 1 or not all(isinstance(duration, int) for duration in durations):
+        message = "the product is defined only where all edges of both systems take equally long"
+        found.append(Finding(message, "apply unit_steps to both systems first"))
+    if found:
+        raise MapError(dict.fromkeys(found))
+    return TransitionSystem.build(
+        _joint_states(first, second),
+        _joint_edges(first, second),
+        f"{first.name}|{second.name}" if first.name or second.name else "",
+    )
+
+
+def _joint_states(first: TransitionSystem, second: TransitionSystem) -> Iterator[State]:
+    for one in first.states.values():
+        for two in second.states.values():
+            yield State(
+                _joint(one.name, two.name), one.labels | two.labels, needs=one.needs | two.needs
+            )
+
+
+def _joint_edges(first: TransitionSystem, second: TransitionSystem) -> Iterator[Edge]:
+    for one in first.edges.values():
+        for two in second.edges.values():
+            yield Edge(
+                _joint(one.source, two.source),
+                _joint(one.target, two.target),
+                one.duration,
+                _cost(one) + _cost(two),
+                needs=one.needs | two.needs,
+            )
+
+
+def _joint(one: str, two: str) -> str:
+    return f"{one}|{two}"
+
+
+def _cost(edge: Edge) -> float:
+    # the durations are the same for every class here, so the class does not matter
+    return edge.cost_for("")
+
+
+def _without_capacities(system: TransitionSystem) -> Iterator[Finding]:
+    states = any(state.capacity is not None for state in system.states.values())
+    if states or system.capacity_groups:
+        message = f"the product is not defined for capacities, which '{system.name}' has"
+        yield Finding(message, "build the systems without capacities")
+
+
+def unit_steps(system: TransitionSystem, class_name: str | None = None) -> TransitionSystem:
+    """The same map with every move split into moves of one step each.
+
+    An edge of duration w passes through w - 1 new states without labels, which only it uses: an
+    agent there counts nowhere, as one on the edge does. The whole cost is paid on entering it.
+    Waits that take longer than one step are split in the same way.
+
+    Parameters
+    ----------
+    system
+        The map.
+    class_name
+        The class whose durations are meant, for maps where they differ; edges it cannot use are
+        left out.
+
+    Raises
+    ------
+    MapError
+        Durations differ by class and none is named, or an edge that takes longer than one step
+        has a capacity, which its single steps could not share.
+
+    """
+    found: list[Finding] = []
+    states, edges = list(system.states.values()), list[Edge]()
+    for edge in system.edges.values():
+        duration = edge.duration if class_name is None else edge.duration_for(class_name)
+        if duration is None:
+            continue
+        if not isinstance(duration, int):
+            message = f"the duration from '{edge.source}' to '{edge.target}' differs by class"
+            found.append(Finding(message, "name the class"))
+        elif duration > 1 and edge.capacity is not None:
+            message = f"the edge from '{edge.source}' to '{edge.target}' has a capacity"
+            found.append(Finding(message, "drop its capacity, or give it duration 1"))
+        else:
+            names = [edge.source, *_between(edge, duration), edge.target]
+            states += [State(name) for name in names[1:-1]]
+            edges += _chain(edge, names, class_name)
+    if found:
+        raise MapError(found)
+    return TransitionSystem.build(states, edges, system.name)
+
+
+def _between(edge: Edge, duration: int) -> list[str]:
+    return [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
+
+
+def _chain(edge: Edge, names: list[str], class_name: str | None) -> Iterator[Edge]:
+    """The steps of one edge; it stays as it is where it has only one."""
+    if len(names) == 2:  # noqa: PLR2004 - both ends
+        yield Edge(
+            edge.source, edge.target, 1, edge.cost, edge.capacity, edge.needs, edge.both_ways
+        )
+        return
+    cost = edge.cost_for(class_name or "")
+    for index in range(len(names) - 1):
+        needs = edge.needs or NOTHING
+        yield Edge(names[index], names[index + 1], 1, cost if index == 0 else 0.0, needs=needs)
