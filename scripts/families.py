@@ -1,0 +1,157 @@
+"""Families of benchmark missions, made from a seed.
+
+`grid` and `decomposition` follow the recipes of the published CaTL studies; their maps and teams are
+drawn anew here from a seed. `scaling` is the project's own: random tasks on larger maps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from random import Random
+
+from tsplan import Mission
+from tsplan.mission import Group
+from tsplan.ts import Edge, State, TransitionSystem
+
+GRID_FORMULA = (
+    "F[0,20] T(1,green,{(IR,2),(Vis,2)}) && G[20,40] F[0,10] T(1,blue,{(UV,1),(Mo,2)})"
+    " && F[5,25] T(2,yellow,{(UV,2),(Vis,2)}) && F[3,18] T(2,orange,{(Vis,2)})"
+    " && F[20,30] T(2,orange,{(Vis,2)})"
+)
+DECOMPOSITION_FORMULA = (
+    "F[0,10](T(3,A,{(C1,2)}) || T(3,B,{(C1,2),(C2,2)}))"
+    " && F[20,40](T(3,C,{(C2,1)}) U[5,10] (T(3,A,{(C1,1),(C2,1)}) && T(3,B,{(C1,1),(C2,1)})))"
+)
+
+
+@dataclass(frozen=True)
+class Case:
+    """One mission of a family, with the values of the axes it lies on."""
+
+    family: str
+    axis: str
+    value: float
+    seed: int
+    mission: Mission
+
+
+def grid_map(rows: int, columns: int, labels: Sequence[str], random: Random) -> TransitionSystem:
+    """A grid with durations 1..3 drawn for each direction, waits, and each label at one state."""
+    names = [f"q{row}_{column}" for row in range(rows) for column in range(columns)]
+    places = random.sample(names, len(labels))
+    label_of = dict(zip(places, labels, strict=True))
+    states = [
+        State(name, labels=frozenset({label_of[name]} if name in label_of else ())) for name in names
+    ]
+    edges = [Edge(name, name, 1) for name in names]
+    for row in range(rows):
+        for column in range(columns):
+            here = names[row * columns + column]
+            for down, right in ((0, 1), (1, 0)):
+                if row + down < rows and column + right < columns:
+                    there = names[(row + down) * columns + column + right]
+                    edges.append(Edge(here, there, random.randint(1, 3)))
+                    edges.append(Edge(there, here, random.randint(1, 3)))
+    return TransitionSystem.build(states, edges, name=f"grid {rows}x{columns}")
+
+
+def grid(size: int, seed: int, agents: int = 20, objective: Sequence[str] = ("travel",)) -> Mission:
+    """The published grid family: four classes of two capabilities, five tasks, horizon 51."""
+    random = Random(f"grid {size} {seed}")
+    system = grid_map(size, size, ["green", "yellow", "orange", "blue"], random)
+    names = ["UV", "Mo", "Vis", "IR"]
+    team = []
+    for number, capability in enumerate(names):
+        other = random.choice([name for name in names if name != capability])
+        start = random.choice(list(system.states))
+        team.append(Group.of(f"class{number}", {start: agents // 4}, {capability, other}))
+    return mission(f"grid {size} seed {seed}", system, team, GRID_FORMULA, objective)
+
+
+def decomposition(
+    agents: int, seed: int, objective: Sequence[str] = ("availability", "travel")
+) -> Mission:
+    """The published decomposition formula on a 5x5 grid with three classes of one capability."""
+    random = Random(f"decomposition {agents} {seed}")
+    system = grid_map(5, 5, ["A", "B", "C"], random)
+    names = list(system.states)
+    team = []
+    for number, capability in enumerate(["C1", "C2", "C3"]):
+        count = agents // 3 + (number < agents % 3)
+        starts: dict[str, int] = {}
+        for _ in range(count):
+            place = random.choice(names)
+            starts[place] = starts.get(place, 0) + 1
+        team.append(Group.of(f"class{number}", starts, {capability}))
+    text = DECOMPOSITION_FORMULA
+    return mission(f"decomposition {agents} seed {seed}", system, team, text, objective)
+
+
+@dataclass(frozen=True)
+class Scale:
+    """The axes of the scaling family and where they rest when another one moves."""
+
+    agents: int = 800
+    map: int = 20
+    horizon: int = 100
+    tasks: int = 10
+    classes: int = 8
+
+
+AXES = {
+    "agents": (20, 200, 2_000, 20_000, 200_000, 1_000_000),
+    "map": (5, 10, 20, 50, 100, 200),
+    "horizon": (50, 100, 200, 300, 500),
+    "tasks": (5, 10, 20, 40, 100),
+    "classes": (2, 4, 8, 12),
+}
+
+
+def scaling(scale: Scale, seed: int, objective: Sequence[str] = ("travel",)) -> Mission:
+    """Random tasks `F[a,b] T(d, label, {(capability, m)})` with windows of 10 to 30 steps."""
+    random = Random(f"scaling {scale} {seed}")
+    labels = [f"l{number}" for number in range(min(scale.tasks, scale.map * scale.map, 40))]
+    system = grid_map(scale.map, scale.map, labels, random)
+    names = [f"c{number}" for number in range(max(scale.classes // 2, 2))]
+    states = list(system.states)
+    each = scale.agents // scale.classes
+    team = []
+    for number in range(scale.classes):
+        own = names[number % len(names)]
+        other = random.choice([name for name in names if name != own])
+        team.append(Group.of(f"class{number}", {random.choice(states): each}, {own, other}))
+    parts = []
+    reach = min(6 * scale.map, scale.horizon // 2)
+    for _ in range(scale.tasks):
+        duration = random.randint(1, 4)
+        width = random.randint(10, 30)
+        begin = random.randint(min(reach, scale.horizon - width - duration), scale.horizon - width - duration)
+        need = random.randint(1, max(1, min(25, each // 4)))
+        label, capability = random.choice(labels), random.choice(names)
+        end = begin + width
+        parts.append(f"F[{begin},{end}] T({duration},{label},{{({capability},{need})}})")
+    text = " && ".join(parts)
+    return mission(f"{scale} seed {seed}", system, team, text, objective)
+
+
+def scaled(axis: str, value: int) -> Scale:
+    """The resting scale with one axis moved."""
+    return replace(Scale(), **{axis: value})
+
+
+def mission(
+    name: str, system: TransitionSystem, team: Sequence[Group], text: str, objective: Sequence[str]
+) -> Mission:
+    """A CaTL mission from its parts."""
+    return Mission.of(
+        map=system, team=team, formula=text, language="catl", objective=tuple(objective), name=name
+    )
+
+
+def axis_cases(axis: str, seeds: Sequence[int], objective: Sequence[str]) -> Iterator[Case]:
+    """The scaling family along one axis."""
+    for value in AXES[axis]:
+        for seed in seeds:
+            made = scaling(scaled(axis, value), seed, objective)
+            yield Case("scaling", axis, value, seed, made)

@@ -1,0 +1,179 @@
+"""From a problem to a model: the tight and the reference encoding behind one result."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tsplan.encode import objectives
+from tsplan.encode.atoms import Requirement, requirement
+from tsplan.encode.capacities import capacity_rows
+from tsplan.encode.classes import AgentClass, MapArrays, agent_classes, map_arrays
+from tsplan.encode.constraints import Constraint, constraint_rows, terms_of
+from tsplan.encode.ideas import ALL_IDEAS, Idea
+from tsplan.encode.network import Network, unroll
+from tsplan.encode.outlook import Outlook
+from tsplan.encode.reduction import Interest, Reduced, reduce, whole
+from tsplan.encode.reference import ReferenceEncoder
+from tsplan.encode.staffing import Family, SiteColumns, Staffing
+from tsplan.encode.witness import WitnessEncoder
+from tsplan.logic import Count, Formula, capabilities, walk
+from tsplan.milp.model import Draft, Ints, Model
+from tsplan.mission import Mission
+
+
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """What both encodings start from; the classes' graphs are reduced where that is exact."""
+
+    mission: Mission
+    goal: Formula  # positive normal form of counting atoms
+    horizon: int
+    classes: tuple[AgentClass, ...]
+    reduced: tuple[Reduced, ...]
+    arrays: MapArrays
+    constraints: tuple[Constraint, ...] = ()
+    ideas: frozenset[Idea] = ALL_IDEAS
+    monotone: bool = False  # nothing bounds a count from above
+
+    def requirement(self, level: int) -> Callable[[Count], Requirement]:
+        """How atoms are read when availability `level` is asked for."""
+        return lambda atom: requirement(atom, self.mission.system, self.arrays, level)
+
+
+@dataclass(frozen=True, eq=False)
+class Encoded:
+    """A model and what its columns mean.
+
+    `indicators` are the 0/1 columns of the logic, `groups` those of them of which at most one is
+    1, in the order of their steps. `rho` is the availability's column in the reference encoding.
+    """
+
+    model: Model
+    network: Network
+    indicators: Ints
+    flows: Ints
+    stayers: Ints
+    rho: int = -1
+    refuted: bool = False
+    groups: tuple[Ints, ...] = ()
+    families: tuple[tuple[SiteColumns, Family], ...] = field(default=())
+
+
+def prepare(
+    mission: Mission, constraints: Sequence[Constraint] = (), ideas: frozenset[Idea] = ALL_IDEAS
+) -> Setting:
+    """Sort the team into classes and reduce their graphs."""
+    system = mission.system
+    arrays = map_arrays(system)
+    goal = mission.goal
+    named = capabilities(goal) | {term.capability for term in terms_of(constraints)} - {None}
+    classes = agent_classes(system, mission.team, {name for name in named if name is not None})
+    interest = _interest(mission, goal, arrays, constraints)
+    reduced = None
+    if Idea.REDUCTION in ideas and _paid_by_duration(mission, classes):
+        reduced = _reduced(classes, interest, mission.horizon)
+    return Setting(
+        mission=mission,
+        goal=goal,
+        horizon=mission.horizon,
+        classes=classes,
+        reduced=reduced or tuple(whole(item.graph) for item in classes),
+        arrays=arrays,
+        constraints=tuple(constraints),
+        ideas=ideas,
+        monotone=reduced is not None and not interest.limited.any() and not arrays.group_capacity,
+    )
+
+
+def _reduced(
+    classes: Sequence[AgentClass], interest: Interest, horizon: int
+) -> tuple[Reduced, ...] | None:
+    """Reductions of all classes, or None where that of one would not be exact."""
+    found = []
+    for item in classes:
+        reduction = reduce(item.graph, interest, horizon)
+        if reduction is None:
+            return None
+        found.append(reduction)
+    return tuple(found)
+
+
+def _paid_by_duration(mission: Mission, classes: Sequence[AgentClass]) -> bool:
+    if "cost" not in mission.objective:
+        return True
+    return all(
+        np.array_equal(item.graph.cost, np.where(item.graph.wait, 0, item.graph.duration))
+        for item in classes
+    )
+
+
+def _interest(
+    mission: Mission, goal: Formula, arrays: MapArrays, constraints: Sequence[Constraint]
+) -> Interest:
+    """Which states the problem speaks about, and which of them it bounds from above."""
+    relevant = np.zeros(len(arrays.names), dtype=np.bool_)
+    limited = np.zeros(len(arrays.names), dtype=np.bool_)
+    for node in walk(goal):
+        if isinstance(node, Count):
+            states = arrays.states_with(mission.system, node.label)
+            relevant[states] = True
+            limited[states] |= node.relation == "<="
+    for state, _ in arrays.capacity:
+        relevant[state] = limited[state] = True
+    for term in terms_of(constraints):
+        states = term.states(mission.system, arrays)
+        relevant[states] = limited[states] = True
+    return Interest(relevant, limited)
+
+
+def tight(setting: Setting, level: int = 0) -> Encoded:
+    """The tight model of plans with availability at least `level`."""
+    draft = Draft()
+    graphs = [item.graph for item in setting.reduced]
+    finish = [~graph.wait for graph in graphs] if setting.monotone else None
+    network = unroll(graphs, setting.horizon, draft, finish=finish)
+    flows = np.arange(draft.column_count)
+    capacity_rows(network, setting.arrays, draft)
+    constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
+    read = setting.requirement(level)
+    outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
+    encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas)
+    witnesses = encoder.encode(setting.goal)
+    staffing = Staffing(network, draft, joint=Idea.FAMILIES in setting.ideas)
+    staffing.write(witnesses, cuts=Idea.VISITS in setting.ideas)
+    stay = _stayers(setting, network, draft)
+    return Encoded(
+        model=draft.build(),
+        network=network,
+        indicators=np.array(witnesses.choices.columns, dtype=np.int64),
+        flows=flows,
+        stayers=stay,
+        refuted=witnesses.choices.refuted,
+        groups=tuple(witnesses.choices.groups),
+        families=tuple(staffing.families),
+    )
+
+
+def reference(setting: Setting, levels: tuple[int, int]) -> Encoded:
+    """The reference model, with one column `rho` for the availability between `levels`."""
+    draft = Draft()
+    network = unroll([item.graph for item in setting.classes], setting.horizon, draft)
+    flows = np.arange(draft.column_count)
+    capacity_rows(network, setting.arrays, draft)
+    constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
+    rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=True)[0])
+    encoder = ReferenceEncoder(draft, network, setting.requirement(0), (rho, *levels))
+    encoder.encode(setting.goal)
+    stay = _stayers(setting, network, draft)
+    model = draft.build()
+    others = np.setdiff1d(np.flatnonzero(model.integer), flows)
+    return Encoded(model, network, others, flows, stay, rho=rho)
+
+
+def _stayers(setting: Setting, network: Network, draft: Draft) -> Ints:
+    if "agents" not in setting.mission.objective:
+        return np.empty(0, dtype=np.int64)
+    return objectives.stayers(network, draft)

@@ -1,0 +1,26 @@
+"""The ideas behind the tight encoding, by name, so that each can be switched off.
+
+Switching one off never changes an answer, only the time it takes: that is what the ablation in
+`scripts/benchmark.py` measures and what the tests check.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+
+class Idea(StrEnum):
+    """One idea of the tight encoding or of the search on it."""
+
+    REDUCTION = "reduction"  # plan between the states that matter (encode.reduction)
+    OUTLOOK = "outlook"  # leave out witnesses that travel times rule out (encode.outlook)
+    SHARING = "sharing"  # F under G: windows share their witnesses (encode.witness)
+    FAMILIES = "families"  # one row for demands that exclude each other (encode.staffing)
+    VISITS = "visits"  # visit cuts over windows (encode.staffing)
+    LAZY = "lazy"  # more visit cuts where the LP violates them (encode.separation)
+    CONTINUOUS = "continuous"  # flows continuous at first, repaired to whole agents (encode.search)
+    DIVE = "dive"  # LP-guided dive for the first plan (encode.dive)
+    TREE = "tree"  # a short search of our own before the solver's (encode.tree)
+
+
+ALL_IDEAS = frozenset(Idea)

@@ -1,0 +1,131 @@
+"""Literals of the tight encoding, and which of them can never be true together.
+
+A *choice* is a set of 0/1 columns of which exactly one is 1 where its parent literal is. A
+*literal* is a sum of columns that exclude each other, so it is 0 or 1 itself; the empty literal
+stands for "always". Two columns exclude each other when, somewhere up their ancestry, they
+descend from different options of one choice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TypeAlias
+
+import numpy as np
+
+from tsplan.milp.model import Draft, Ints
+
+Literal: TypeAlias = tuple[int, ...]
+ALWAYS: Literal = ()
+Lineage: TypeAlias = dict[int, frozenset[int]]
+
+
+class Choices:
+    """Makes indicator columns in a draft and remembers their ancestry."""
+
+    def __init__(self, draft: Draft) -> None:
+        self._draft = draft
+        self._lineage: dict[int, Lineage] = {}
+        self._count = 0
+        self.columns: list[int] = []
+        self.groups: list[Ints] = []
+        self.refuted = False
+
+    def choose(self, parent: Literal, options: int, kind: str) -> Ints:
+        """Columns of which exactly one is 1 where `parent` is 1, and none elsewhere."""
+        columns = self._draft.columns(options, upper=1.0, integer=True)
+        index = np.zeros(options + len(parent), dtype=np.int64)
+        values = np.concatenate([np.ones(options), -np.ones(len(parent))])
+        total = 0.0 if parent else 1.0
+        self._draft.rows(
+            index,
+            np.concatenate([columns, _array(parent)]),
+            values,
+            lower=total,
+            upper=total,
+            kind=kind,
+        )
+        above = self.lineage(parent)
+        for column in columns.tolist():
+            self._lineage[column] = {**above, self._count: frozenset((column,))}
+        self._count += 1
+        self.columns += columns.tolist()
+        self.groups.append(columns)
+        return columns
+
+    def free(self, count: int) -> Ints:
+        """Columns that exclude nothing: each may be 1 whenever its own sub-formula holds."""
+        columns = self._draft.columns(count, upper=1.0, integer=True)
+        for column in columns.tolist():
+            self._lineage[column] = {self._count: frozenset((column,))}
+            self._count += 1
+        self.columns += columns.tolist()
+        return columns
+
+    def cover(self, columns: Ints, parent: Literal, kind: str) -> None:
+        """At least one of `columns` is 1 where `parent` is 1."""
+        index = np.zeros(len(columns) + len(parent), dtype=np.int64)
+        values = np.concatenate([np.ones(len(columns)), -np.ones(len(parent))])
+        lower = 0.0 if parent else 1.0
+        self._draft.rows(
+            index,
+            np.concatenate([columns, _array(parent)]),
+            values,
+            lower=lower,
+            upper=np.inf,
+            kind=kind,
+        )
+
+    def refute(self, literal: Literal, kind: str) -> None:
+        """The literal cannot be 1; an impossible `ALWAYS` refutes the whole problem."""
+        if not literal:
+            self.refuted = True
+            return
+        zeros = np.zeros(len(literal), dtype=np.int64)
+        self._draft.rows(zeros, _array(literal), 1.0, lower=0.0, upper=0.0, kind=kind)
+
+    def lineage(self, literal: Literal) -> Lineage:
+        """Choices that all columns of a literal descend from, with the options they descend from."""
+        if not literal:
+            return {}
+        first, *others = (self._lineage[column] for column in literal)
+        common = dict(first)
+        for other in others:
+            common = {key: common[key] | other[key] for key in common.keys() & other.keys()}
+        return common
+
+    def exclusive(self, first: Lineage, second: Lineage) -> bool:
+        """Whether two lineages diverge at some choice."""
+        return any(not (first[key] & second[key]) for key in first.keys() & second.keys())
+
+    def families(self, columns: Iterable[int]) -> list[list[int]]:
+        """Partition columns, greedily and in order, into families that exclude each other."""
+        families: list[tuple[list[int], Lineage]] = []
+        for column in sorted(set(columns)):
+            lineage = self._lineage[column]
+            for place, (members, shared) in enumerate(families):
+                if self.exclusive(shared, lineage) or all(
+                    self.exclusive(self._lineage[member], lineage) for member in members
+                ):
+                    members.append(column)
+                    joined = {k: shared[k] | lineage[k] for k in shared.keys() & lineage.keys()}
+                    families[place] = (members, joined)
+                    break
+            else:
+                families.append(([column], dict(lineage)))
+        return [members for members, _ in families]
+
+    def merged(self, literals: Iterable[Literal]) -> list[Literal]:
+        """Fewer literals that say the same: exclusive ones are added up.
+
+        The result may overlap only where the same column was asked for twice.
+        """
+        unique = set(literals)
+        if ALWAYS in unique:
+            return [ALWAYS]
+        columns = {column for literal in unique for column in literal}
+        return [tuple(family) for family in self.families(columns)]
+
+
+def _array(literal: Literal) -> Ints:
+    return np.array(literal, dtype=np.int64)

@@ -1,0 +1,216 @@
+"""The flow network: agents of one class move through the map unrolled over time.
+
+`x[g, e, k]` is the number of agents of class g that enter edge e at step k. Agents of a class are
+interchangeable, so the number of columns does not depend on how many there are. A column exists
+only where some agent can be: from the earliest arrival at the edge's tail on. All arrays here are
+built without a Python loop over columns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from tsplan.milp.model import Bools, Draft, Floats, Ints
+
+
+@dataclass(frozen=True, eq=False)
+class ClassGraph:
+    """What one class of interchangeable agents can do on the map.
+
+    Arrays run over the edges this class may use; states are numbers of the whole map. `group`
+    is the number of an edge's capacity group, or -1.
+    """
+
+    capabilities: frozenset[str]
+    start: Ints  # agents of this class at each state at step 0
+    tail: Ints
+    head: Ints
+    duration: Ints
+    cost: Floats
+    group: Ints
+
+    @property
+    def wait(self) -> Bools:
+        """Which edges are waits (self-loops)."""
+        return self.tail == self.head
+
+    @property
+    def agents(self) -> int:
+        """How many agents the class has."""
+        return int(self.start.sum())
+
+    def earliest(self, horizon: int) -> Ints:
+        """First step at which an agent of the class can be at each state; horizon + 1 if never."""
+        count = len(self.start)
+        sources = np.flatnonzero(self.start)
+        if not len(sources):
+            return np.full(count, horizon + 1)
+        weight = self.duration.astype(np.float64)
+        # duplicate entries of a sparse matrix would be added up: keep the quickest of parallel edges
+        order = np.lexsort((weight, self.head, self.tail))
+        tail, head, weight = self.tail[order], self.head[order], weight[order]
+        fresh = np.ones(len(order), dtype=np.bool_)
+        fresh[1:] = (tail[1:] != tail[:-1]) | (head[1:] != head[:-1])
+        graph = sparse.csr_array((weight[fresh], (tail[fresh], head[fresh])), shape=(count, count))
+        distance = csgraph.dijkstra(graph, indices=sources, min_only=True, limit=float(horizon))
+        return np.where(np.isfinite(distance), distance, horizon + 1).astype(np.int64)
+
+
+@dataclass(frozen=True, eq=False)
+class ClassColumns:
+    """Where the columns of one class lie: edge e entered at step k is `offset[e] + k - first[e]`.
+
+    `first[e] .. last[e]` are the steps at which edge e may be entered (empty if last < first);
+    `arrival` is the earliest step at each state.
+    """
+
+    graph: ClassGraph
+    arrival: Ints
+    first: Ints
+    last: Ints
+    offset: Ints
+    by_tail: tuple[Ints, Ints]
+    by_head: tuple[Ints, Ints]
+
+    def leaving(self, states: Ints, step: int) -> Ints:
+        """Columns of all edges that leave one of `states` at `step`."""
+        return self._at(_members(self.by_tail, states), step)
+
+    def arriving(self, states: Ints, step: int) -> Ints:
+        """Columns of all edges that end in one of `states` at `step`, waits included."""
+        edges = _members(self.by_head, states)
+        return self._at(edges, step - self.graph.duration[edges])
+
+    def moved_in(self, states: Ints, step: int) -> Ints:
+        """Columns of the edges that end in one of `states` at `step`, unit waits left out."""
+        edges = _members(self.by_head, states)
+        duration = self.graph.duration[edges]
+        moves = edges[(self.graph.tail[edges] != self.graph.head[edges]) | (duration > 1)]
+        return self._at(moves, step - self.graph.duration[moves])
+
+    def _at(self, edges: Ints, step: int | Ints) -> Ints:
+        open_ = (self.first[edges] <= step) & (step <= self.last[edges])
+        return (self.offset[edges] + step - self.first[edges])[open_]
+
+    def unrolled(self) -> tuple[Ints, Ints, Ints]:
+        """Edge, step and column of every flow column of the class, as three equal-length arrays."""
+        spans = np.maximum(self.last - self.first + 1, 0)
+        edge = np.repeat(np.arange(len(spans)), spans)
+        within = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans)
+        return edge, self.first[edge] + within, self.offset[edge] + within
+
+
+@dataclass(frozen=True, eq=False)
+class Network:
+    """The flow columns of all classes up to `horizon`."""
+
+    classes: tuple[ClassColumns, ...]
+    horizon: int
+    states: int
+
+    def having(self, capability: str | None) -> list[ClassColumns]:
+        """The classes that have a capability; all of them for None."""
+        return [
+            item
+            for item in self.classes
+            if capability is None or capability in item.graph.capabilities
+        ]
+
+    def present(self, states: Ints, capability: str | None, step: int) -> tuple[Ints, int]:
+        """Columns whose sum, with the returned constant, is n(states, capability, step)."""
+        able = self.having(capability)
+        if self.horizon == 0:
+            return np.empty(0, dtype=np.int64), sum(int(c.graph.start[states].sum()) for c in able)
+        parts = [
+            c.leaving(states, step) if step < self.horizon else c.arriving(states, step)
+            for c in able
+        ]
+        return np.concatenate([*parts, np.empty(0, dtype=np.int64)]), 0
+
+    def most(self, states: Ints, capability: str | None) -> Ints:
+        """For each step 0..horizon, at most how many agents with a capability can be at `states`."""
+        most = np.zeros(self.horizon + 1, dtype=np.int64)
+        for item in self.having(capability):
+            earliest = int(item.arrival[states].min(initial=self.horizon + 1))
+            most[earliest:] += item.graph.agents
+        return most
+
+
+def unroll(
+    graphs: Sequence[ClassGraph],
+    horizon: int,
+    draft: Draft,
+    *,
+    finish: Sequence[Bools] | None = None,
+) -> Network:
+    """Add the flow columns and conservation rows of every class to `draft`.
+
+    `finish` marks, per class, the edges that may only be entered when they end by the horizon;
+    without it every edge may be entered at any step and an agent may still travel at the end.
+    """
+    classes = []
+    for number, graph in enumerate(graphs):
+        arrival = graph.earliest(horizon)
+        last = np.full(len(graph.tail), horizon - 1)
+        if finish is not None:
+            last = np.where(finish[number], horizon - graph.duration, last)
+        first = arrival[graph.tail]
+        spans = np.maximum(last - first + 1, 0)
+        columns = draft.columns(int(spans.sum()), upper=float(graph.agents), integer=True)
+        base = int(columns[0]) if len(columns) else 0
+        classes.append(
+            ClassColumns(
+                graph=graph,
+                arrival=arrival,
+                first=first,
+                last=last,
+                offset=base + np.cumsum(spans) - spans,
+                by_tail=_grouped(graph.tail, len(graph.start)),
+                by_head=_grouped(graph.head, len(graph.start)),
+            )
+        )
+        _conserve(classes[-1], horizon, draft)
+    return Network(tuple(classes), horizon, len(graphs[0].start) if graphs else 0)
+
+
+def _conserve(columns: ClassColumns, horizon: int, draft: Draft) -> None:
+    """At every (state, step) before the horizon, agents that leave are those that came."""
+    graph = columns.graph
+    spans = np.maximum(horizon - columns.arrival, 0)
+    row_of = np.cumsum(spans) - spans - columns.arrival
+    edge, step, column = columns.unrolled()
+    end = step + graph.duration[edge]
+    inside = end < horizon
+    rows = np.concatenate(
+        [row_of[graph.tail[edge]] + step, (row_of[graph.head[edge]] + end)[inside]]
+    )
+    values = np.concatenate([np.ones(len(column)), np.full(int(inside.sum()), -1.0)])
+    supply = np.zeros(int(spans.sum()))
+    begun = np.flatnonzero(graph.start)
+    if horizon > 0:
+        supply[row_of[begun]] = graph.start[begun]
+    draft.rows(
+        rows,
+        np.concatenate([column, column[inside]]),
+        values,
+        lower=supply,
+        upper=supply,
+        kind="flow",
+    )
+
+
+def _grouped(keys: Ints, count: int) -> tuple[Ints, Ints]:
+    """Positions sorted by key, and where each key's run begins (CSR of positions by key)."""
+    order = np.argsort(keys, kind="stable")
+    return order, np.searchsorted(keys[order], np.arange(count + 1))
+
+
+def _members(grouped: tuple[Ints, Ints], keys: Ints) -> Ints:
+    order, begin = grouped
+    parts = [order[begin[key] : begin[key + 1]] for key in keys]
+    return np.concatenate([*parts, np.empty(0, dtype=np.int64)])

@@ -1,0 +1,130 @@
+"""From a point of a model back to moves on the full map, class by class."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from tsplan.encode.build import Encoded, Setting
+from tsplan.encode.classes import AgentClass
+from tsplan.encode.reduction import Reduced, whole
+from tsplan.encode.stages import Measured, Point
+from tsplan.logic import labels as labels_of
+from tsplan.logic import robustness
+from tsplan.logic.evaluate import CountTrace
+from tsplan.milp.model import Floats, Ints
+from tsplan.mission import Agent
+from tsplan.results.flows import ClassFlow
+
+Moves = tuple[Ints, Ints, Ints]  # full-map edge of the class, step, and how many agents enter
+
+
+def moves_of(
+    setting: Setting, encoded: Encoded, values: Floats, *, reduced: bool
+) -> list[tuple[AgentClass, Moves]]:
+    """For every class the edges of its full graph that agents enter, when, and how many do."""
+    found = []
+    for number, (item, columns) in enumerate(
+        zip(setting.classes, encoded.network.classes, strict=True)
+    ):
+        edge, step, column = columns.unrolled()
+        count = np.round(values[column]).astype(np.int64)
+        used = np.flatnonzero(count)
+        shortcuts = setting.reduced[number] if reduced else whole(item.graph)
+        found.append(
+            (item, _expand(item, shortcuts, (edge[used], step[used], count[used]), setting.horizon))
+        )
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Measure:
+    """What a point is worth: availability by the evaluator, and the last arrival."""
+
+    setting: Setting
+
+    def __call__(self, point: Point) -> Measured:
+        """Measure one point."""
+        moves = moves_of(self.setting, point.encoded, point.values, reduced=point.tight)
+        return Measured(availability(self.setting, moves), makespan(moves))
+
+
+def _expand(item: AgentClass, reduced: Reduced, moves: Moves, horizon: int) -> Moves:
+    """Shortcuts replaced by the edges of their paths, entered one after the other."""
+    edges, steps, counts = [], [], []
+    for edge, step, count in zip(*(part.tolist() for part in moves), strict=True):
+        path = reduced.paths[edge]
+        duration = item.graph.duration[path]
+        entered = step + np.cumsum(duration) - duration
+        within = entered < horizon
+        edges.append(path[within])
+        steps.append(entered[within])
+        counts.append(np.full(int(within.sum()), count))
+    empty = [np.empty(0, dtype=np.int64)]
+    return (
+        np.concatenate(edges + empty),
+        np.concatenate(steps + empty),
+        np.concatenate(counts + empty),
+    )
+
+
+def class_flow(setting: Setting, item: AgentClass, moves: Moves) -> ClassFlow:
+    """The moves of one class with names, ready to be split into paths."""
+    names = setting.arrays.names
+    graph = item.graph
+    used, edge = np.unique(moves[0], return_inverse=True)
+    triples = zip(
+        graph.tail[used].tolist(),
+        graph.head[used].tolist(),
+        graph.duration[used].tolist(),
+        strict=True,
+    )
+    return ClassFlow(
+        members=[agent for group in item.groups for agent in _members(setting, group)],
+        edges=[(names[tail], names[head], duration) for tail, head, duration in triples],
+        edge=edge,
+        step=moves[1],
+        count=moves[2],
+    )
+
+
+def _members(setting: Setting, group: int) -> Iterable[Agent]:
+    """The agents of one group, as the mission numbers them."""
+    begin = sum(other.count for other in setting.mission.team[:group])
+    return setting.mission.agents[begin : begin + setting.mission.team[group].count]
+
+
+def availability(setting: Setting, moves: Iterable[tuple[AgentClass, Moves]]) -> float:
+    """Robustness of the goal at step 0 under the counts that the moves imply."""
+    system = setting.mission.system
+    named = sorted(labels_of(setting.goal))
+    site = {label: setting.arrays.states_with(system, label) for label in named}
+    watched = np.unique(np.concatenate([*site.values(), np.empty(0, dtype=np.int64)]))
+    shape = (len(watched), setting.horizon + 1)
+    everybody = np.zeros(shape)
+    counts: dict[str | None, Floats] = {None: everybody}
+    for item, (edge, step, count) in moves:
+        present = np.zeros(shape)
+        present[:, 0] = item.graph.start[watched]
+        ends = step + item.graph.duration[edge]
+        heads = item.graph.head[edge]
+        inside = (ends <= setting.horizon) & np.isin(heads, watched)
+        np.add.at(present, (np.searchsorted(watched, heads[inside]), ends[inside]), count[inside])
+        everybody += present
+        for capability in item.graph.capabilities:
+            counts.setdefault(capability, np.zeros(shape))
+            counts[capability] += present
+    labels = {label: np.searchsorted(watched, states) for label, states in site.items()}
+    return float(robustness(setting.goal, CountTrace(counts, labels))[..., 0])
+
+
+def makespan(moves: Iterable[tuple[AgentClass, Moves]]) -> int:
+    """Last step at which an agent arrives by a move that is not a wait; 0 without any."""
+    last = 0
+    for item, (edge, step, _) in moves:
+        move = ~item.graph.wait[edge]
+        ends = (step + item.graph.duration[edge])[move]
+        last = max(last, int(ends.max(initial=0)))
+    return last

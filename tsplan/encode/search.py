@@ -1,0 +1,278 @@
+"""Minimise one linear objective over an encoded problem: LP, cuts, dive, tree, then the solver.
+
+Flows are continuous at first. With the witnesses fixed each class is a network flow, so its
+solution is nearly always whole; where it is not, the witnesses are fixed and the flows made
+integer, and if that fails the full integer model decides. An answer is only ever given for whole
+agents; a bound of the relaxation is a bound of the problem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import sparse
+
+from tsplan.encode.build import Encoded
+from tsplan.encode.clock import Clock
+from tsplan.encode.dive import dive, fractional
+from tsplan.encode.ideas import Idea
+from tsplan.encode.separation import violated
+from tsplan.encode.tree import Tree, Witnessing
+from tsplan.milp.model import Floats, Ints, Model, Tag
+from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy
+from tsplan.milp.solver import Solver
+from tsplan.milp.warm import LPResult, WarmLP
+
+_ROUNDS = 12  # of separation at the root
+_PATIENCE = 10.0  # seconds the tree may take before the solver's own search begins
+_WHOLE = 1e-6
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How to solve: the solver and its settings, and which ideas to use."""
+
+    solver: Solver
+    gap: float = 0.0
+    threads: int | None = None
+    seed: int | None = None
+    log: Callable[[str], None] | None = None
+    ideas: frozenset[Idea] = frozenset(Idea)
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """The best point known, a true lower bound, and whether the search was carried to its end.
+
+    `values` None with `proven` means that there is no point (better than the cutoff).
+    """
+
+    values: Floats | None
+    objective: float | None
+    bound: float
+    proven: bool
+    stopped_by: StoppedBy | None = None
+
+
+Reporter = Callable[[Floats | None, float | None, float | None], None]
+
+
+class Search:
+    """One search for the least value of `objective` on one model."""
+
+    def __init__(
+        self, encoded: Encoded, objective: Floats, effort: Effort, clock: Clock, report: Reporter
+    ) -> None:
+        self._encoded = encoded
+        self._model = encoded.model.with_objective(objective)
+        self._effort = effort
+        self._clock = clock
+        self._report = report
+        self._step = 1.0 if bool((objective == np.round(objective)).all()) else 0.0
+        self._values: Floats | None = None
+        self._value = np.inf
+        self._bound = -np.inf
+
+    def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
+        """The least value, or with `first` any point. `start` is a known point of this model."""
+        if self._encoded.refuted:
+            return Found(None, None, np.inf, proven=True)
+        if start is not None:
+            self._accept(start)
+        if self._effort.ideas & {Idea.DIVE, Idea.TREE}:
+            proven = self._by_lp(first=first)
+            if proven or (first and self._values is not None) or self._clock.over:
+                return self._found(proven=proven)
+        return self._by_solver(first=first)
+
+    def _accept(self, values: Floats) -> None:
+        """Keep a point of whole agents if it is better than the one known."""
+        value = float(self._model.objective @ values)
+        if value < self._value - _WHOLE:
+            self._values, self._value = values, value
+            self._report(values, value, self._bound if np.isfinite(self._bound) else None)
+
+    def _raise_bound(self, bound: float) -> None:
+        rounded = np.ceil(bound - 1e-5) if self._step and np.isfinite(bound) else bound
+        if rounded > self._bound:
+            self._bound = float(rounded)
+            self._report(None, None if self._values is None else self._value, self._bound)
+
+    @property
+    def _closed(self) -> bool:
+        """Whether nothing better by the wanted gap can exist."""
+        if self._values is None:
+            return False
+        slack = self._effort.gap * max(abs(self._value), 1e-9)
+        return self._bound >= self._value - slack - _WHOLE
+
+    @property
+    def _cutoff(self) -> float | None:
+        """Only points below this are of interest to the LPs."""
+        return None if self._values is None else self._value - self._step + 1e-4 + 1e-7
+
+    def _found(self, *, proven: bool) -> Found:
+        stopped = None
+        if self._values is None:
+            bound = np.inf if proven else self._bound
+        else:
+            bound = self._value if proven else min(self._bound, self._value)
+            if self._closed and bound < self._value - _WHOLE:
+                stopped = StoppedBy.GAP
+        if not proven and stopped is None and not self._closed:
+            stopped = StoppedBy.INTERRUPT if self._clock.stop() else StoppedBy.TIME_LIMIT
+        value = None if self._values is None else self._value
+        return Found(self._values, value, bound, proven or self._closed, stopped)
+
+    # --- the LP side -------------------------------------------------------------------------
+
+    def _by_lp(self, *, first: bool) -> bool:
+        """Root LP with cuts, dive, tree. True if that settled the question."""
+        lp = WarmLP(self._model)
+        root = lp.solve(time_limit=self._clock.left)
+        if root.status == "infeasible":
+            return True
+        if root.status != "optimal":
+            return False
+        root = self._tighten(lp, root, first=first)
+        if root.status != "optimal":
+            return root.status == "infeasible"
+        self._raise_bound(root.objective)
+        if Idea.DIVE in self._effort.ideas and not self._closed:
+            dived = dive(lp, self._encoded.indicators, root, self._clock, self._cutoff)
+            if dived.values is not None:
+                self._whole(dived.values)
+            elif dived.refuted:
+                return True
+        if first and self._values is not None:
+            return self._closed
+        if self._closed:
+            return True
+        return self._grow(lp, root) if Idea.TREE in self._effort.ideas and not first else False
+
+    def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:
+        """Add violated visit cuts, to the LP and to the model, while they raise the bound."""
+        if Idea.LAZY not in self._effort.ideas or first:
+            return root
+        for _ in range(_ROUNDS):
+            assert root.values is not None
+            columns = self._model.size.columns
+            cuts = violated(self._encoded.families, root.values, columns)
+            if cuts is None or self._clock.over:
+                break
+            lp.add_rows(cuts, np.zeros(cuts.shape[0]), np.full(cuts.shape[0], np.inf))
+            self._model = _with_cuts(self._model, cuts)
+            before = root.objective
+            root = lp.solve(time_limit=self._clock.left)
+            if root.status != "optimal" or root.objective < before + 1e-3 * max(abs(before), 1.0):
+                break
+        return root
+
+    def _grow(self, lp: WarmLP, root: LPResult) -> bool:
+        again = lp.solve(time_limit=self._clock.left)
+        if again.status != "optimal":
+            return False
+        witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
+        tree = Tree(lp, witnessing, max(self._step, _WHOLE))
+        budget = max(_PATIENCE, 20 * root.seconds)
+        cutoff = None if self._values is None else self._value
+        grown = tree.grow(again, self._clock.within(budget), cutoff)
+        self._raise_bound(grown.bound)
+        whole = grown.values is None or self._whole(grown.values)
+        return grown.done and whole
+
+    def _whole(self, values: Floats) -> bool:
+        """Keep a point whose indicators are whole, its flows made whole where they are not."""
+        rounded = values.copy()
+        logic = self._encoded.indicators
+        rounded[logic] = np.round(values[logic])
+        if not len(fractional(values, self._encoded.flows)):
+            whole = np.flatnonzero(self._model.integer)
+            rounded[whole] = np.round(rounded[whole])
+            self._accept(rounded)
+            return True
+        fixed = self._model.with_bounds(
+            _placed(self._model.lower, logic, rounded), _placed(self._model.upper, logic, rounded)
+        )
+        solution = self._call(fixed, Options(), self._clock.within(5.0))
+        if solution.values is not None:
+            value = float(self._model.objective @ solution.values)
+            self._accept(solution.values)
+            return value <= float(self._model.objective @ values) + max(self._step, _WHOLE) - 1e-4
+        return False
+
+    # --- the solver's side -------------------------------------------------------------------
+
+    def _by_solver(self, *, first: bool) -> Found:
+        """The general MIP solver: continuous flows first, then whole agents if need be."""
+        model = self._model
+        if Idea.CONTINUOUS in self._effort.ideas:
+            loose = model.integer.copy()
+            loose[self._encoded.flows] = False
+            solution = self._call(model.with_integrality(loose), Options(first=first), self._clock)
+            self._note(solution)
+            settled = self._settled(solution)
+            if settled is not None:
+                return settled
+            if first and self._values is not None:
+                return self._found(proven=False)
+        solution = self._call(model, Options(first=first), self._clock)
+        self._note(solution)
+        if solution.values is not None:
+            self._accept(solution.values)
+        proven = solution.status in (Status.OPTIMAL, Status.INFEASIBLE)
+        return self._found(proven=proven)
+
+    def _settled(self, solution: Solution) -> Found | None:
+        """What the relaxed model decides; None where whole agents have to be asked for."""
+        if solution.status == Status.INFEASIBLE:
+            return self._found(proven=True)
+        if solution.values is not None:
+            same = self._whole(solution.values)
+            if solution.status == Status.OPTIMAL and same:
+                return self._found(proven=True)
+        if self._clock.over or self._closed:
+            return self._found(proven=self._closed)
+        return None
+
+    def _note(self, solution: Solution) -> None:
+        if solution.bound is not None and self._encoded.rho < 0:
+            self._raise_bound(solution.bound)
+
+    def _call(self, model: Model, options: Options, clock: Clock) -> Solution:
+        features = self._effort.solver.features
+        start = self._values if "start" in features else None
+        asked = replace(
+            options,
+            time_limit=clock.left,
+            gap=self._effort.gap,
+            absolute_gap=self._step - 1e-4 if self._step else 0.0,
+            threads=self._effort.threads,
+            seed=self._effort.seed,
+            start=start,
+            log=self._effort.log,
+        )
+        return self._effort.solver.solve(model, asked, self._watch)
+
+    def _watch(self, progress: Progress) -> bool:
+        self._report(None, progress.objective, progress.bound)
+        return self._clock.stop()
+
+
+def _placed(bounds: Floats, columns: Ints, values: Floats) -> Floats:
+    placed = bounds.copy()
+    placed[columns] = values[columns]
+    return placed
+
+
+def _with_cuts(model: Model, cuts: sparse.csr_array) -> Model:
+    count, more = model.matrix.shape[0], cuts.shape[0]
+    return replace(
+        model,
+        matrix=sparse.csr_array(sparse.vstack([model.matrix, cuts], format="csr")),
+        row_lower=np.append(model.row_lower, np.zeros(more)),
+        row_upper=np.append(model.row_upper, np.full(more, np.inf)),
+        tags=(*model.tags, Tag("visit", count, count + more)),
+    )

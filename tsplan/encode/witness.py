@@ -1,0 +1,245 @@
+"""The tight encoding of a formula: one direction, one witness per eventuality.
+
+The formula is in positive normal form and its root must hold, so only "literal = 1 implies the
+sub-formula" is needed. Nodes are visited parents first; at each node the literals under which it
+is required at each step are gathered, exclusive ones are added up, and the requirement is handed
+to its children. What arrives at the atoms is a list of demands: at this step, under this literal,
+at least (at most) so many agents here.
+
+* and, G hand their literal down and add nothing.
+* or, F, U, R choose one witness (`Choices.choose`). Exactly one is no loss.
+* F required at several steps under one literal (F under G) shares its witnesses between the
+  windows instead: each window holds at least one.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import singledispatchmethod
+
+import numpy as np
+
+from tsplan.encode.atoms import Bound, Requirement
+from tsplan.encode.literals import ALWAYS, Choices, Literal
+from tsplan.encode.outlook import Outlook
+from tsplan.logic import (
+    And,
+    Always,
+    Constant,
+    Count,
+    Eventually,
+    Formula,
+    Or,
+    Release,
+    Until,
+    walk,
+)
+from tsplan.milp.model import Draft, Ints
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """`bound` must hold at `step` where `literal` is 1."""
+
+    bound: Bound
+    step: int
+    literal: Literal
+
+
+@dataclass(frozen=True, slots=True)
+class Cover:
+    """At least one of `columns` is 1 where `literal` is 1 (an eventuality under an always)."""
+
+    columns: tuple[int, ...]
+    literal: Literal
+
+
+@dataclass(eq=False)
+class Witnesses:
+    """What a formula asks of the agents, as demands under literals."""
+
+    choices: Choices
+    demands: list[Demand] = field(default_factory=list)
+    covers: list[Cover] = field(default_factory=list)
+
+
+class WitnessEncoder:
+    """Hands requirements from the root of a formula down to its atoms."""
+
+    def __init__(
+        self,
+        draft: Draft,
+        outlook: Outlook,
+        requirement: Callable[[Count], Requirement],
+        *,
+        share: bool = True,
+    ) -> None:
+        self._shares = share
+        self._outlook = outlook
+        self._requirement = requirement
+        self._requests: dict[Formula, dict[int, list[Literal]]] = defaultdict(
+            lambda: defaultdict(list)
+        )
+        self.result = Witnesses(Choices(draft))
+        self._choices = self.result.choices
+
+    def encode(self, root: Formula) -> Witnesses:
+        """Require `root` at step 0 and return the demands."""
+        self._ask(root, 0, ALWAYS)
+        order = list(walk(root))
+        for node in reversed(order):
+            asked = self._requests.pop(node, None)
+            if asked is not None:
+                requests = {
+                    step: self._choices.merged(literals) for step, literals in sorted(asked.items())
+                }
+                self._pass_on(node, requests)
+        return self.result
+
+    def _ask(self, node: Formula, step: int, literal: Literal) -> None:
+        if self._outlook.possible(node, step):
+            self._requests[node][step].append(literal)
+        else:
+            self._choices.refute(literal, "impossible")
+
+    @singledispatchmethod
+    def _pass_on(self, node: Formula, requests: Mapping[int, list[Literal]]) -> None:
+        raise TypeError(f"no tight encoding is registered for {type(node).__name__}")
+
+    @_pass_on.register
+    def _(self, node: Constant, requests: Mapping[int, list[Literal]]) -> None:
+        """True asks for nothing; false was refuted when it was asked for."""
+
+    @_pass_on.register
+    def _(self, node: Count, requests: Mapping[int, list[Literal]]) -> None:
+        needed = self._requirement(node)
+        for step, literal in _each(requests):
+            if needed.every:
+                self._demand(needed.bounds, step, literal)
+            else:
+                able = [b for b in needed.bounds if self._outlook.within_reach(b, step)]
+                options = self._options(literal, len(able), "some state")
+                for bound, option in zip(able, options, strict=True):
+                    self._demand((bound,), step, option)
+
+    def _demand(self, bounds: Iterable[Bound], step: int, literal: Literal) -> None:
+        self.result.demands += [Demand(bound, step, literal) for bound in bounds]
+
+    @_pass_on.register
+    def _(self, node: And, requests: Mapping[int, list[Literal]]) -> None:
+        for step, literal in _each(requests):
+            for child in node.children:
+                self._ask(child, step, literal)
+
+    @_pass_on.register
+    def _(self, node: Always, requests: Mapping[int, list[Literal]]) -> None:
+        for step, literal in _each(requests):
+            for later in range(step + node.low, step + node.high + 1):
+                self._ask(node.child, later, literal)
+
+    @_pass_on.register
+    def _(self, node: Or, requests: Mapping[int, list[Literal]]) -> None:
+        for step, literal in _each(requests):
+            able = [child for child in node.children if self._outlook.possible(child, step)]
+            for child, option in zip(able, self._options(literal, len(able), "or"), strict=True):
+                self._ask(child, step, option)
+
+    @_pass_on.register
+    def _(self, node: Eventually, requests: Mapping[int, list[Literal]]) -> None:
+        by_literal: dict[Literal, list[int]] = defaultdict(list)
+        for step, literal in _each(requests):
+            by_literal[literal].append(step)
+        repeated = {
+            key: steps for key, steps in by_literal.items() if self._shares and len(steps) > 1
+        }
+        if repeated:
+            self._share(node, repeated)
+        for literal, steps in by_literal.items():
+            for step in () if literal in repeated else steps:
+                times = self._times(node, step)
+                options = self._options(literal, len(times), "eventually")
+                for time, option in zip(times, options, strict=True):
+                    self._ask(node.child, time, option)
+
+    def _share(self, node: Eventually, repeated: Mapping[Literal, list[int]]) -> None:
+        """Witnesses shared between windows: one free column per step at which the child may hold."""
+        windows = [
+            (literal, self._times(node, step))
+            for literal, steps in repeated.items()
+            for step in steps
+        ]
+        times = sorted({time for _, window in windows for time in window})
+        column = dict(zip(times, self._choices.free(len(times)).tolist(), strict=True))
+        for literal, window in windows:
+            members = tuple(column[time] for time in window)
+            self._choices.cover(_ints(members), literal, "eventually")
+            self.result.covers.append(Cover(members, literal))
+        for time in times:
+            self._ask(node.child, time, (column[time],))
+
+    def _times(self, node: Eventually, step: int) -> list[int]:
+        span = range(step + node.low, step + node.high + 1)
+        return [time for time in span if self._outlook.possible(node.child, time)]
+
+    @_pass_on.register
+    def _(self, node: Until, requests: Mapping[int, list[Literal]]) -> None:
+        for step, literal in _each(requests):
+            times = []
+            for time in range(step, step + node.high + 1):
+                if time >= step + node.low and self._outlook.possible(node.right, time):
+                    times.append(time)
+                if not self._outlook.possible(node.left, time):
+                    break
+            options = self._options(literal, len(times), "until")
+            for time, option in zip(times, options, strict=True):
+                self._ask(node.right, time, option)
+            for time in range(step, max(times, default=step)):
+                later = [option for at, option in zip(times, options, strict=True) if at > time]
+                self._ask(node.left, time, _union(later))
+
+    @_pass_on.register
+    def _(self, node: Release, requests: Mapping[int, list[Literal]]) -> None:
+        for step, literal in _each(requests):
+            first, last = step + node.low, step + node.high
+            times: list[int] = []
+            endless = True
+            for time in range(step, last):
+                if time >= first and not self._outlook.possible(node.right, time):
+                    endless = False
+                    break
+                if self._outlook.possible(node.left, time):
+                    times.append(time)
+            never = [last] if endless and self._outlook.possible(node.right, last) else []
+            options = self._options(literal, len(times + never), "release")
+            for time, option in zip(times, options, strict=False):
+                self._ask(node.left, time, option)
+            for time in range(first, last + 1):
+                held = [o for at, o in zip(times + never, options, strict=True) if at >= time]
+                if held:
+                    self._ask(node.right, time, _union(held))
+
+    def _options(self, literal: Literal, count: int, kind: str) -> list[Literal]:
+        """One literal per option; a single option needs no column of its own."""
+        if count == 0:
+            self._choices.refute(literal, kind)
+            return []
+        if count == 1:
+            return [literal]
+        return [(column,) for column in self._choices.choose(literal, count, kind).tolist()]
+
+
+def _each(requests: Mapping[int, list[Literal]]) -> Iterable[tuple[int, Literal]]:
+    for step, literals in requests.items():
+        for literal in literals:
+            yield step, literal
+
+
+def _union(literals: Iterable[Literal]) -> Literal:
+    """The sum of options of one choice; all of them being `ALWAYS` means always."""
+    return tuple(sorted({column for literal in literals for column in literal}))
+
+
+def _ints(columns: tuple[int, ...]) -> Ints:
+    return np.array(columns, dtype=np.int64)
