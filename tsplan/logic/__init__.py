@@ -1,0 +1,119 @@
+"""Formulas over teams and signals: nodes, texts, normal forms, horizon, meaning on traces.
+
+Three languages share one tree: `mtl` counts agents at labels, `catl` adds tasks and limits, `stl`
+compares real signals. `parse` reads a text, `str` writes it again.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tsplan.logic.atoms import (
+    Count,
+    Function,
+    Limit,
+    Linear,
+    Percent,
+    Relation,
+    Task,
+    at_least,
+    at_most,
+    each_at_least,
+    each_at_most,
+    limit,
+    linear,
+    task,
+)
+from tsplan.logic.naming import capabilities, labels, variables
+from tsplan.logic.nodes import (
+    FALSE,
+    TRUE,
+    Always,
+    And,
+    Constant,
+    Eventually,
+    Formula,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Pair,
+    Release,
+    Several,
+    Switch,
+    Until,
+    Window,
+    conjunction,
+    disjunction,
+)
+from tsplan.logic.normal import negation, positive
+from tsplan.logic.simplifying import simplify
+from tsplan.logic.timing import horizon
+from tsplan.logic.translation import resolve_percent, translate
+from tsplan.logic.walking import fold, substitute, walk
+
+if TYPE_CHECKING:
+    from tsplan.logic.evaluate import CountTrace, SignalTrace, holds, robustness
+
+__all__ = [
+    "FALSE",
+    "TRUE",
+    "Always",
+    "And",
+    "Constant",
+    "Count",
+    "CountTrace",
+    "Eventually",
+    "Formula",
+    "Function",
+    "Iff",
+    "Implies",
+    "Limit",
+    "Linear",
+    "Not",
+    "Or",
+    "Pair",
+    "Percent",
+    "Relation",
+    "Release",
+    "Several",
+    "SignalTrace",
+    "Switch",
+    "Task",
+    "Until",
+    "Window",
+    "at_least",
+    "at_most",
+    "capabilities",
+    "conjunction",
+    "disjunction",
+    "each_at_least",
+    "each_at_most",
+    "fold",
+    "holds",
+    "horizon",
+    "labels",
+    "limit",
+    "linear",
+    "negation",
+    "positive",
+    "resolve_percent",
+    "robustness",
+    "simplify",
+    "substitute",
+    "task",
+    "translate",
+    "variables",
+    "walk",
+]
+
+_EVALUATION = frozenset({"CountTrace", "SignalTrace", "holds", "robustness"})
+
+
+def __getattr__(name: str) -> Any:
+    """Import what needs NumPy only when it is asked for."""
+    if name in _EVALUATION:
+        from tsplan.logic import evaluate  # noqa: PLC0415  (that is the purpose)
+
+        return getattr(evaluate, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

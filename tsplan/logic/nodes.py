@@ -1,0 +1,294 @@
+"""Formulas as trees: the temporal and Boolean operators that all languages share.
+
+Nodes are frozen and hash-consed: two formulas of the same shape are the same object, `==` is `is`,
+and a formula that is used twice is stored once. The atoms are in `tsplan.logic.atoms`.
+
+Adding an operator means one class here and one registration in every single-dispatch function of
+this package (printing, horizon, normal form, simplification, evaluation, ...); a test walks them
+all and names the one that is missing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, fields
+from typing import Any, cast
+
+from tsplan.logic.interning import Interned
+
+_SHOWN = 200  # characters of a formula that `repr` shows at most
+
+
+class Formula(metaclass=Interned):
+    """A formula of any of the languages; equality is identity.
+
+    Formulas are combined with `&` (and), `|` (or), `~` (not), `>>` (implies) and the methods
+    `eventually`, `always`, `until`, `release` and `iff`. `str` prints a text that parses back to
+    the same formula.
+
+    >>> from tsplan.logic import parse
+    >>> print(parse("depot").until(parse("field"), 0, 5) & ~parse("fire").always(0, 9))
+    (depot U[0,5] field) && !G[0,9] fire
+    """
+
+    __slots__ = ("__weakref__",)
+
+    @property
+    def children(self) -> tuple[Formula, ...]:
+        """The sub-formulas one level below, in the order of the text."""
+        return ()
+
+    @property
+    def parameters(self) -> tuple[Any, ...]:
+        """The values of the fields that are no sub-formulas, in their order."""
+        names = (item.name for item in fields(cast("Any", self)))
+        return tuple(
+            value for name in names if not isinstance(value := getattr(self, name), Formula)
+        )
+
+    def over(self, children: Iterable[Formula]) -> Formula:
+        """The same operator with other sub-formulas; an atom stays itself."""
+        made = tuple(children)
+        return self.assembled(self.parameters, made) if made else self
+
+    @classmethod
+    def assembled(cls, parameters: Iterable[Any], children: Iterable[Formula]) -> Formula:
+        """A node of this class from what `parameters` and `children` give."""
+        return cls(*parameters, *children)
+
+    def __and__(self, other: Formula) -> And:
+        """Both hold."""
+        return And((self, _formula(other)))
+
+    def __or__(self, other: Formula) -> Or:
+        """At least one holds."""
+        return Or((self, _formula(other)))
+
+    def __invert__(self) -> Not:
+        """Negate: the formula does not hold."""
+        return Not(self)
+
+    def __rshift__(self, other: Formula) -> Implies:
+        """Where the formula holds, the other does."""
+        return Implies(self, other)
+
+    def iff(self, other: Formula) -> Iff:
+        """Both hold or neither does."""
+        return Iff(self, other)
+
+    def eventually(self, low: int, high: int) -> Eventually:
+        """The formula holds at some step `low .. high` from now."""
+        return Eventually(low, high, self)
+
+    def always(self, low: int, high: int) -> Always:
+        """The formula holds at every step `low .. high` from now."""
+        return Always(low, high, self)
+
+    def until(self, other: Formula, low: int, high: int) -> Until:
+        """The other holds at some step `low .. high` from now, this one at every step before."""
+        return Until(low, high, self, other)
+
+    def release(self, other: Formula, low: int, high: int) -> Release:
+        """The dual of until: the other holds at `low .. high`, up to where this has held before."""
+        return Release(low, high, self, other)
+
+    def __bool__(self) -> bool:
+        raise TypeError("a formula is neither true nor false by itself; use &, |, ~ to combine it")
+
+    def __str__(self) -> str:
+        from tsplan.logic.printing import text_of  # noqa: PLC0415  (printing knows all the nodes)
+
+        return text_of(self)
+
+    def __repr__(self) -> str:
+        from tsplan.logic.printing import text_of  # noqa: PLC0415  (printing knows all the nodes)
+
+        return f"<{type(self).__name__}: {text_of(self, _SHOWN)}>"
+
+    def __copy__(self) -> Formula:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Formula:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        from tsplan.logic.walking import packed, unpacked  # noqa: PLC0415  (walks import nodes)
+
+        return unpacked, (packed(self),)
+
+
+def _formula(value: object) -> Formula:
+    if not isinstance(value, Formula):
+        raise TypeError(f"a formula is needed here, not {value!r}")
+    return value
+
+
+def _interval(low: object, high: object) -> None:
+    """Bounds are whole numbers of steps, 0 <= low <= high."""
+    for bound in (low, high):
+        if not isinstance(bound, int) or isinstance(bound, bool):
+            raise TypeError(f"an interval is bounded by whole numbers of steps, not {bound!r}")
+    if not 0 <= low <= high:  # type: ignore[operator]  # both are whole numbers by now
+        raise ValueError(f"the interval [{low},{high}] is empty or begins before now")
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Constant(Formula):
+    """What always holds (`TRUE`) or never does (`FALSE`)."""
+
+    value: bool
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Not(Formula):
+    """The child does not hold."""
+
+    child: Formula
+
+    def __post_init__(self) -> None:
+        _formula(self.child)
+
+    @property
+    def children(self) -> tuple[Formula, ...]:
+        """The child."""
+        return (self.child,)
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Several(Formula):
+    """Two or more sub-formulas, grouped as the text groups them."""
+
+    children: tuple[Formula, ...] = field()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "children", tuple(_formula(child) for child in self.children))
+        if len(self.children) < 2:  # noqa: PLR2004  (one part alone prints without its operator)
+            raise ValueError(
+                f"'{type(self).__name__}' joins two or more formulas; "
+                "use conjunction() or disjunction() for any number of them"
+            )
+
+    @property
+    def parameters(self) -> tuple[Any, ...]:
+        """Nothing but sub-formulas."""
+        return ()
+
+    @classmethod
+    def assembled(cls, parameters: Iterable[Any], children: Iterable[Formula]) -> Formula:
+        """A node of this class from its parts."""
+        return cls(tuple(children), *parameters)
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class And(Several):
+    """All children hold. `a && b && c` is one node, `a && (b && c)` keeps its two."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Or(Several):
+    """At least one child holds."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Pair(Formula):
+    """A left and a right sub-formula."""
+
+    left: Formula
+    right: Formula
+
+    def __post_init__(self) -> None:
+        _formula(self.left)
+        _formula(self.right)
+
+    @property
+    def children(self) -> tuple[Formula, ...]:
+        """Left and right."""
+        return (self.left, self.right)
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Implies(Pair):
+    """The right side holds if the left side does."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Iff(Pair):
+    """Both sides hold or neither does."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Window(Formula):
+    """One sub-formula over the steps `low .. high` from now, both included."""
+
+    low: int
+    high: int
+    child: Formula
+
+    def __post_init__(self) -> None:
+        _interval(self.low, self.high)
+        _formula(self.child)
+
+    @property
+    def children(self) -> tuple[Formula, ...]:
+        """The child."""
+        return (self.child,)
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Eventually(Window):
+    """The child holds at some step of the window."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Always(Window):
+    """The child holds at every step of the window."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Switch(Formula):
+    """A left and a right sub-formula and the window in which they change over."""
+
+    low: int
+    high: int
+    left: Formula
+    right: Formula
+
+    def __post_init__(self) -> None:
+        _interval(self.low, self.high)
+        _formula(self.left)
+        _formula(self.right)
+
+    @property
+    def children(self) -> tuple[Formula, ...]:
+        """Left and right."""
+        return (self.left, self.right)
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Until(Switch):
+    """The right side holds at some step s of the window, the left side from now to before s."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Release(Switch):
+    """The dual of until: `left R right` is `!(!left U !right)`."""
+
+
+TRUE = Constant(True)
+FALSE = Constant(False)
+
+
+def conjunction(parts: Iterable[Formula]) -> Formula:
+    """All of any number of formulas: none is `TRUE`, a single one is itself.
+
+    >>> conjunction([]) is TRUE
+    True
+    """
+    held = tuple(parts)
+    return And(held) if len(held) > 1 else (held[0] if held else TRUE)
+
+
+def disjunction(parts: Iterable[Formula]) -> Formula:
+    """Any of any number of formulas: none is `FALSE`, a single one is itself."""
+    held = tuple(parts)
+    return Or(held) if len(held) > 1 else (held[0] if held else FALSE)

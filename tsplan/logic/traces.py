@@ -1,0 +1,93 @@
+"""What formulas are judged on: counts of agents, or signals, over steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from tsplan.errors import nearest
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+Values: TypeAlias = npt.NDArray[Any]
+
+_STATES_AND_STEPS = 2  # the last two axes of an array of counts
+
+
+@dataclass(frozen=True, eq=False)
+class CountTrace:
+    """How many agents are where, at every step.
+
+    `counts[capability]` is an array (..., states, steps) of whole numbers, `counts[None]` that of
+    all agents; a capability that is absent counts 0 everywhere. `labels[label]` holds the places of
+    the label's states along the states axis. Axes before these two are a batch.
+    """
+
+    counts: Mapping[str | None, Values]
+    labels: Mapping[str, Values]
+
+    def __post_init__(self) -> None:
+        shapes = {np.shape(array) for array in self.counts.values()}
+        if not shapes:
+            raise ValueError("a trace of counts needs the counts of all agents, under the key None")
+        if len(shapes) > 1 or len(min(shapes)) < _STATES_AND_STEPS:
+            raise ValueError(
+                f"counts must all have one shape (..., states, steps), not {sorted(shapes)}"
+            )
+
+    @property
+    def batch(self) -> tuple[int, ...]:
+        """Shape of the batch of traces: () for a single one."""
+        return np.shape(next(iter(self.counts.values())))[:-_STATES_AND_STEPS]
+
+    @property
+    def steps(self) -> int:
+        """Number of steps, the first and the last included."""
+        return int(np.shape(next(iter(self.counts.values())))[-1])
+
+    def at(self, label: str, capability: str | None) -> Floats:
+        """Counts (..., states with the label, steps) as floats; ValueError if that is unknown."""
+        places = np.asarray(self.labels.get(label, ()), dtype=np.int64)
+        if not places.size:
+            known = [name for name, states in self.labels.items() if len(states)]
+            raise ValueError(f"no state has the label '{label}'; {nearest(label, known)}")
+        if capability not in self.counts:
+            if capability is None:
+                raise ValueError("the trace does not count all agents (the key None)")
+            return np.zeros((*self.batch, places.size, self.steps))
+        array = np.asarray(self.counts[capability])
+        return array[..., places, :].astype(np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class SignalTrace:
+    """Real signals: `signals[name]` is an array (..., steps); further axes are a batch."""
+
+    signals: Mapping[str, Values]
+
+    def __post_init__(self) -> None:
+        shapes = {np.shape(array) for array in self.signals.values()}
+        if len(shapes) != 1 or not min(shapes):
+            raise ValueError(f"signals must all have one shape (..., steps), not {sorted(shapes)}")
+
+    @property
+    def batch(self) -> tuple[int, ...]:
+        """Shape of the batch of traces: () for a single one."""
+        return np.shape(next(iter(self.signals.values())))[:-1]
+
+    @property
+    def steps(self) -> int:
+        """Number of steps, the first and the last included."""
+        return int(np.shape(next(iter(self.signals.values())))[-1])
+
+    def signal(self, name: str) -> Floats:
+        """One signal (..., steps); ValueError if it is unknown."""
+        if name not in self.signals:
+            raise ValueError(f"the trace has no signal '{name}'; {nearest(name, self.signals)}")
+        return np.asarray(self.signals[name], dtype=np.float64)
+
+
+Trace: TypeAlias = CountTrace | SignalTrace

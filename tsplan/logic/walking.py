@@ -1,0 +1,79 @@
+"""Walking over formulas without recursion: nesting of any depth, shared parts once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, TypeAlias, TypeVar
+
+from tsplan.logic.nodes import Formula
+
+T = TypeVar("T")
+Packed: TypeAlias = "tuple[tuple[type[Formula], tuple[Any, ...], tuple[int, ...]], ...]"
+
+
+def walk(formula: Formula) -> Iterator[Formula]:
+    """Every sub-formula once, children before their parents, the formula itself last."""
+    yield from walk_all((formula,))
+
+
+def walk_all(formulas: Iterable[Formula]) -> Iterator[Formula]:
+    """Every sub-formula of several formulas once, children before their parents."""
+    seen: set[Formula] = set()
+    stack = [(formula, False) for formula in reversed(tuple(formulas))]
+    while stack:
+        node, opened = stack.pop()
+        if opened:
+            yield node
+        elif node not in seen:
+            seen.add(node)
+            stack.append((node, True))
+            stack += ((child, False) for child in reversed(node.children) if child not in seen)
+
+
+def fold(formula: Formula, combine: Callable[[Formula, tuple[T, ...]], T]) -> T:
+    """The value of a formula from the values of its children, bottom up; shared parts once.
+
+    >>> from tsplan.logic import parse
+    >>> fold(parse("F[0,2] (a && b)"), lambda node, below: 1 + max(below, default=0))
+    3
+    """
+    values: dict[Formula, T] = {}
+    for node in walk(formula):
+        values[node] = combine(node, tuple(values[child] for child in node.children))
+    return values[formula]
+
+
+def packed(formula: Formula) -> Packed:
+    """A formula as a flat table that can be pickled whatever its depth; see `unpacked`."""
+    place: dict[Formula, int] = {}
+    table = []
+    for node in walk(formula):
+        place[node] = len(table)
+        below = tuple(place[child] for child in node.children)
+        table.append((type(node), node.parameters, below))
+    return tuple(table)
+
+
+def unpacked(table: Packed) -> Formula:
+    """The formula of a flat table: the very same object in the same process."""
+    made: list[Formula] = []
+    for kind, parameters, below in table:
+        children = tuple(made[place] for place in below)
+        made.append(kind.assembled(parameters, children))
+    return made[-1]
+
+
+def substitute(formula: Formula, replacements: dict[Formula, Formula]) -> Formula:
+    """The formula with some sub-formulas exchanged, all at once.
+
+    What is put in is not searched again.
+
+    >>> from tsplan.logic import parse
+    >>> print(substitute(parse("F[0,2] a && b"), {parse("a"): parse("c || d")}))
+    F[0,2] (c || d) && b
+    """
+
+    def exchanged(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        return replacements[node] if node in replacements else node.over(below)
+
+    return fold(formula, exchanged)
