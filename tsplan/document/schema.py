@@ -67,6 +67,10 @@ def _finding(
         return document.finding(
             here, f"{_subject(here)}{shown(error['input'])} is not {wanted}", how
         )
+    if kind == "too_short":
+        few = f"{context['actual_length']} entries are too few"
+        remedy = f"write at least {context['min_length']}"
+        return document.finding(here, f"{_subject(here)}{few}", remedy)
     remedy = str(context.get("remedy", "")) or _bound_remedy(kind, context)
     about = context.get("about")
     subject = f"{about}: " if about else _subject(here)
@@ -105,8 +109,6 @@ def _bound_remedy(kind: str, context: Mapping[str, Any]) -> str:
             return f"use a number that is {words} {context[key]}"
     if kind == "literal_error" and "expected" in context:
         return f"use one of {context['expected']}"
-    if "min_length" in context:
-        return "add an entry"
     return ""
 
 

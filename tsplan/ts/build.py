@@ -103,15 +103,15 @@ def _moves(
     free: Mapping[Cell, str], duration: int | tuple[int, int], seed: int, *, waits: bool
 ) -> Iterator[Edge]:
     draw = random.Random(seed)  # noqa: S311 - a reproducible map, no secret
-    constant = duration if isinstance(duration, int) else None
-    least, most = duration if isinstance(duration, tuple) else (1, 1)
+    drawn = isinstance(duration, tuple)
+    least, most = duration if isinstance(duration, tuple) else (duration, duration)
     for (row, column), here in free.items():
         if waits:
             yield Edge(here, here)
         for down, right in _STEPS:
             there = free.get((row + down, column + right))
             if there is not None:
-                yield Edge(here, there, constant or draw.randint(least, most))
+                yield Edge(here, there, draw.randint(least, most) if drawn else least)
 
 
 def from_networkx(

@@ -10,7 +10,6 @@ from typing import Any, Literal
 from tsplan.errors import Finding, nearest
 from tsplan.ts.parts import Edge, State
 
-
 # the fewest corners of a shape
 CORNERS = 3
 
@@ -102,8 +101,8 @@ def _pairs(
 
 def _state(index: int, state: State) -> Iterator[Problem]:
     if not isinstance(state.name, str) or not state.name:
-        message = f"a state's name is {state.name!r}"
-        yield Problem("state", index, "name", message, "give it a name of at least one character")
+        message = f"{state.name!r} cannot be the name of a state"
+        yield Problem("state", index, "name", message, "use text of at least one character")
     if state.at is not None and not _is_point(state.at):
         message = f"at: {state.at} is not a pair of finite numbers"
         yield Problem("state", index, "at", message, "write it as [x, y]")

@@ -216,7 +216,11 @@ class _Draft:
                 path = (*path, 2, "weight")
             elif self.directed and problem.part in _POSITIONS:
                 path = (*path, _POSITIONS[problem.part])
-        return self.document.finding(path, problem.message, problem.remedy)
+        message = problem.message
+        if problem.first is not None and problem.kind == "edge":
+            first = (*self.path, "graph", "edges", self.origins[problem.first])
+            message = f"{message}, the first in line {self.document.place(first)[0]}"
+        return self.document.finding(path, message, problem.remedy)
 
     def extras(self) -> Extras:
         """Everything that is kept for writing the file back."""

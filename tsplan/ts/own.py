@@ -23,7 +23,9 @@ _SWAPPED = {"source": "target", "target": "source"}
 def _reference(value: Any) -> Any:
     """A state's name in an edge; names that look like numbers may stand without quotes."""
     if value is None or isinstance(value, dict | list):
-        raise complaint(f"{shown(value)} is not the name of a state", "write a state's name")
+        raise complaint(
+            f"{shown(value)} is not the name of a state", "write a state's name", "edge"
+        )
     return value
 
 
@@ -98,9 +100,6 @@ class _Draft:
 
     def add_state(self, name: str) -> None:
         path = (*self.path, "states", name)
-        if not name:
-            message = "the name of a state is empty"
-            self.findings.append(self.document.key_finding(path, message, "give it a name"))
         entry: _StateEntry | None = _StateEntry()
         if self.document.at(path) is not None:
             entry, found = validated(self.document, _StateEntry, path)
@@ -172,6 +171,7 @@ class _Draft:
             path: Path = (*self.path, "states")
         elif problem.kind == "state":
             path = (*self.path, "states", self.states[problem.index].name)
+            return self.document.key_finding(path, problem.message, problem.remedy)
         else:
             path = self._edge_path(problem)
         message = problem.message

@@ -1,7 +1,8 @@
 """Two systems that move at once, and moves split into single steps.
 
 The synchronous product is the usual one of transition systems (C. Baier and J.-P. Katoen,
-Principles of Model Checking, 2008, section 2.2.6): both components take an edge at once. Here an edge takes time, so both must take equally long.
+Principles of Model Checking, 2008, section 2.2.6): both components take an edge at once.
+Here an edge takes time, so both must take equally long.
 """
 
 from __future__ import annotations
