@@ -148,8 +148,10 @@ edges:
         ("states: {a: }\nedges: [[a, a, {}]]", "m.yaml:2:16: duration: no class is listed"),
         ("states: {a: }\nwaiting: yes", "m.yaml:2:10: waiting: 'yes' is neither true nor false"),
         (
-            "states: {a: , b: }\nedges:\n- {from: a, to: b, duration: 1, both_ways: true}\n"
-            "- [b, a, 1]",
+            (
+                "states: {a: , b: }\nedges:\n- {from: a, to: b, duration: 1, both_ways: true}\n"
+                "- [b, a, 1]"
+            ),
             "m.yaml:4:3: a second edge leads from 'b' to 'a', the first in line 3",
         ),
     ],
@@ -258,7 +260,7 @@ graph:
         ),
         "m.yaml:10:5: an edge is not [from, to, {weight: ...}]; write it so",
         (
-            "m.yaml:11:19: duration: a is not a whole number from 1 on; "
+            "m.yaml:11:21: duration: a is not a whole number from 1 on; "
             "durations are whole numbers of steps, at least 1"
         ),
     ]

@@ -40,10 +40,22 @@ def _character(char: str) -> str:
 
 
 def number(value: float) -> str:
-    """A number; whole ones without a decimal point."""
+    """A number; whole ones without a decimal point.
+
+    >>> number(2.0), number(1e-5)
+    ('2', '1.0e-05')
+    """
     if isinstance(value, float) and value.is_integer():
         return str(int(value))
-    return repr(value)
+    return _real(value)
+
+
+def _real(value: float) -> str:
+    """A number that YAML 1.1 reads as one too: with a point before any exponent."""
+    text = repr(value)
+    if "e" in text and "." not in text:
+        return text.replace("e", ".0e")
+    return {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(text, text)
 
 
 def flow(value: Any) -> str:
@@ -70,9 +82,7 @@ def _plain(value: Any) -> str:
         return "null"
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, float) and not value.is_integer():
-        return {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(repr(value), repr(value))
-    return repr(value)
+    return _real(value) if isinstance(value, float) else repr(value)
 
 
 def points(corners: tuple[tuple[float, float], ...]) -> str:
