@@ -3,7 +3,7 @@
 import pytest
 
 from tsplan.document import parse_document
-from tsplan.errors import MapError
+from tsplan.errors import InputError, MapError
 from tsplan.ts import ByClass, Edge, State
 from tsplan.ts.read import load_map, map_from_document
 
@@ -266,4 +266,5 @@ graph:
     ]
     assert "no states" in findings("!Ts\ngraph: {nodes: {}}")[0]
     assert "'graph' is missing" in findings("!Ts\nname: x\n")[0]
-    assert findings("!!python/object:lomap.Ts {graph: {}}")[0].startswith("m.yaml:1:1: the tag")
+    with pytest.raises(InputError, match="m.yaml:1:1: the tag"):
+        read("!!python/object:lomap.Ts {graph: {}}")
