@@ -266,5 +266,5 @@ graph:
     ]
     assert "no states" in findings("!Ts\ngraph: {nodes: {}}")[0]
     assert "'graph' is missing" in findings("!Ts\nname: x\n")[0]
-    with pytest.raises(InputError, match="m.yaml:1:1: the tag"):
+    with pytest.raises(InputError, match=r"m\.yaml:1:1: the tag"):
         read("!!python/object:lomap.Ts {graph: {}}")
