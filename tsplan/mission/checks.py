@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
-from tsplan.errors import Finding, nearest
+from tsplan.errors import Finding, FormulaError, nearest
 from tsplan.mission.data import OBJECTIVES, TaskInterval
 
 if TYPE_CHECKING:
@@ -282,4 +282,8 @@ def formula_horizon(
         ]
         if empty:
             return None, empty
-    return logic.horizon(logic.translate(formula, interval=task_interval)), []
+    try:
+        plain = logic.translate(formula, interval=task_interval)
+    except FormulaError:
+        return None, []  # `formula_problems` names what cannot be translated
+    return logic.horizon(plain), []

@@ -7,7 +7,7 @@ Python values (`Mission.of`) or by its constructor.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from hashlib import sha256
 from types import MappingProxyType
@@ -95,7 +95,7 @@ class Mission:
     `text` is the formula as it was written and `formula` what it parses to; `goal` is what is
     encoded. `horizon` is the last step, at least the formula's own. `objective` is
     lexicographic, the first name matters most; without any, every plan is as good as another.
-    `digest` is the SHA-256 of the mission's text.
+    `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`.
 
     Raises MissionError with everything that does not fit together.
     """
@@ -112,6 +112,7 @@ class Mission:
     solver: SolverChoice = SolverChoice()
     digest: str = ""
     warnings: tuple[Finding, ...] = ()
+    parse_seconds: float = field(default=0.0, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         from tsplan.mission.checks import problems_of  # noqa: PLC0415  (imports this module)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -70,7 +71,9 @@ def mission_from_document(
     file, findings = validated(document, MissionFile)
     draft = _Draft(document, list(findings))
     draft.system = system if system is not None else draft.read_map(folder)
+    began = time.perf_counter()
     draft.read_formula()
+    draft.seconds = time.perf_counter() - began
     if file is not None:
         draft.team = draft.read_team(file.team)
         draft.judge(file)
@@ -91,6 +94,7 @@ class _Draft:
     formula: Formula | None = None
     team: tuple[Group, ...] = ()
     text: str = ""
+    seconds: float = 0.0
     places: dict[Formula, tuple[int, int]] = field(default_factory=dict)
 
     def read_map(self, folder: Path) -> TransitionSystem | None:
@@ -246,4 +250,5 @@ class _Draft:
             solver=SolverChoice(**solver),
             digest=self.document.digest,
             warnings=tuple(self.warnings),
+            parse_seconds=self.seconds,
         )

@@ -1,6 +1,6 @@
 """Plans: the paths of all agents, their independent check, reading, writing and showing them."""
 
-from tsplan.results.check import Report, certify, check, objective_values
+from tsplan.results.checking import Report, certify, check, objective_values
 from tsplan.results.flows import ClassFlow, decompose
 from tsplan.results.plan import (
     AgentPlan,

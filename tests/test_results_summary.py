@@ -1,0 +1,115 @@
+"""Plans in words and pictures."""
+
+from __future__ import annotations
+
+import io
+import sys
+from dataclasses import replace
+
+import pytest
+from rich.console import Console
+
+from tsplan.results import AgentPlan, MissionRef, ObjectiveValue, Plan, SolverUse, Timings
+from tsplan.results.draw import PlotUnavailableError, draw_map, draw_plan, places, pyplot
+from tsplan.results.summary import MOST_PATHS, objective_line, outcome, print_summary
+from tsplan.ts import Edge, State, TransitionSystem
+
+
+def printed(plan, width=100):
+    stream = io.StringIO()
+    print_summary(plan, Console(file=stream, width=width))
+    return stream.getvalue()
+
+
+def team(count, length=1):
+    return tuple(
+        AgentPlan(f"a-{n}", "a", frozenset(), ((0, 0, "p"), (n // length, 90, "q")))
+        for n in range(1, count + 1)
+    )
+
+
+PLAN = Plan(
+    "optimal",
+    MissionRef("demo [x]", ""),
+    90,
+    objective=(ObjectiveValue("travel", 48, 48), ObjectiveValue("availability", 1, 3)),
+    availability=1,
+    verified=True,
+    agents=team(5),
+    solver=SolverUse("highs", "1.2"),
+    timings=Timings(solve=1.25, total=2.5),
+)
+
+
+def test_the_summary_says_what_is_known():
+    text = printed(PLAN)
+    assert "demo [x]: optimal plan (accepted by the independent check)" in text
+    assert "travel 48 (proven: no plan does better)" in text
+    assert "availability 1 (any plan has at most 3; gap 200.0%)" in text
+    assert "a-3     a      p:0, q:3-90" in text
+    assert "2.50 s (solve 1.25)" in text
+    assert all(len(line) <= 100 for line in text.splitlines())
+
+
+def test_agents_on_one_path_share_a_row_and_long_teams_are_cut():
+    same = replace(PLAN, agents=tuple(replace(a, stays=((0, 90, "p"),)) for a in team(5)))
+    assert "a-1..5" in printed(same)
+    many = printed(replace(PLAN, agents=team(MOST_PATHS * 2)))
+    assert f"{MOST_PATHS} agents on {MOST_PATHS} more paths" in many
+
+
+@pytest.mark.parametrize(
+    ("status", "stopped_by", "words"),
+    [
+        ("infeasible", None, "proven that no plan"),
+        ("no_plan_found", "time_limit", "no plan found, search ended at the time limit"),
+        ("error", None, "failed"),
+    ],
+)
+def test_outcomes_without_paths_in_words(status, stopped_by, words):
+    plan = Plan(status, MissionRef("m", ""), 3, stopped_by=stopped_by, notes=("a note",))
+    assert words in outcome(plan)
+    assert "a note" in printed(plan)
+
+
+def test_unbounded_and_open_objectives():
+    assert objective_line(ObjectiveValue("availability", None)) == "availability unbounded"
+    assert objective_line(ObjectiveValue("cost", 2.5)) == "cost 2.5"
+    assert "at least 2" in objective_line(ObjectiveValue("cost", 2.5, 2))
+
+
+YARD = TransitionSystem.build(
+    [
+        State("p", frozenset({"green"}), at=(0.0, 0.0)),
+        State("q", shape=((1.0, 0.0), (2.0, 0.0), (2.0, 1.0)), color="red"),
+        State("r"),
+    ],
+    [
+        Edge("p", "q", 2),
+        Edge("q", "p", {"a": 1, "default": 2}),
+        Edge("q", "r"),
+        Edge("p", "p"),
+    ],
+)
+
+
+def test_every_state_gets_a_place():
+    assert set(places(YARD)) == {"p", "q", "r"}
+    bare = TransitionSystem.build([State("p"), State("q")], [Edge("p", "q")])
+    assert places(bare) == places(bare)
+
+
+def test_pictures_are_figures_and_axes():
+    plt = pytest.importorskip("matplotlib.pyplot")
+    plt.switch_backend("Agg")
+    figure, ax = draw_map(YARD)
+    assert draw_map(YARD, ax) == (figure, ax)
+    figure, ax = draw_plan(PLAN)
+    assert ax.get_xlabel() == "step"
+    plt.close("all")
+
+
+def test_without_matplotlib_the_remedy_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(PlotUnavailableError, match=r"tsplan\[plot\]"):
+        pyplot()

@@ -1,0 +1,27 @@
+"""`tsplan lint`: what looks odd in a map."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tsplan.cli.arguments import Exit
+from tsplan.ts.lint import lint
+from tsplan.ts.read import load_map
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def run(asked: argparse.Namespace) -> Exit:
+    """Print one line for everything that looks odd."""
+    system = load_map(asked.map)
+    findings = lint(system)
+    for finding in findings:
+        placed = finding if finding.source else replace(finding, source=str(asked.map))
+        sys.stdout.write(f"{placed}\n")
+    if findings:
+        return Exit.REFUSED
+    sys.stdout.write(f"{len(system.states)} states, {len(system.edges)} edges, nothing looks odd\n")
+    return Exit.DONE

@@ -1,0 +1,63 @@
+"""Runs one command, and turns whatever goes wrong into one line each and an exit code."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from tsplan.cli.arguments import Exit, parser
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code; never a traceback for bad input."""
+    try:
+        asked = parser().parse_args(arguments)
+    except SystemExit as stop:  # argparse has said what is wrong
+        return int(stop.code or 0)
+    try:
+        command = import_module(f"tsplan.cli.{asked.command}")
+        code: Exit = command.run(asked)
+        sys.stdout.flush()
+    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (whatever it is, no traceback)
+        code, lines = _answer(error)
+        for line in lines:
+            sys.stderr.write(f"{line}\n")
+    return int(code)
+
+
+def _answer(error: BaseException) -> tuple[Exit, list[str]]:
+    """The exit code and the lines that say what went wrong."""
+    from tsplan.errors import InputError, TsplanError  # noqa: PLC0415  (after the help)
+
+    if isinstance(error, InputError):
+        return Exit.BAD_INPUT, [str(finding) for finding in error.findings]
+    if isinstance(error, TsplanError):
+        return Exit.FAILED, str(error).splitlines()
+    if isinstance(error, KeyboardInterrupt):
+        return Exit.INTERRUPTED, ["interrupted"]
+    if isinstance(error, BrokenPipeError):
+        # whoever reads the output has seen enough; keep the interpreter from complaining too
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return Exit.DONE, []
+    return Exit.FAILED, [internal(error)]
+
+
+def internal(error: BaseException) -> str:
+    """One line on an error of the program itself, with the place where it happened."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    where = ""
+    if trace is not None:
+        name = trace.tb_frame.f_globals.get("__name__", "?")
+        where = f" in {name}:{trace.tb_lineno}"
+    text = " ".join(str(error).split()) or "no message"
+    return (
+        f"internal error{where}: {type(error).__name__}: {text}; this is a mistake in tsplan, "
+        "please report it with this line and the input"
+    )

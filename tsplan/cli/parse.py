@@ -1,0 +1,69 @@
+"""`tsplan parse`: what a formula means, in every form it takes."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+from tsplan import logic
+from tsplan.cli.arguments import Exit
+from tsplan.errors import FormulaError, InputError
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Iterator
+
+DEEPEST_INDENT = 40
+
+
+def run(asked: argparse.Namespace) -> Exit:
+    """Print a formula's tree, text, horizon, positive normal form and, for CaTL, its MTL."""
+    formula = logic.parse(asked.formula, asked.language)
+    rows = [
+        ("text", str(formula)),
+        ("horizon", str(logic.horizon(formula))),
+        ("positive", _positive(formula)),
+    ]
+    if asked.language == "catl":
+        rows.append(("mtl", str(logic.translate(formula))))
+    sys.stdout.write("tree\n")
+    for line in tree(formula):
+        sys.stdout.write(f"  {line}\n")
+    for name, text in rows:
+        sys.stdout.write(f"{name:<10}{text}\n")
+    return Exit.DONE
+
+
+def _positive(formula: logic.Formula) -> str:
+    try:
+        return str(logic.positive(logic.translate(formula)))
+    except FormulaError as error:
+        raise InputError(error.findings) from None
+
+
+def tree(formula: logic.Formula) -> Iterator[str]:
+    r"""One line a node, indented by its depth.
+
+    >>> from tsplan.logic import parse
+    >>> print("\n".join(tree(parse("F[0,2] a && !b"))))
+    and
+      eventually [0,2]
+        sum(a) >= 1
+      not
+        sum(b) >= 1
+    """
+    stack: list[tuple[int, logic.Formula]] = [(0, formula)]
+    while stack:
+        depth, node = stack.pop()
+        yield "  " * min(depth, DEEPEST_INDENT) + _headline(node)
+        stack.extend((depth + 1, child) for child in reversed(node.children))
+
+
+def _headline(node: logic.Formula) -> str:
+    if not node.children:
+        return str(node)
+    interval = f" [{node.low},{node.high}]" if isinstance(node, _TIMED) else ""
+    return type(node).__name__.lower() + interval
+
+
+_TIMED = (logic.Eventually, logic.Always, logic.Until, logic.Release)

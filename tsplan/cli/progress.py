@@ -1,0 +1,99 @@
+"""Progress on stderr while a plan is sought: one live line, or plain lines without a terminal."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import TYPE_CHECKING, Self
+
+from tsplan.events import Bound, Event, Incumbent, Stage
+from tsplan.results.summary import number
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from rich.live import Live
+    from rich.text import Text
+
+_EVERY = 5.0  # seconds between plain lines that tell nothing but a new bound
+_REFRESH = 8  # live lines a second
+
+
+class Progress:
+    """Shows stage, best objective, bound, gap and elapsed time; a context manager."""
+
+    def __init__(self, *, quiet: bool = False) -> None:
+        self._quiet = quiet
+        self._began = time.monotonic()
+        self._said = -_EVERY
+        self._stage = "start"
+        self._news: Incumbent | Bound | None = None
+        self._live: Live | None = None
+
+    def __enter__(self) -> Self:
+        if not self._quiet and sys.stderr.isatty():
+            from rich.console import Console  # noqa: PLC0415  (slow to import)
+            from rich.live import Live  # noqa: PLC0415
+
+            self._live = Live(
+                console=Console(stderr=True),
+                get_renderable=self._rendered,
+                refresh_per_second=_REFRESH,
+                transient=True,
+            )
+            self._live.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._live is not None:
+            self._live.stop()
+
+    def tell(self, event: Event) -> None:
+        """Take in what the planner tells."""
+        important = not isinstance(event, Bound)
+        if isinstance(event, Stage):
+            if event.name != self._stage:
+                self._news = None
+            self._stage = event.name
+        else:
+            if event.stage != self._stage:
+                important = True
+            self._stage, self._news = event.stage, event
+        if self._quiet or self._live is not None:
+            return
+        now = time.monotonic()
+        if important or now - self._said >= _EVERY:
+            self._said = now
+            self.note(self.line())
+
+    def note(self, text: str) -> None:
+        """Write a line of its own to stderr."""
+        if self._quiet:
+            return
+        if self._live is not None:
+            self._live.console.print(text, highlight=False, markup=False)
+        else:
+            sys.stderr.write(f"{text}\n")
+            sys.stderr.flush()
+
+    def line(self) -> str:
+        """Stage, objective, bound, gap and elapsed time as far as they are known."""
+        parts = [self._stage]
+        news = self._news
+        if news is not None and news.objective is not None:
+            parts.append(f"best {number(news.objective)}")
+        if news is not None and news.bound is not None:
+            parts.append(f"bound {number(news.bound)}")
+        if news is not None and news.gap is not None:
+            parts.append(f"gap {news.gap:.1%}")
+        return "  ".join([*parts, f"{time.monotonic() - self._began:.1f} s"])
+
+    def _rendered(self) -> Text:
+        from rich.text import Text  # noqa: PLC0415  (slow to import)
+
+        return Text(self.line(), no_wrap=True, overflow="ellipsis")

@@ -1,0 +1,157 @@
+"""A plan in words and one table, for people."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING
+
+from tsplan.mission.data import OBJECTIVES
+from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.console import Console, RenderableType
+
+MOST_PATHS = 40
+"""Distinct paths that are listed; the rest is only counted."""
+
+_NUMBERED = re.compile(r"(.*-)(\d+)\Z")
+_LIMITS = {
+    StoppedBy.TIME_LIMIT: "at the time limit",
+    StoppedBy.GAP: "within the accepted gap",
+    StoppedBy.INTERRUPT: "when interrupted",
+    StoppedBy.MEMORY: "out of memory",
+}
+
+
+def print_summary(plan: Plan, console: Console) -> None:
+    """Print outcome, objectives and paths of a plan."""
+    for part in summary(plan):
+        with console.capture() as text:
+            console.print(part, highlight=False, markup=False)
+        for line in text.get().splitlines() or [""]:
+            console.out(line.rstrip(), highlight=False)
+
+
+def summary(plan: Plan) -> list[RenderableType]:
+    """The lines of a plan's summary, and the table of its paths."""
+    title = f"{plan.mission.name or 'mission'}: {outcome(plan)}"
+    lines: list[RenderableType] = [title, *(f"  {note}" for note in plan.notes)]
+    if plan.has_paths:
+        lines += [f"  {objective_line(item)}" for item in plan.objective]
+        if all(item.name != "availability" for item in plan.objective):
+            lines.append(f"  availability {number(plan.availability, infinite='unbounded')}")
+        lines += ["", *_table(plan), ""]
+    return [*lines, *_work(plan)]
+
+
+def outcome(plan: Plan) -> str:
+    """What is known, in words."""
+    judged = "accepted by the independent check" if plan.verified else "not checked"
+    stop = "" if plan.stopped_by is None else f", search ended {_LIMITS[plan.stopped_by]}"
+    words = {
+        Status.OPTIMAL: f"optimal plan ({judged})",
+        Status.FEASIBLE: f"plan, optimality open{stop} ({judged})",
+        Status.INFEASIBLE: "infeasible: it is proven that no plan satisfies the mission",
+        Status.NO_PLAN_FOUND: f"no plan found{stop}; whether there is one stays open",
+        Status.ERROR: f"failed{stop}",
+    }
+    return words[plan.status]
+
+
+def objective_line(item: ObjectiveValue) -> str:
+    """One objective: its value, and what is proven about it."""
+    value = number(item.value, infinite="unbounded")
+    if item.value is None or item.bound is None:
+        return f"{item.name} {value}"
+    if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
+        return f"{item.name} {value} (proven: no plan does better)"
+    side = "at most" if OBJECTIVES.get(item.name) == "maximise" else "at least"
+    gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
+    return f"{item.name} {value} (any plan has {side} {number(item.bound)}; gap {gap:.1%})"
+
+
+def number(value: float | None, infinite: str = "open") -> str:
+    """A number without needless digits; None is `infinite`."""
+    if value is None:
+        return infinite
+    return f"{int(value):,}" if value == int(value) else f"{value:,.6g}"
+
+
+def path_words(bundle: Bundle) -> str:
+    """A path as text: each state with its steps, `q1:0-4, q2:5`, and where it is heading.
+
+    >>> path_words(Bundle("a", frozenset(), ((0, 4, "q1"), (5, 5, "q2")), "q3", (0,)))
+    'q1:0-4, q2:5, then on the way to q3'
+    """
+    stays = [
+        f"{state}:{first}" if first == last else f"{state}:{first}-{last}"
+        for first, last, state in bundle.stays
+    ]
+    if bundle.heading is not None:
+        stays.append(f"then on the way to {bundle.heading}")
+    return ", ".join(stays)
+
+
+def names(ids: Sequence[str], most: int = 3) -> str:
+    """Agents' names, with runs of numbers joined and the rest counted.
+
+    >>> names(["a-1", "a-2", "a-3", "a-7"])
+    'a-1..3, a-7'
+    """
+    runs: list[tuple[str, int, int, int]] = []  # stem, first, last, agents
+    for name in ids:
+        match = _NUMBERED.match(name)
+        stem, digits = match.groups() if match else (name, "0")
+        place = int(digits)
+        if match and runs and runs[-1][0] == stem and runs[-1][2] + 1 == place:
+            stem, first, _, agents = runs.pop()
+            runs.append((stem, first, place, agents + 1))
+        else:
+            runs.append((stem, place, place, 1))
+    shown = [
+        f"{stem}{first}..{last}" if agents > 1 else (f"{stem}{first}" if first else stem)
+        for stem, first, last, agents in runs[:most]
+    ]
+    rest = sum(run[3] for run in runs[most:])
+    return ", ".join([*shown, *([f"{rest} more"] if rest else [])])
+
+
+def _table(plan: Plan) -> list[RenderableType]:
+    from rich.table import Table  # noqa: PLC0415  (slow to import)
+
+    table = Table(box=None, pad_edge=False, show_edge=False, padding=(0, 1))
+    table.add_column("agents", overflow="fold")
+    table.add_column("class", overflow="fold")
+    table.add_column("path (state:steps)", overflow="fold", ratio=1)
+    for bundle in plan.bundles[:MOST_PATHS]:
+        ids = [plan.agents[place].id for place in bundle.agents]
+        table.add_row(names(ids), bundle.class_name, path_words(bundle))
+    hidden = plan.bundles[MOST_PATHS:]
+    if not hidden:
+        return [table]
+    agents = sum(len(bundle.agents) for bundle in hidden)
+    rest = f"  ... and {agents:,} agents on {len(hidden):,} more paths; the JSON plan has them all"
+    return [table, rest]
+
+
+def _work(plan: Plan) -> list[str]:
+    """With what and how long, as far as it is known."""
+    size, time = plan.size, plan.timings
+    lines = [
+        f"  horizon {plan.horizon}" + (f", {len(plan.agents):,} agents" if plan.agents else "")
+    ]
+    if plan.solver.name:
+        lines.append(
+            f"  {plan.solver.name} {plan.solver.version}: {size.columns:,} columns "
+            f"({size.integers:,} integer), {size.rows:,} rows, {size.nonzeros:,} nonzeros"
+        )
+    stages = [
+        f"{name} {seconds:.2f}"
+        for name in ("load", "parse", "reduce", "build", "solve", "extract", "verify")
+        if (seconds := getattr(time, name)) >= 0.005  # noqa: PLR2004  (what two digits can show)
+    ]
+    inside = f" ({', '.join(stages)})" if stages else ""
+    return [*lines, f"  {time.total:.2f} s{inside}"] if time.total else lines
