@@ -12,6 +12,7 @@ from typing import Any
 import yaml
 from yaml import events
 
+from tsplan.document.pause import collector_paused
 from tsplan.document.scalars import TAGS, resolve
 from tsplan.errors import Finding, InputError
 
@@ -33,7 +34,7 @@ class Node:
 
     `children` follows `value`: a dict or list of nodes, None for scalars. `text` is a scalar's
     own text; `start` and `end` are offsets into the document's text; `keys` holds the places of a
-    mapping's keys. `size` counts the nodes below, aliases expanded.
+    mapping's keys, None for others. `size` counts the nodes below, aliases expanded.
     """
 
     value: Any
@@ -45,7 +46,7 @@ class Node:
     text: str | None = None
     style: str | None = None
     children: dict[str, Node] | list[Node] | None = None
-    keys: dict[str, tuple[int, int]] = field(default_factory=dict)
+    keys: dict[str, tuple[int, int]] | None = None
     size: int = 1
 
 
@@ -57,6 +58,7 @@ class _Open:
     anchor: str | None
     mapping: bool
     key: Node | None = None
+    key_places: dict[str, tuple[int, int]] = field(default_factory=dict)
 
 
 class Composer:
@@ -127,7 +129,9 @@ class Composer:
         node.children = {} if mapping else []
         if event.anchor is not None:
             self._anchors[event.anchor] = None
-        self._stack.append(_Open(node, event.anchor, mapping))
+        opened = _Open(node, event.anchor, mapping)
+        node.keys = opened.key_places
+        self._stack.append(opened)
 
     def _alias(self, event: Any) -> None:
         if event.anchor not in self._anchors:
@@ -173,7 +177,7 @@ class Composer:
         key = self._key(key_node)
         top.node.size += node.size + 1
         if key in children:
-            first = top.node.keys[key][0]
+            first = top.key_places[key][0]
             self._report(
                 f"the key '{key}' appears twice, first in line {first}",
                 "keep one of them",
@@ -183,7 +187,7 @@ class Composer:
             return
         top.node.value[key] = node.value
         children[key] = node
-        top.node.keys[key] = (key_node.line, key_node.column)
+        top.key_places[key] = (key_node.line, key_node.column)
 
     def _key(self, node: Node) -> str:
         """The text of a key; a sequence of scalars (a tuple in Python) is written `(a, b)`."""
@@ -200,7 +204,7 @@ def _as_set(node: Node) -> Node:
     if node.tag != SET or not isinstance(node.children, dict):
         return node
     members = []
-    for key, (line, column) in node.keys.items():
+    for key, (line, column) in (node.keys or {}).items():
         members.append(Node(key, line, column, node.start, node.end, text=key))
     node.value, node.children = [child.value for child in members], list(members)
     return node
@@ -220,8 +224,9 @@ def compose(text: str, source: str) -> Node:
     try:
         loader = _Loader(text)
         try:
-            while loader.check_event():
-                composer.take(loader.get_event())
+            with collector_paused():
+                while loader.check_event():
+                    composer.take(loader.get_event())
         finally:
             loader.dispose()
     except yaml.MarkedYAMLError as error:

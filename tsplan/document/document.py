@@ -85,7 +85,7 @@ class Document:
         """Line and column of the key that a path ends with; for a list entry, of the entry."""
         if path:
             node, depth = self._nearest(path[:-1])
-            if depth == len(path) - 1 and path[-1] in node.keys:
+            if depth == len(path) - 1 and node.keys and path[-1] in node.keys:
                 return node.keys[str(path[-1])]
         return self.place(path)
 

@@ -43,6 +43,8 @@ def resolve(text: str) -> Scalar:
         return _WORDS[text]
     if text[0] not in _NUMBER_START:
         return text
+    if len(text) <= LONGEST_INTEGER and text.isdigit() and text.isascii():
+        return int(text)
     if _INTEGER.match(text) or _BASED.match(text):
         return _integer(text) if len(text) <= LONGEST_INTEGER else text
     return _real(text) if _FLOAT.match(text) or _SPECIAL.match(text) else text

@@ -18,6 +18,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from tsplan.document import Document, Path, validated
 from tsplan.document.compose import SET, TUPLE
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
+from tsplan.document.pause import collector_paused
 from tsplan.errors import Finding, MapError
 from tsplan.ts.checks import CORNERS, Problem, in_order, problems
 from tsplan.ts.parts import Edge, State
@@ -266,6 +267,7 @@ def _weight(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
+@collector_paused()
 def read_lomap(document: Document, path: Path = ()) -> TransitionSystem:
     """A map in LOMAP's format, at `path` of a document.
 

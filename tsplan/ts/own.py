@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, PlainValidator, RootModel
 
 from tsplan.document import Document, Path, validated
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
+from tsplan.document.pause import collector_paused
 from tsplan.errors import Finding, MapError
 from tsplan.ts.checks import Problem, in_order, problems
 from tsplan.ts.parts import ByClass, Edge, State
@@ -190,6 +191,7 @@ class _Draft:
         return (*path, _KEYS.get(part, part))
 
 
+@collector_paused()
 def read_own(document: Document, path: Path = ()) -> TransitionSystem:
     """A map in the package's own format, at `path` of a document.
 
