@@ -108,7 +108,7 @@ class Run:
             log=settings.log,
         )
         began = time.perf_counter()
-        assert self._problem.setting is not None
+        _ = self._problem.setting
         self._seconds["reduce"] = time.perf_counter() - began
         began = time.perf_counter()
         outcome = self._problem.solve(effort, self._clock, self._tell)

@@ -69,7 +69,7 @@ def prepare(
     system = mission.system
     arrays = map_arrays(system)
     goal = mission.goal
-    named = capabilities(goal) | {term.capability for term in terms_of(constraints)} - {None}
+    named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
     classes = agent_classes(system, mission.team, {name for name in named if name is not None})
     interest = _interest(mission, goal, arrays, constraints)
     reduced = None

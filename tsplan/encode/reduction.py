@@ -48,13 +48,13 @@ def whole(graph: ClassGraph) -> Reduced:
 
 
 def reduce(graph: ClassGraph, interest: Interest, horizon: int) -> Reduced | None:
-    """The reduced graph of one class, or None where reduction would not be exact or not pay."""
+    """The reduced graph of one class, or None where reduction would not be exact."""
     unit_wait = graph.wait & (graph.duration == 1)
     waiting = np.zeros(len(graph.start), dtype=np.bool_)
     waiting[graph.tail[unit_wait]] = True
     relevant = _with_parking(graph, interest) | _ends_of_capacities(graph)
     sources = np.flatnonzero(relevant | (graph.start > 0))
-    if not waiting[sources].all() or 2 * len(sources) > len(graph.start):
+    if not waiting[sources].all():
         return None
     distance, before = _quickest(graph, relevant, sources, horizon)
     tail, head, duration = _shortcuts(distance, sources, relevant, relevant & ~interest.limited)

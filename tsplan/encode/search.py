@@ -146,11 +146,9 @@ class Search:
                 self._whole(dived.values)
             elif dived.refuted:
                 return True
-        if first and self._values is not None:
+        if self._closed or (first and self._values is not None):
             return self._closed
-        if self._closed:
-            return True
-        return self._grow(lp, root) if Idea.TREE in self._effort.ideas and not first else False
+        return self._grow(lp, root, first=first) if Idea.TREE in self._effort.ideas else False
 
     def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:
         """Add violated visit cuts, to the LP and to the model, while they raise the bound."""
@@ -170,7 +168,7 @@ class Search:
                 break
         return root
 
-    def _grow(self, lp: WarmLP, root: LPResult) -> bool:
+    def _grow(self, lp: WarmLP, root: LPResult, *, first: bool) -> bool:
         again = lp.solve(time_limit=self._clock.left)
         if again.status != "optimal":
             return False
@@ -178,7 +176,7 @@ class Search:
         tree = Tree(lp, witnessing, max(self._step, _WHOLE))
         budget = max(_PATIENCE, 20 * root.seconds)
         cutoff = None if self._values is None else self._value
-        grown = tree.grow(again, self._clock.within(budget), cutoff)
+        grown = tree.grow(again, self._clock.within(budget), cutoff, first=first)
         self._raise_bound(grown.bound)
         whole = grown.values is None or self._whole(grown.values)
         return grown.done and whole

@@ -59,14 +59,19 @@ class Tree:
         self._values: Floats | None = None
         self._value = np.inf
 
-    def grow(self, root: LPResult, clock: Clock, cutoff: float | None) -> Grown:
-        """Search below `root`, the LP's present solution; its bounds are restored at the end."""
+    def grow(
+        self, root: LPResult, clock: Clock, cutoff: float | None, *, first: bool = False
+    ) -> Grown:
+        """Search below `root`, the LP's present solution; its bounds are restored at the end.
+
+        Points that do not beat `cutoff` are not looked for; `first` ends with any point.
+        """
         self._value = np.inf if cutoff is None else cutoff
         order = count()
         heap = [_Node(root.objective, next(order), {})]
         deep: list[_Node] = []
         bound = root.objective
-        while (heap or deep) and not clock.over:
+        while (heap or deep) and not clock.over and not (first and self._values is not None):
             node = deep.pop() if deep else heapq.heappop(heap)
             if not self._promising(node.bound):
                 continue
