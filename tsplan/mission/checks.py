@@ -25,13 +25,17 @@ FORMULA: Place = ("spec", "formula")
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """Something that does not fit: where it is in the mission, and whether it forbids planning."""
+    """Something that does not fit: where it is in the mission, and whether it forbids planning.
+
+    For a part of the formula, `node` is the part and `word` the word in it that is wrong.
+    """
 
     path: Place
     message: str
     remedy: str = ""
     serious: bool = True
     node: Formula | None = None
+    word: str = ""
 
     def finding(self) -> Finding:
         """The problem of a mission that was not read from a file."""
@@ -186,6 +190,7 @@ def formula_problems(
                         f"no state of the map has the label '{node.label}'",
                         nearest(node.label, system.labels),
                         node=node,
+                        word=node.label,
                     )
                 )
             problems += [
@@ -195,6 +200,7 @@ def formula_problems(
                     nearest(name, known),
                     serious=False,
                     node=node,
+                    word=name,
                 )
                 for name in _capabilities(node)
                 if name not in known

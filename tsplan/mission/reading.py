@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tsplan.errors import Finding, InputError, MissionError
 from tsplan.mission.checks import (
@@ -20,7 +21,7 @@ from tsplan.mission.checks import (
     objective_problems,
     team_problems,
 )
-from tsplan.mission.data import Group, Mission, SolverChoice
+from tsplan.mission.data import LANGUAGES, Group, Mission, SolverChoice
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -83,6 +84,29 @@ def mission_from_document(
     return draft.mission(file, draft.system, draft.formula)
 
 
+class Span(NamedTuple):
+    """Where a part of a formula stands: `place` is (line, column, end line, end column)."""
+
+    path: Place
+    text: str
+    place: tuple[int, int, int, int]
+
+    def find(self, word: str) -> tuple[int, int]:
+        """Line and column of a word inside the part; where the part begins if it is not there."""
+        line, column, end_line, end_column = self.place
+        lines = self.text.split("\n")
+        begin = sum(len(row) + 1 for row in lines[: line - 1]) + column - 1
+        end = sum(len(row) + 1 for row in lines[: end_line - 1]) + end_column - 1
+        # after the operator's own letter: a label may be called T, too
+        found = re.compile(rf"(?<![\w.]){re.escape(word)}(?![\w.])").search(
+            self.text, begin + 1, end
+        )
+        if not word or found is None:
+            return line, column
+        before = self.text[: found.start()]
+        return before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
+
+
 @dataclass
 class _Draft:
     """A mission while it is read: its parts as far as they are known, and what is wrong so far."""
@@ -95,7 +119,7 @@ class _Draft:
     team: tuple[Group, ...] = ()
     text: str = ""
     seconds: float = 0.0
-    places: dict[Formula, tuple[int, int]] = field(default_factory=dict)
+    places: dict[Formula, Span] = field(default_factory=dict)
 
     def read_map(self, folder: Path) -> TransitionSystem | None:
         """The map, inline or from the file beside the mission."""
@@ -156,25 +180,23 @@ class _Draft:
         return None
 
     def _parsed(self, text: str, language: str, path: Place) -> Formula | None:
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-        from tsplan.mission.data import LANGUAGES  # noqa: PLC0415
+        from tsplan.logic.parsing import parse_with_places  # noqa: PLC0415  (slow to import)
 
         known = next((name for name in LANGUAGES if name == language), None)
         if known is None:
             return None  # an unknown language is the schema's finding
-        inside = partial(self.document.inside, path)
         try:
-            formula, places = logic.parse_with_places(text, known)
+            formula, places = parse_with_places(text, known)
         except InputError as error:
             for item in error.findings:
-                line, column = inside(item.line or 1, item.column or 1)
+                line, column = self.document.inside(path, item.line or 1, item.column or 1)
                 self.findings.append(
-                    Finding(item.message, item.remedy, self.document.source, line, column)
+                    replace(item, source=self.document.source, line=line, column=column)
                 )
             return None
-        for node, spans in places.items():
-            if spans and node not in self.places:
-                self.places[node] = inside(spans[0][0], spans[0][1])
+        for node, found in places.items():
+            if found:
+                self.places.setdefault(node, Span(path, text, found[0]))
         return formula
 
     def read_team(self, members: Iterable[Member]) -> tuple[Group, ...]:
@@ -182,16 +204,15 @@ class _Draft:
         return tuple(self._group(member, ("team", n)) for n, member in enumerate(members))
 
     def _group(self, member: Member, path: Place) -> Group:
-        if isinstance(member.at, dict):
+        if isinstance(self.document.at((*path, "at")), dict):
             starts = tuple(member.at.items())
             total = sum(member.at.values())
             if member.count is not None and member.count != total:
                 what = f"the count is {member.count} and the start states hold {total}"
                 self._report((*path, "count"), what, f"leave the count out or write {total}")
-            if not starts:
-                self._report((*path, "at"), "no start state", "say where the robots start")
         else:
-            starts = ((self._word(member.at, (*path, "at")), member.count or 1),)
+            (name,) = member.at
+            starts = ((self._word(name, (*path, "at")), member.count or 1),)
         able = [
             self._word(name, (*path, "capabilities", n))
             for n, name in enumerate(member.capabilities)
@@ -220,8 +241,9 @@ class _Draft:
     def _file(self, problem: Problem) -> None:
         """Turn a problem into a finding at its place."""
         line, column = self.document.place(problem.path)
-        if problem.node is not None and problem.node in self.places:
-            line, column = self.places[problem.node]
+        span = self.places.get(problem.node) if problem.node is not None else None
+        if span is not None:
+            line, column = self.document.inside(span.path, *span.find(problem.word))
         finding = Finding(problem.message, problem.remedy, self.document.source, line, column)
         if finding not in self.findings:
             self.findings.append(finding)

@@ -14,6 +14,12 @@ def _name(value: Any) -> Any:
     return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
+def _starts(value: Any) -> Any:
+    """A single start state stands for a mapping to the group's count, which the reader fills in."""
+    one = isinstance(value, str | int) and not isinstance(value, bool)
+    return {str(value): 1} if one else value
+
+
 Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
 Count = Annotated[int, Field(strict=True, ge=1)]
 Whole = Annotated[int, Field(strict=True, ge=0)]
@@ -28,7 +34,7 @@ class Member(_Part):
 
     class_name: Name = Field(alias="class")
     count: Count | None = None
-    at: Name | dict[Name, Count]
+    at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
     capabilities: list[Name] = []
 
 
