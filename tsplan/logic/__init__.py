@@ -47,6 +47,7 @@ from tsplan.logic.nodes import (
     disjunction,
 )
 from tsplan.logic.normal import negation, positive
+from tsplan.logic.parsing import LANGUAGES, Language, parse, parse_with_places
 from tsplan.logic.simplifying import simplify
 from tsplan.logic.timing import horizon
 from tsplan.logic.translation import resolve_percent, translate
@@ -57,6 +58,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FALSE",
+    "LANGUAGES",
     "TRUE",
     "Always",
     "And",
@@ -68,6 +70,7 @@ __all__ = [
     "Function",
     "Iff",
     "Implies",
+    "Language",
     "Limit",
     "Linear",
     "Not",
@@ -96,6 +99,8 @@ __all__ = [
     "limit",
     "linear",
     "negation",
+    "parse",
+    "parse_with_places",
     "positive",
     "resolve_percent",
     "robustness",

@@ -207,7 +207,7 @@ def at_least(label: str, number: int = 1, capability: str | None = None) -> Coun
     """At least a number of agents at all states with the label together.
 
     >>> print(at_least("depot", 3, "Vis").eventually(0, 5))
-    F[0,5] sum(depot,Vis) >= 3
+    F[0,5] (sum(depot,Vis) >= 3)
     """
     return Count("sum", label, capability, ">=", number)
 

@@ -197,12 +197,12 @@ def _(node: Always, below: tuple[Values, ...], _reading: Reading) -> Values:
 
 @value.register
 def _(node: Until, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return switched(*below, (node.low, node.high), np.maximum, np.minimum)
+    return switched(below, (node.low, node.high), np.maximum, np.minimum)
 
 
 @value.register
 def _(node: Release, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return switched(*below, (node.low, node.high), np.minimum, np.maximum)
+    return switched(below, (node.low, node.high), np.minimum, np.maximum)
 
 
 @value.register

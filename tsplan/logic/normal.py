@@ -48,7 +48,8 @@ def positive(formula: Formula) -> Formula:
     >>> print(positive(parse("!(F[0,2] a => sum(b) = 2)")))
     F[0,2] a && (sum(b) >= 3 || sum(b) <= 1)
     """
-    return fold(formula, normal).holds
+    both: Polarity = fold(formula, normal)
+    return both.holds
 
 
 def negation(formula: Formula) -> Formula:
@@ -56,9 +57,10 @@ def negation(formula: Formula) -> Formula:
 
     >>> from tsplan.logic import parse
     >>> print(negation(parse("a U[0,3] sum(b) >= 2")))
-    sum(a) <= 0 R[0,3] sum(b) <= 1
+    (sum(a) <= 0) R[0,3] (sum(b) <= 1)
     """
-    return fold(formula, normal).fails
+    both: Polarity = fold(formula, normal)
+    return both.fails
 
 
 @singledispatch

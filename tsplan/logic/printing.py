@@ -39,7 +39,8 @@ class Binding(IntEnum):
     LOOSE = 0  # U, R, => and <=> stand alone on their level
     OR = 1
     AND = 2
-    UNARY = 3  # also every atom
+    COMPARISON = 3  # would parse bare below a prefix, but reads better in parentheses
+    UNARY = 4  # also names, tasks and limits
 
 
 class Operand(NamedTuple):
@@ -164,7 +165,7 @@ def _(node: Count) -> Layout:
     inside = [quoted(node.label)]
     if node.capability is not None:
         inside.append(quoted(node.capability))
-    return _atom(f"{node.function}({','.join(inside)}) {node.relation} {node.bound}")
+    return _comparison(f"{node.function}({','.join(inside)})", node.relation, str(node.bound))
 
 
 @layout.register
@@ -174,7 +175,7 @@ def _(node: Linear) -> Layout:
         sign = (" - " if factor < 0 else " + ") if text else ""
         size = abs(factor)
         text += sign + (quoted(name) if size == 1 else f"{number_text(size)}*{quoted(name)}")
-    return _atom(f"{text or '0'} {node.relation} {number_text(node.bound)}")
+    return _comparison(text or "0", node.relation, number_text(node.bound))
 
 
 @layout.register
@@ -192,6 +193,10 @@ def _(node: Limit) -> Layout:
 
 def _atom(text: str) -> Layout:
     return Layout(Binding.UNARY, (text,))
+
+
+def _comparison(left: str, relation: str, right: str) -> Layout:
+    return Layout(Binding.COMPARISON, (f"{left} {relation} {right}",))
 
 
 def _joined(node: Several, sign: str, binding: Binding) -> Layout:

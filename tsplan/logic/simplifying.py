@@ -39,7 +39,8 @@ def simplify(formula: Formula) -> Formula:
     >>> print(simplify(parse("F[1,2] F[0,3] a && (b && true) && !!b")))
     F[1,5] a && b
     """
-    return fold(formula, simpler)
+    simple: Formula = fold(formula, simpler)
+    return simple
 
 
 @singledispatch

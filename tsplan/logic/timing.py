@@ -19,7 +19,8 @@ def horizon(formula: Formula) -> int:
     >>> horizon(parse("F[0,5] G[0,2] a")), horizon(parse("(F[0,3] a) U[0,4] b"))
     (7, 6)
     """
-    return fold(formula, reach)
+    steps: int = fold(formula, reach)
+    return steps
 
 
 @singledispatch

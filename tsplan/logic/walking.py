@@ -46,7 +46,7 @@ def fold(formula: Formula, combine: Callable[[Formula, tuple[T, ...]], T]) -> T:
 def packed(formula: Formula) -> Packed:
     """A formula as a flat table that can be pickled whatever its depth; see `unpacked`."""
     place: dict[Formula, int] = {}
-    table = []
+    table: list[tuple[type[Formula], tuple[Any, ...], tuple[int, ...]]] = []
     for node in walk(formula):
         place[node] = len(table)
         below = tuple(place[child] for child in node.children)

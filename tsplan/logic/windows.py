@@ -47,17 +47,18 @@ class _Stretch:
 
 
 def switched(
-    left: Values, right: Values, interval: tuple[int, int], best: Choose, worst: Choose
+    sides: tuple[Values, ...], interval: tuple[int, int], best: Choose, worst: Choose
 ) -> Values:
-    """The best s in t+low .. t+high of the worst of right at s and left at t .. s-1.
+    """Change over at the best s in t+low .. t+high: worst of right at s and left at t .. s-1.
 
     Until with (np.maximum, np.minimum), release with the two exchanged.
 
     >>> import numpy as np
-    >>> switched(np.array([9, 9, 1, 9]), np.array([0, 0, 5, 7]), (0, 2), np.maximum, np.minimum)
+    >>> sides = np.array([9, 9, 1, 9]), np.array([0, 0, 5, 7])
+    >>> switched(sides, (0, 2), np.maximum, np.minimum)
     array([5, 5])
     """
-    low, high = interval
+    (left, right), (low, high) = sides, interval
     reached = _grown(left, right, high - low + 1, best, worst).reached
     if not low:
         return reached

@@ -1,0 +1,19 @@
+// Capability temporal logic: MTL over counts, with tasks T(d, A, {(c,m)}) and limits L(A, {(c,m)}).
+grammar catl;
+
+import mtl;
+
+atom : count | task | limit | name ;
+
+task : TASK '(' number ',' name ',' pairs (',' pairs)? ')' ;
+
+limit : LIMIT '(' name ',' pairs ')' ;
+
+pairs : '{' (pair (',' pair)*)? '}' ;
+
+pair : '(' name ',' number ')' ;
+
+reserved : letter | SUM | MIN | MAX | TASK | LIMIT ;
+
+TASK  : 'T' ;
+LIMIT : 'L' ;

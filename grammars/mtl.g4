@@ -1,0 +1,27 @@
+// Metric temporal logic over counts of agents: sum(A,c) >= 2, min(A) > 0, A.
+grammar mtl;
+
+import common;
+
+// One relation at most makes sense; more are taken so that the reader can refuse them in words.
+comparison : operand (relation operand)* ;
+
+operand
+    : constant
+    | number
+    | atom
+    | GROUP
+    | '(' level ')'
+    ;
+
+number : '-'? NUMBER '%'? ;
+
+atom : count | name ;
+
+count : (SUM | MIN | MAX) '(' name (',' name)? ')' ;
+
+reserved : letter | SUM | MIN | MAX ;
+
+SUM : 'sum' ;
+MIN : 'min' ;
+MAX : 'max' ;

@@ -1,0 +1,1 @@
+"""Lexers and parsers that ANTLR generates; see `scripts/generate_parsers.py`."""

@@ -1,0 +1,1174 @@
+# Generated from mtl.g4 by ANTLR 4.13.1
+# encoding: utf-8
+from antlr4 import *
+from io import StringIO
+import sys
+if sys.version_info[1] > 5:
+	from typing import TextIO
+else:
+	from typing.io import TextIO
+
+def serializedATN():
+    return [
+        4,1,41,136,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
+        6,2,7,7,7,2,8,7,8,2,9,7,9,2,10,7,10,2,11,7,11,2,12,7,12,2,13,7,13,
+        2,14,7,14,2,15,7,15,2,16,7,16,1,0,1,0,1,0,1,0,5,0,39,8,0,10,0,12,
+        0,42,9,0,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,3,1,52,8,1,1,2,3,2,55,8,
+        2,1,2,1,2,3,2,59,8,2,1,3,1,3,3,3,63,8,3,1,4,1,4,1,4,1,4,1,4,3,4,
+        70,8,4,1,4,1,4,1,5,1,5,1,5,1,5,3,5,78,8,5,1,6,1,6,1,6,1,7,1,7,1,
+        7,1,7,5,7,87,8,7,10,7,12,7,90,9,7,1,8,1,8,1,8,1,8,1,8,1,8,3,8,98,
+        8,8,1,9,5,9,101,8,9,10,9,12,9,104,9,9,1,9,1,9,1,10,1,10,1,10,1,10,
+        3,10,112,8,10,1,11,1,11,1,11,1,11,1,11,1,11,1,12,3,12,121,8,12,1,
+        12,1,12,1,13,1,13,1,14,1,14,1,15,1,15,1,15,3,15,132,8,15,1,16,1,
+        16,1,16,1,102,0,17,0,2,4,6,8,10,12,14,16,18,20,22,24,26,28,30,32,
+        0,6,1,0,1,3,1,0,21,22,2,0,9,10,19,20,1,0,11,16,1,0,17,18,1,0,19,
+        23,141,0,34,1,0,0,0,2,51,1,0,0,0,4,54,1,0,0,0,6,62,1,0,0,0,8,64,
+        1,0,0,0,10,77,1,0,0,0,12,79,1,0,0,0,14,82,1,0,0,0,16,97,1,0,0,0,
+        18,102,1,0,0,0,20,111,1,0,0,0,22,113,1,0,0,0,24,120,1,0,0,0,26,124,
+        1,0,0,0,28,126,1,0,0,0,30,131,1,0,0,0,32,133,1,0,0,0,34,40,3,2,1,
+        0,35,36,3,26,13,0,36,37,3,2,1,0,37,39,1,0,0,0,38,35,1,0,0,0,39,42,
+        1,0,0,0,40,38,1,0,0,0,40,41,1,0,0,0,41,1,1,0,0,0,42,40,1,0,0,0,43,
+        52,3,28,14,0,44,52,3,4,2,0,45,52,3,6,3,0,46,52,5,41,0,0,47,48,5,
+        24,0,0,48,49,3,14,7,0,49,50,5,25,0,0,50,52,1,0,0,0,51,43,1,0,0,0,
+        51,44,1,0,0,0,51,45,1,0,0,0,51,46,1,0,0,0,51,47,1,0,0,0,52,3,1,0,
+        0,0,53,55,5,27,0,0,54,53,1,0,0,0,54,55,1,0,0,0,55,56,1,0,0,0,56,
+        58,5,36,0,0,57,59,5,30,0,0,58,57,1,0,0,0,58,59,1,0,0,0,59,5,1,0,
+        0,0,60,63,3,8,4,0,61,63,3,30,15,0,62,60,1,0,0,0,62,61,1,0,0,0,63,
+        7,1,0,0,0,64,65,7,0,0,0,65,66,5,24,0,0,66,69,3,30,15,0,67,68,5,31,
+        0,0,68,70,3,30,15,0,69,67,1,0,0,0,69,70,1,0,0,0,70,71,1,0,0,0,71,
+        72,5,25,0,0,72,9,1,0,0,0,73,78,3,32,16,0,74,78,5,1,0,0,75,78,5,2,
+        0,0,76,78,5,3,0,0,77,73,1,0,0,0,77,74,1,0,0,0,77,75,1,0,0,0,77,76,
+        1,0,0,0,78,11,1,0,0,0,79,80,3,14,7,0,80,81,5,0,0,1,81,13,1,0,0,0,
+        82,88,3,18,9,0,83,84,3,16,8,0,84,85,3,18,9,0,85,87,1,0,0,0,86,83,
+        1,0,0,0,87,90,1,0,0,0,88,86,1,0,0,0,88,89,1,0,0,0,89,15,1,0,0,0,
+        90,88,1,0,0,0,91,98,5,4,0,0,92,98,5,5,0,0,93,98,5,7,0,0,94,98,5,
+        8,0,0,95,96,7,1,0,0,96,98,3,22,11,0,97,91,1,0,0,0,97,92,1,0,0,0,
+        97,93,1,0,0,0,97,94,1,0,0,0,97,95,1,0,0,0,98,17,1,0,0,0,99,101,3,
+        20,10,0,100,99,1,0,0,0,101,104,1,0,0,0,102,103,1,0,0,0,102,100,1,
+        0,0,0,103,105,1,0,0,0,104,102,1,0,0,0,105,106,3,0,0,0,106,19,1,0,
+        0,0,107,112,5,6,0,0,108,112,5,23,0,0,109,110,7,2,0,0,110,112,3,22,
+        11,0,111,107,1,0,0,0,111,108,1,0,0,0,111,109,1,0,0,0,112,21,1,0,
+        0,0,113,114,5,32,0,0,114,115,3,24,12,0,115,116,5,31,0,0,116,117,
+        3,24,12,0,117,118,5,33,0,0,118,23,1,0,0,0,119,121,5,27,0,0,120,119,
+        1,0,0,0,120,121,1,0,0,0,121,122,1,0,0,0,122,123,5,36,0,0,123,25,
+        1,0,0,0,124,125,7,3,0,0,125,27,1,0,0,0,126,127,7,4,0,0,127,29,1,
+        0,0,0,128,132,5,37,0,0,129,132,5,38,0,0,130,132,3,10,5,0,131,128,
+        1,0,0,0,131,129,1,0,0,0,131,130,1,0,0,0,132,31,1,0,0,0,133,134,7,
+        5,0,0,134,33,1,0,0,0,13,40,51,54,58,62,69,77,88,97,102,111,120,131
+    ]
+
+class mtlParser ( Parser ):
+
+    grammarFileName = "mtl.g4"
+
+    atn = ATNDeserializer().deserialize(serializedATN())
+
+    decisionsToDFA = [ DFA(ds, i) for i, ds in enumerate(atn.decisionToState) ]
+
+    sharedContextCache = PredictionContextCache()
+
+    literalNames = [ "<INVALID>", "'sum'", "'min'", "'max'", "<INVALID>", 
+                     "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
+                     "'<>'", "'[]'", "'>='", "'<='", "'>'", "'<'", "<INVALID>", 
+                     "'!='", "<INVALID>", "<INVALID>", "'F'", "'G'", "'U'", 
+                     "'R'", "'X'", "'('", "')'", "'+'", "'-'", "'*'", "'/'", 
+                     "'%'", "','", "'['", "']'", "'{'", "'}'" ]
+
+    symbolicNames = [ "<INVALID>", "SUM", "MIN", "MAX", "AND", "OR", "NOT", 
+                      "IMPLIES", "IFF", "DIAMOND", "BOX", "GE", "LE", "GT", 
+                      "LT", "EQ", "NE", "TRUE", "FALSE", "EVENTUALLY", "ALWAYS", 
+                      "UNTIL", "RELEASE", "NEXT", "OPEN", "CLOSE", "PLUS", 
+                      "MINUS", "STAR", "SLASH", "PERCENT", "COMMA", "LBRACKET", 
+                      "RBRACKET", "LBRACE", "RBRACE", "NUMBER", "NAME", 
+                      "STRING", "SPACE", "STRAY", "GROUP" ]
+
+    RULE_comparison = 0
+    RULE_operand = 1
+    RULE_number = 2
+    RULE_atom = 3
+    RULE_count = 4
+    RULE_reserved = 5
+    RULE_formula = 6
+    RULE_level = 7
+    RULE_connective = 8
+    RULE_unary = 9
+    RULE_prefix = 10
+    RULE_interval = 11
+    RULE_bound = 12
+    RULE_relation = 13
+    RULE_constant = 14
+    RULE_name = 15
+    RULE_letter = 16
+
+    ruleNames =  [ "comparison", "operand", "number", "atom", "count", "reserved", 
+                   "formula", "level", "connective", "unary", "prefix", 
+                   "interval", "bound", "relation", "constant", "name", 
+                   "letter" ]
+
+    EOF = Token.EOF
+    SUM=1
+    MIN=2
+    MAX=3
+    AND=4
+    OR=5
+    NOT=6
+    IMPLIES=7
+    IFF=8
+    DIAMOND=9
+    BOX=10
+    GE=11
+    LE=12
+    GT=13
+    LT=14
+    EQ=15
+    NE=16
+    TRUE=17
+    FALSE=18
+    EVENTUALLY=19
+    ALWAYS=20
+    UNTIL=21
+    RELEASE=22
+    NEXT=23
+    OPEN=24
+    CLOSE=25
+    PLUS=26
+    MINUS=27
+    STAR=28
+    SLASH=29
+    PERCENT=30
+    COMMA=31
+    LBRACKET=32
+    RBRACKET=33
+    LBRACE=34
+    RBRACE=35
+    NUMBER=36
+    NAME=37
+    STRING=38
+    SPACE=39
+    STRAY=40
+    GROUP=41
+
+    def __init__(self, input:TokenStream, output:TextIO = sys.stdout):
+        super().__init__(input, output)
+        self.checkVersion("4.13.1")
+        self._interp = ParserATNSimulator(self, self.atn, self.decisionsToDFA, self.sharedContextCache)
+        self._predicates = None
+
+
+
+
+    class ComparisonContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def operand(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(mtlParser.OperandContext)
+            else:
+                return self.getTypedRuleContext(mtlParser.OperandContext,i)
+
+
+        def relation(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(mtlParser.RelationContext)
+            else:
+                return self.getTypedRuleContext(mtlParser.RelationContext,i)
+
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_comparison
+
+
+
+
+    def comparison(self):
+
+        localctx = mtlParser.ComparisonContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 0, self.RULE_comparison)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 34
+            self.operand()
+            self.state = 40
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 129024) != 0):
+                self.state = 35
+                self.relation()
+                self.state = 36
+                self.operand()
+                self.state = 42
+                self._errHandler.sync(self)
+                _la = self._input.LA(1)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class OperandContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def constant(self):
+            return self.getTypedRuleContext(mtlParser.ConstantContext,0)
+
+
+        def number(self):
+            return self.getTypedRuleContext(mtlParser.NumberContext,0)
+
+
+        def atom(self):
+            return self.getTypedRuleContext(mtlParser.AtomContext,0)
+
+
+        def GROUP(self):
+            return self.getToken(mtlParser.GROUP, 0)
+
+        def OPEN(self):
+            return self.getToken(mtlParser.OPEN, 0)
+
+        def level(self):
+            return self.getTypedRuleContext(mtlParser.LevelContext,0)
+
+
+        def CLOSE(self):
+            return self.getToken(mtlParser.CLOSE, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_operand
+
+
+
+
+    def operand(self):
+
+        localctx = mtlParser.OperandContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 2, self.RULE_operand)
+        try:
+            self.state = 51
+            self._errHandler.sync(self)
+            token = self._input.LA(1)
+            if token in [17, 18]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 43
+                self.constant()
+                pass
+            elif token in [27, 36]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 44
+                self.number()
+                pass
+            elif token in [1, 2, 3, 19, 20, 21, 22, 23, 37, 38]:
+                self.enterOuterAlt(localctx, 3)
+                self.state = 45
+                self.atom()
+                pass
+            elif token in [41]:
+                self.enterOuterAlt(localctx, 4)
+                self.state = 46
+                self.match(mtlParser.GROUP)
+                pass
+            elif token in [24]:
+                self.enterOuterAlt(localctx, 5)
+                self.state = 47
+                self.match(mtlParser.OPEN)
+                self.state = 48
+                self.level()
+                self.state = 49
+                self.match(mtlParser.CLOSE)
+                pass
+            else:
+                raise NoViableAltException(self)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class NumberContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def NUMBER(self):
+            return self.getToken(mtlParser.NUMBER, 0)
+
+        def MINUS(self):
+            return self.getToken(mtlParser.MINUS, 0)
+
+        def PERCENT(self):
+            return self.getToken(mtlParser.PERCENT, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_number
+
+
+
+
+    def number(self):
+
+        localctx = mtlParser.NumberContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 4, self.RULE_number)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 54
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            if _la==27:
+                self.state = 53
+                self.match(mtlParser.MINUS)
+
+
+            self.state = 56
+            self.match(mtlParser.NUMBER)
+            self.state = 58
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            if _la==30:
+                self.state = 57
+                self.match(mtlParser.PERCENT)
+
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class AtomContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def count(self):
+            return self.getTypedRuleContext(mtlParser.CountContext,0)
+
+
+        def name(self):
+            return self.getTypedRuleContext(mtlParser.NameContext,0)
+
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_atom
+
+
+
+
+    def atom(self):
+
+        localctx = mtlParser.AtomContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 6, self.RULE_atom)
+        try:
+            self.state = 62
+            self._errHandler.sync(self)
+            la_ = self._interp.adaptivePredict(self._input,4,self._ctx)
+            if la_ == 1:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 60
+                self.count()
+                pass
+
+            elif la_ == 2:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 61
+                self.name()
+                pass
+
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class CountContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def OPEN(self):
+            return self.getToken(mtlParser.OPEN, 0)
+
+        def name(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(mtlParser.NameContext)
+            else:
+                return self.getTypedRuleContext(mtlParser.NameContext,i)
+
+
+        def CLOSE(self):
+            return self.getToken(mtlParser.CLOSE, 0)
+
+        def SUM(self):
+            return self.getToken(mtlParser.SUM, 0)
+
+        def MIN(self):
+            return self.getToken(mtlParser.MIN, 0)
+
+        def MAX(self):
+            return self.getToken(mtlParser.MAX, 0)
+
+        def COMMA(self):
+            return self.getToken(mtlParser.COMMA, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_count
+
+
+
+
+    def count(self):
+
+        localctx = mtlParser.CountContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 8, self.RULE_count)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 64
+            _la = self._input.LA(1)
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 14) != 0)):
+                self._errHandler.recoverInline(self)
+            else:
+                self._errHandler.reportMatch(self)
+                self.consume()
+            self.state = 65
+            self.match(mtlParser.OPEN)
+            self.state = 66
+            self.name()
+            self.state = 69
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            if _la==31:
+                self.state = 67
+                self.match(mtlParser.COMMA)
+                self.state = 68
+                self.name()
+
+
+            self.state = 71
+            self.match(mtlParser.CLOSE)
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class ReservedContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def letter(self):
+            return self.getTypedRuleContext(mtlParser.LetterContext,0)
+
+
+        def SUM(self):
+            return self.getToken(mtlParser.SUM, 0)
+
+        def MIN(self):
+            return self.getToken(mtlParser.MIN, 0)
+
+        def MAX(self):
+            return self.getToken(mtlParser.MAX, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_reserved
+
+
+
+
+    def reserved(self):
+
+        localctx = mtlParser.ReservedContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 10, self.RULE_reserved)
+        try:
+            self.state = 77
+            self._errHandler.sync(self)
+            token = self._input.LA(1)
+            if token in [19, 20, 21, 22, 23]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 73
+                self.letter()
+                pass
+            elif token in [1]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 74
+                self.match(mtlParser.SUM)
+                pass
+            elif token in [2]:
+                self.enterOuterAlt(localctx, 3)
+                self.state = 75
+                self.match(mtlParser.MIN)
+                pass
+            elif token in [3]:
+                self.enterOuterAlt(localctx, 4)
+                self.state = 76
+                self.match(mtlParser.MAX)
+                pass
+            else:
+                raise NoViableAltException(self)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class FormulaContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def level(self):
+            return self.getTypedRuleContext(mtlParser.LevelContext,0)
+
+
+        def EOF(self):
+            return self.getToken(mtlParser.EOF, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_formula
+
+
+
+
+    def formula(self):
+
+        localctx = mtlParser.FormulaContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 12, self.RULE_formula)
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 79
+            self.level()
+            self.state = 80
+            self.match(mtlParser.EOF)
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class LevelContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def unary(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(mtlParser.UnaryContext)
+            else:
+                return self.getTypedRuleContext(mtlParser.UnaryContext,i)
+
+
+        def connective(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(mtlParser.ConnectiveContext)
+            else:
+                return self.getTypedRuleContext(mtlParser.ConnectiveContext,i)
+
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_level
+
+
+
+
+    def level(self):
+
+        localctx = mtlParser.LevelContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 14, self.RULE_level)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 82
+            self.unary()
+            self.state = 88
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 6291888) != 0):
+                self.state = 83
+                self.connective()
+                self.state = 84
+                self.unary()
+                self.state = 90
+                self._errHandler.sync(self)
+                _la = self._input.LA(1)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class ConnectiveContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def AND(self):
+            return self.getToken(mtlParser.AND, 0)
+
+        def OR(self):
+            return self.getToken(mtlParser.OR, 0)
+
+        def IMPLIES(self):
+            return self.getToken(mtlParser.IMPLIES, 0)
+
+        def IFF(self):
+            return self.getToken(mtlParser.IFF, 0)
+
+        def interval(self):
+            return self.getTypedRuleContext(mtlParser.IntervalContext,0)
+
+
+        def UNTIL(self):
+            return self.getToken(mtlParser.UNTIL, 0)
+
+        def RELEASE(self):
+            return self.getToken(mtlParser.RELEASE, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_connective
+
+
+
+
+    def connective(self):
+
+        localctx = mtlParser.ConnectiveContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 16, self.RULE_connective)
+        self._la = 0 # Token type
+        try:
+            self.state = 97
+            self._errHandler.sync(self)
+            token = self._input.LA(1)
+            if token in [4]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 91
+                self.match(mtlParser.AND)
+                pass
+            elif token in [5]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 92
+                self.match(mtlParser.OR)
+                pass
+            elif token in [7]:
+                self.enterOuterAlt(localctx, 3)
+                self.state = 93
+                self.match(mtlParser.IMPLIES)
+                pass
+            elif token in [8]:
+                self.enterOuterAlt(localctx, 4)
+                self.state = 94
+                self.match(mtlParser.IFF)
+                pass
+            elif token in [21, 22]:
+                self.enterOuterAlt(localctx, 5)
+                self.state = 95
+                _la = self._input.LA(1)
+                if not(_la==21 or _la==22):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 96
+                self.interval()
+                pass
+            else:
+                raise NoViableAltException(self)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class UnaryContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def comparison(self):
+            return self.getTypedRuleContext(mtlParser.ComparisonContext,0)
+
+
+        def prefix(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(mtlParser.PrefixContext)
+            else:
+                return self.getTypedRuleContext(mtlParser.PrefixContext,i)
+
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_unary
+
+
+
+
+    def unary(self):
+
+        localctx = mtlParser.UnaryContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 18, self.RULE_unary)
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 102
+            self._errHandler.sync(self)
+            _alt = self._interp.adaptivePredict(self._input,9,self._ctx)
+            while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
+                if _alt==1+1:
+                    self.state = 99
+                    self.prefix() 
+                self.state = 104
+                self._errHandler.sync(self)
+                _alt = self._interp.adaptivePredict(self._input,9,self._ctx)
+
+            self.state = 105
+            self.comparison()
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class PrefixContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def NOT(self):
+            return self.getToken(mtlParser.NOT, 0)
+
+        def NEXT(self):
+            return self.getToken(mtlParser.NEXT, 0)
+
+        def interval(self):
+            return self.getTypedRuleContext(mtlParser.IntervalContext,0)
+
+
+        def EVENTUALLY(self):
+            return self.getToken(mtlParser.EVENTUALLY, 0)
+
+        def DIAMOND(self):
+            return self.getToken(mtlParser.DIAMOND, 0)
+
+        def ALWAYS(self):
+            return self.getToken(mtlParser.ALWAYS, 0)
+
+        def BOX(self):
+            return self.getToken(mtlParser.BOX, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_prefix
+
+
+
+
+    def prefix(self):
+
+        localctx = mtlParser.PrefixContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 20, self.RULE_prefix)
+        self._la = 0 # Token type
+        try:
+            self.state = 111
+            self._errHandler.sync(self)
+            token = self._input.LA(1)
+            if token in [6]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 107
+                self.match(mtlParser.NOT)
+                pass
+            elif token in [23]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 108
+                self.match(mtlParser.NEXT)
+                pass
+            elif token in [9, 10, 19, 20]:
+                self.enterOuterAlt(localctx, 3)
+                self.state = 109
+                _la = self._input.LA(1)
+                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 1574400) != 0)):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 110
+                self.interval()
+                pass
+            else:
+                raise NoViableAltException(self)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class IntervalContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def LBRACKET(self):
+            return self.getToken(mtlParser.LBRACKET, 0)
+
+        def bound(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(mtlParser.BoundContext)
+            else:
+                return self.getTypedRuleContext(mtlParser.BoundContext,i)
+
+
+        def COMMA(self):
+            return self.getToken(mtlParser.COMMA, 0)
+
+        def RBRACKET(self):
+            return self.getToken(mtlParser.RBRACKET, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_interval
+
+
+
+
+    def interval(self):
+
+        localctx = mtlParser.IntervalContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 22, self.RULE_interval)
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 113
+            self.match(mtlParser.LBRACKET)
+            self.state = 114
+            self.bound()
+            self.state = 115
+            self.match(mtlParser.COMMA)
+            self.state = 116
+            self.bound()
+            self.state = 117
+            self.match(mtlParser.RBRACKET)
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class BoundContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def NUMBER(self):
+            return self.getToken(mtlParser.NUMBER, 0)
+
+        def MINUS(self):
+            return self.getToken(mtlParser.MINUS, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_bound
+
+
+
+
+    def bound(self):
+
+        localctx = mtlParser.BoundContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 24, self.RULE_bound)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 120
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            if _la==27:
+                self.state = 119
+                self.match(mtlParser.MINUS)
+
+
+            self.state = 122
+            self.match(mtlParser.NUMBER)
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class RelationContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def GE(self):
+            return self.getToken(mtlParser.GE, 0)
+
+        def LE(self):
+            return self.getToken(mtlParser.LE, 0)
+
+        def GT(self):
+            return self.getToken(mtlParser.GT, 0)
+
+        def LT(self):
+            return self.getToken(mtlParser.LT, 0)
+
+        def EQ(self):
+            return self.getToken(mtlParser.EQ, 0)
+
+        def NE(self):
+            return self.getToken(mtlParser.NE, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_relation
+
+
+
+
+    def relation(self):
+
+        localctx = mtlParser.RelationContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 26, self.RULE_relation)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 124
+            _la = self._input.LA(1)
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 129024) != 0)):
+                self._errHandler.recoverInline(self)
+            else:
+                self._errHandler.reportMatch(self)
+                self.consume()
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class ConstantContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def TRUE(self):
+            return self.getToken(mtlParser.TRUE, 0)
+
+        def FALSE(self):
+            return self.getToken(mtlParser.FALSE, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_constant
+
+
+
+
+    def constant(self):
+
+        localctx = mtlParser.ConstantContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 28, self.RULE_constant)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 126
+            _la = self._input.LA(1)
+            if not(_la==17 or _la==18):
+                self._errHandler.recoverInline(self)
+            else:
+                self._errHandler.reportMatch(self)
+                self.consume()
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class NameContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def NAME(self):
+            return self.getToken(mtlParser.NAME, 0)
+
+        def STRING(self):
+            return self.getToken(mtlParser.STRING, 0)
+
+        def reserved(self):
+            return self.getTypedRuleContext(mtlParser.ReservedContext,0)
+
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_name
+
+
+
+
+    def name(self):
+
+        localctx = mtlParser.NameContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 30, self.RULE_name)
+        try:
+            self.state = 131
+            self._errHandler.sync(self)
+            token = self._input.LA(1)
+            if token in [37]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 128
+                self.match(mtlParser.NAME)
+                pass
+            elif token in [38]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 129
+                self.match(mtlParser.STRING)
+                pass
+            elif token in [1, 2, 3, 19, 20, 21, 22, 23]:
+                self.enterOuterAlt(localctx, 3)
+                self.state = 130
+                self.reserved()
+                pass
+            else:
+                raise NoViableAltException(self)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class LetterContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def EVENTUALLY(self):
+            return self.getToken(mtlParser.EVENTUALLY, 0)
+
+        def ALWAYS(self):
+            return self.getToken(mtlParser.ALWAYS, 0)
+
+        def UNTIL(self):
+            return self.getToken(mtlParser.UNTIL, 0)
+
+        def RELEASE(self):
+            return self.getToken(mtlParser.RELEASE, 0)
+
+        def NEXT(self):
+            return self.getToken(mtlParser.NEXT, 0)
+
+        def getRuleIndex(self):
+            return mtlParser.RULE_letter
+
+
+
+
+    def letter(self):
+
+        localctx = mtlParser.LetterContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 32, self.RULE_letter)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 133
+            _la = self._input.LA(1)
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 16252928) != 0)):
+                self._errHandler.recoverInline(self)
+            else:
+                self._errHandler.reportMatch(self)
+                self.consume()
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+
+
+
