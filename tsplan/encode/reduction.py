@@ -56,7 +56,9 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int) -> Reduced | Non
     sources = np.flatnonzero(relevant | (graph.start > 0))
     if not waiting[sources].all():
         return None
-    distance, before = _quickest(graph, relevant, sources, horizon)
+    # an agent may leave a limited state by a move that the horizon cuts short
+    longest = np.inf if interest.limited.any() else float(horizon)
+    distance, before = _quickest(graph, relevant, sources, longest)
     tail, head, duration = _shortcuts(distance, sources, relevant, relevant & ~interest.limited)
     shortcuts = _paths(graph, before, sources, tail, head)
     return _assemble(graph, sources, (sources[tail], head, duration), shortcuts)
@@ -78,7 +80,7 @@ def _ends_of_capacities(graph: ClassGraph) -> Bools:
 
 
 def _quickest(
-    graph: ClassGraph, relevant: Bools, sources: Ints, horizon: int
+    graph: ClassGraph, relevant: Bools, sources: Ints, longest: float
 ) -> tuple[Floats, npt.NDArray[np.int32]]:
     """Durations and predecessors from each source over paths with no relevant state inside.
 
@@ -99,7 +101,7 @@ def _quickest(
     distance, before = csgraph.dijkstra(
         matrix,
         indices=count + np.arange(len(sources)),
-        limit=float(horizon),
+        limit=longest,
         return_predecessors=True,
     )
     return distance, before

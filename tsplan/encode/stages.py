@@ -168,7 +168,7 @@ class Stages:
         if value is None:
             return None
         if name == "availability":
-            return -value
+            return 0.0 - value
         return value + self.setting.mission.size if name == "agents" else value
 
     # --- levels ------------------------------------------------------------------------------

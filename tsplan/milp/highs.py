@@ -17,7 +17,15 @@ from highspy import HighsModelStatus as Ended
 
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy, Watcher
+from tsplan.milp.solution import (
+    Options,
+    Progress,
+    Solution,
+    Status,
+    StoppedBy,
+    Watcher,
+    settled,
+)
 from tsplan.milp.solver import Availability
 
 _INTEGER = int(highspy.HighsVarType.kInteger)
@@ -108,8 +116,9 @@ class Highs:
         """Minimise the model; see `tsplan.milp.solver.Solver`."""
         options = options or Options()
         began = time.perf_counter()
-        if not model.size.columns:
-            return _without_columns(model)
+        known = settled(model)
+        if known is not None:
+            return known
         highs = load(model)
         _configure(highs, options)
         if options.start is not None:
@@ -219,13 +228,6 @@ def _whole(values: Floats, model: Model) -> Floats:
     if model.violation(values) <= _TOLERANCE:
         return values
     raise SolverError("HiGHS returned a point that violates the model")
-
-
-def _without_columns(model: Model) -> Solution:
-    """A model without columns is settled by its rows' constants."""
-    if bool((model.row_lower > 0).any() or (model.row_upper < 0).any()):
-        return Solution(Status.INFEASIBLE)
-    return Solution(Status.OPTIMAL, None, np.empty(0), model.offset, model.offset)
 
 
 def _finite(value: float) -> float | None:

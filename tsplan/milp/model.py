@@ -156,12 +156,11 @@ class Draft:
     ) -> None:
         """Add a block of rows given as triplets; `index` counts from 0 within the block.
 
-        The longer of `lower` and `upper` says how many rows there are. Entries at the same place
-        are added up.
+        `lower` and `upper` are one number for all rows or one for each; two numbers make one row.
+        Entries at the same place are added up.
         """
-        low = np.atleast_1d(np.asarray(lower, dtype=np.float64))
-        high = np.atleast_1d(np.asarray(upper, dtype=np.float64))
-        count = max(len(low), len(high))
+        low, high = np.asarray(lower, dtype=np.float64), np.asarray(upper, dtype=np.float64)
+        count = np.broadcast(low, high).size
         rows = np.asarray(index, dtype=np.int64) + self.row_count
         columns = np.asarray(column, dtype=np.int64)
         values = np.broadcast_to(np.asarray(value, dtype=np.float64), rows.shape)

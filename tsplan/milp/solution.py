@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import TypeAlias
 
-from tsplan.milp.model import Floats
+import numpy as np
+
+from tsplan.milp.model import Floats, Model
 
 
 class Status(StrEnum):
@@ -92,3 +94,16 @@ class Progress:
 
 Watcher: TypeAlias = Callable[[Progress], bool]
 """Called while solving; returning True asks the solver to stop and keep its best point."""
+
+
+def settled(model: Model) -> Solution | None:
+    """The solution of a model that its rows' constants or its lack of columns settle, else None.
+
+    Solvers and modelling layers differ in what they make of rows without entries.
+    """
+    empty = np.diff(model.matrix.indptr) == 0
+    if bool(((model.row_lower > 0) | (model.row_upper < 0))[empty].any()):
+        return Solution(Status.INFEASIBLE)
+    if not model.size.columns:
+        return Solution(Status.OPTIMAL, None, np.empty(0), model.offset, model.offset)
+    return None

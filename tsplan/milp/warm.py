@@ -13,6 +13,7 @@ from scipy import sparse
 from tsplan.errors import SolverError
 from tsplan.milp.highs import checked, load
 from tsplan.milp.model import Floats, Ints, Model
+from tsplan.milp.solution import Solution, Status, settled
 
 LPStatus: TypeAlias = Literal["optimal", "infeasible", "cutoff", "limit"]
 _NO_CUTOFF = float("inf")
@@ -37,6 +38,7 @@ class WarmLP:
 
     def __init__(self, model: Model) -> None:
         self._highs = load(model, relaxed=True)
+        self._known = settled(model)
         checked(self._highs.setOptionValue("solver", "simplex"), "the simplex solver")
 
     def bounds(self, columns: Ints, lower: Floats, upper: Floats) -> None:
@@ -61,6 +63,8 @@ class WarmLP:
 
     def solve(self, time_limit: float | None = None, cutoff: float | None = None) -> LPResult:
         """Solve from the last basis; give up above `cutoff` or after `time_limit` seconds."""
+        if self._known is not None:
+            return _result(self._known)
         highs = self._highs
         bound = _NO_CUTOFF if cutoff is None else float(cutoff)
         checked(highs.setOptionValue("objective_bound", bound), "the cutoff")
@@ -73,7 +77,7 @@ class WarmLP:
         ended = highs.getModelStatus()
         if ended == Ended.kUnboundedOrInfeasible:
             ended = Ended.kInfeasible  # flows are bounded, so it cannot be unbounded
-        if ended in (Ended.kOptimal, Ended.kModelEmpty):
+        if ended == Ended.kOptimal:
             solution = highs.getSolution()
             return LPResult(
                 "optimal",
@@ -89,3 +93,10 @@ class WarmLP:
         if ended in (Ended.kTimeLimit, Ended.kInterrupt, Ended.kIterationLimit):
             return LPResult("limit", np.inf, None, None, seconds)
         raise SolverError(f"HiGHS could not solve a linear program: {highs.modelStatusToString(ended)}")
+
+
+def _result(solution: Solution) -> LPResult:
+    """The result of a model that was settled before it was solved."""
+    if solution.status == Status.INFEASIBLE:
+        return LPResult("infeasible", np.inf, None, None, 0.0)
+    return LPResult("optimal", solution.objective or 0.0, np.empty(0), np.empty(0), 0.0)
