@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import signal
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from types import FrameType
 
 from tsplan.encode.clock import Clock
 from tsplan.encode.problem import Problem, Tuning
@@ -111,11 +115,15 @@ class Run:
         _ = self._problem.setting
         self._seconds["reduce"] = time.perf_counter() - began
         began = time.perf_counter()
-        outcome = self._problem.solve(effort, self._clock, self._tell)
+        with _on_interrupt(self._stop):
+            outcome = self._problem.solve(effort, self._clock, self._tell)
         self._seconds["solve"] = time.perf_counter() - began
         return self._finished(
             outcome, SolverUse(chosen.name, availability.version or "", self._options())
         )
+
+    def _stop(self) -> None:
+        self._stopped = True
 
     def _options(self) -> dict[str, object]:
         asked = {
@@ -197,3 +205,22 @@ class Run:
         checked = certify(self._problem.mission, made) if made.has_paths else made
         self._seconds["verify"] = time.perf_counter() - began
         return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
+
+
+@contextmanager
+def _on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
+    """Ctrl-C asks the search to stop and keep its best plan; a second one interrupts for good."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    former = signal.getsignal(signal.SIGINT)
+
+    def first(_number: int, _frame: FrameType | None) -> None:
+        stop()
+        signal.signal(signal.SIGINT, former)
+
+    signal.signal(signal.SIGINT, first)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, former)

@@ -130,7 +130,7 @@ class Search:
 
     def _by_lp(self, *, first: bool) -> bool:
         """Root LP with cuts, dive, tree. True if that settled the question."""
-        lp = WarmLP(self._model)
+        lp = WarmLP(self._model, self._clock.stop)
         root = lp.solve(time_limit=self._clock.left)
         if root.status == "infeasible":
             return True

@@ -117,6 +117,8 @@ class Stages:
         if name in _LINEAR:
             return self._minimise(name, done)
         if name == "availability":
+            if np.isinf(self._outlook()):  # the formula is true whatever the agents do
+                return Reached(name, None, None), True
             return self._availability() if self.tight else self._minimise(name, None)
         return self._makespan()
 
@@ -177,8 +179,6 @@ class Stages:
         assert self._point is not None
         low = self.measure(self._point).availability
         high = self._outlook()
-        if np.isinf(low):
-            return Reached("availability", None, None), True
         while low < high and not self.clock.over:
             probe = int(low + (high - low + 1) // 2)
             found = self._probe(replace(self._kept, level=probe), "availability")
@@ -227,7 +227,7 @@ class Stages:
             encoded = tight(self.setting, kept.level)
         else:
             most = max(self._outlook(), 0.0)
-            high = self.setting.mission.size if np.isinf(most) else int(most)
+            high = kept.level if np.isinf(most) else int(most)
             encoded = reference(self.setting, (kept.level, high))
         model = encoded.model
         if kept.makespan is not None:

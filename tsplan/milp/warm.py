@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from highspy import HighsModelStatus as Ended
@@ -33,13 +34,20 @@ class LPResult:
 class WarmLP:
     """The LP relaxation of a model, kept in HiGHS with its simplex basis.
 
-    Integrality is ignored. One thread: the LPs are small and come one after the other.
+    Integrality is ignored. `stop` is asked now and then while solving; once it is true the solve
+    ends with status "limit".
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Model, stop: Callable[[], bool] = lambda: False) -> None:
         self._highs = load(model, relaxed=True)
+        self._stop = stop
+        self._highs.cbSimplexInterrupt += self._interrupt
         self._known = settled(model)
         checked(self._highs.setOptionValue("solver", "simplex"), "the simplex solver")
+
+    def _interrupt(self, event: Any) -> None:
+        if self._stop():
+            event.interrupt()
 
     def bounds(self, columns: Ints, lower: Floats, upper: Floats) -> None:
         """New bounds for some columns."""
