@@ -1,0 +1,85 @@
+"""The project's own maps and missions: they are what they say, and plans for them are right."""
+
+from pathlib import Path
+
+import pytest
+
+import tsplan
+from tsplan.mission import load_mission
+from tsplan.ts.lint import lint
+from tsplan.ts.paths import reachable
+from tsplan.ts.read import load_map
+
+FOLDER = Path(__file__).parents[1] / "environments"
+MAPS = sorted(path.stem for path in FOLDER.glob("*.yaml") if "_" not in path.stem)
+MISSIONS = sorted(path.stem for path in FOLDER.glob("*_*.yaml"))
+# the best values of each mission's objectives, in their order; None where there is no plan
+BEST = {
+    "farm_harvest": [1, 93],
+    "farm_overbooked": None,
+    "farm_patrol": [7, 3],
+    "office_cleaning": [20, 11],
+    "office_delivery": [1, 16, 80],
+    "rescue_evacuation": [117, 30],
+    "rescue_search": [88],
+    "warehouse_orders": [11, 56],
+    "warehouse_stocktaking": [1, 114],
+}
+QUICK = ("farm_overbooked", "office_delivery", "rescue_evacuation")
+
+
+def test_there_are_enough():
+    assert len(MAPS) >= 4
+    assert len(MISSIONS) >= 8
+    assert {name.split("_")[0] for name in MISSIONS} == set(MAPS)
+    assert set(BEST) == set(MISSIONS)
+
+
+@pytest.mark.parametrize("name", [*MAPS, *MISSIONS])
+def test_each_says_what_it_shows(name):
+    text = (FOLDER / f"{name}.yaml").read_text(encoding="utf-8")
+    assert len(text.split("\n", maxsplit=1)[0]) > 20
+    assert text.startswith("# ")
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_maps_can_be_drawn_and_hold_no_surprises(name):
+    system = load_map(FOLDER / f"{name}.yaml")
+    assert lint(system) == []
+    assert all(state.at is not None and state.shape is not None for state in system.states.values())
+
+
+def test_sizes():
+    assert len(load_map(FOLDER / "warehouse.yaml").states) >= 60
+    rescue = load_map(FOLDER / "rescue.yaml")
+    assert 100 < len(rescue.states) < 144
+    walking = reachable(rescue, "r0c0", "rover", ())
+    assert 90 < len(walking) < len(rescue.states)
+    assert len(reachable(rescue, "r0c0", "drone", {"fly"})) == len(rescue.states)
+
+
+def test_both_languages_are_shown():
+    languages = [load_mission(FOLDER / f"{name}.yaml").language for name in MISSIONS]
+    assert languages.count("catl") >= 3
+    assert languages.count("mtl") >= 3
+
+
+@pytest.mark.parametrize("name", MISSIONS)
+def test_missions_are_modest_and_raise_no_warnings(name):
+    mission = load_mission(FOLDER / f"{name}.yaml")
+    assert mission.warnings == ()
+    assert mission.horizon <= 60
+    assert sum(count for group in mission.team for _, count in group.starts) <= 40
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(m, marks=() if m in QUICK else pytest.mark.long) for m in MISSIONS]
+)
+def test_plans(name):
+    plan = tsplan.plan(load_mission(FOLDER / f"{name}.yaml"))
+    if BEST[name] is None:
+        assert plan.status == "infeasible"
+        return
+    assert plan.status == "optimal"
+    assert plan.verified
+    assert [goal.value for goal in plan.objective] == pytest.approx(BEST[name])
