@@ -37,7 +37,11 @@ def run(asked: argparse.Namespace) -> Exit:
     mission = mission_of(asked.mission)
     loaded = time.perf_counter() - began
     _refuse_solver(asked.solver or mission.solver.name or "highs")
-    plan = _timed(_planned(asked, mission), mission, loaded)
+    try:
+        plan = _timed(_planned(asked, mission), mission, loaded)
+    except KeyboardInterrupt:
+        sys.stderr.write("interrupted at once; there is no plan\n")
+        return Exit.NO_PLAN
     if plan.has_paths and not plan.verified:
         raise SolverError("the plan that was found has not been checked; it is not shown")
     if asked.output is not None:

@@ -23,7 +23,7 @@ class Progress:
     """Shows stage, best objective, bound, gap and elapsed time; a context manager."""
 
     def __init__(self, *, quiet: bool = False) -> None:
-        self._quiet = quiet
+        self.quiet = quiet
         self._began = time.monotonic()
         self._said = -_EVERY
         self._stage = "start"
@@ -31,17 +31,6 @@ class Progress:
         self._live: Live | None = None
 
     def __enter__(self) -> Self:
-        if not self._quiet and sys.stderr.isatty():
-            from rich.console import Console  # noqa: PLC0415  (slow to import)
-            from rich.live import Live  # noqa: PLC0415
-
-            self._live = Live(
-                console=Console(stderr=True),
-                get_renderable=self._rendered,
-                refresh_per_second=_REFRESH,
-                transient=True,
-            )
-            self._live.start()
         return self
 
     def __exit__(
@@ -50,8 +39,26 @@ class Progress:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
+        self.pause()
+
+    def pause(self) -> None:
+        """Take the live line away until the next event."""
         if self._live is not None:
             self._live.stop()
+            self._live = None
+
+    def _begin(self) -> None:
+        """Show the live line. Not before the first event: processes are begun without threads."""
+        from rich.console import Console  # noqa: PLC0415  (slow to import)
+        from rich.live import Live  # noqa: PLC0415
+
+        self._live = Live(
+            console=Console(stderr=True),
+            get_renderable=self._rendered,
+            refresh_per_second=_REFRESH,
+            transient=True,
+        )
+        self._live.start()
 
     def tell(self, event: Event) -> None:
         """Take in what the planner tells."""
@@ -64,7 +71,10 @@ class Progress:
             if event.stage != self._stage:
                 important = True
             self._stage, self._news = event.stage, event
-        if self._quiet or self._live is not None:
+        if self.quiet or self._live is not None:
+            return
+        if sys.stderr.isatty():
+            self._begin()
             return
         now = time.monotonic()
         if important or now - self._said >= _EVERY:
@@ -73,7 +83,7 @@ class Progress:
 
     def note(self, text: str) -> None:
         """Write a line of its own to stderr."""
-        if self._quiet:
+        if self.quiet:
             return
         if self._live is not None:
             self._live.console.print(text, highlight=False, markup=False)
