@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, field
-from threading import Thread
+from threading import Event, Thread
 from typing import Any
 
 import highspy
@@ -173,11 +173,19 @@ def _subscribe(highs: highspy.Highs, watched: _Watched, options: Options) -> Non
 def _run(highs: highspy.Highs, watched: _Watched, deadline: float | None) -> None:
     """Run in a thread; ask it to stop when the time is up or on Ctrl-C."""
     outcome: list[highspy.HighsStatus] = []
-    worker = Thread(target=lambda: outcome.append(highs.run()), daemon=True)
-    worker.start()
-    while worker.is_alive():
+    # an event and not `join`: a join that Ctrl-C breaks off takes the thread for ended
+    done = Event()
+
+    def work() -> None:
         try:
-            worker.join(_POLL)
+            outcome.append(highs.run())
+        finally:
+            done.set()
+
+    Thread(target=work, daemon=True).start()
+    while not done.is_set():
+        try:
+            done.wait(_POLL)
             if deadline is not None and time.perf_counter() > deadline:
                 watched.stop = True
         except KeyboardInterrupt:
