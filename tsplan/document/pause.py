@@ -1,4 +1,4 @@
-"""Building many small objects without the garbage collector looking through them again and again."""
+"""Building many small objects without the garbage collector searching them again and again."""
 
 from __future__ import annotations
 
