@@ -40,7 +40,7 @@ def run(asked: argparse.Namespace) -> Exit:
     try:
         plan = _timed(_planned(asked, mission), mission, loaded)
     except KeyboardInterrupt:
-        sys.stderr.write("interrupted at once; there is no plan\n")
+        sys.stderr.write("interrupted; there is no plan\n")
         return Exit.NO_PLAN
     if plan.has_paths and not plan.verified:
         raise SolverError("the plan that was found has not been checked; it is not shown")

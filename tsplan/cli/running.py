@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from tsplan.results.plan import Plan
 
 _EVERY = 0.1  # seconds between bounds that are passed on
+_ONE_REQUEST = 0.5  # seconds within which signals are one request
 _LEAST = 1.0  # seconds that a second try gets at least
 _SIGNALS = tuple(
     number
@@ -132,13 +133,18 @@ class _Stopping:
 
     quiet: bool
     asked: int = 0
+    last: float = 0.0
 
     def handle(self, _number: int, _frame: FrameType | None) -> None:
         """Pass a signal on. It does not raise, so no message from the child is torn apart."""
         children = multiprocessing.active_children()
         if not children:
             raise KeyboardInterrupt
-        self.asked += 1
+        # some senders signal a process and its group: what comes at the same time is one request
+        now = time.monotonic()
+        if self.asked and now - self.last < _ONE_REQUEST:
+            return
+        self.asked, self.last = self.asked + 1, now
         for child in children:
             if self.asked > 1:
                 child.kill()
