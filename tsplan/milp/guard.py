@@ -96,6 +96,8 @@ def _child(job: Callable[[A, Send], R], argument: A, connection: Connection) -> 
         )
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - handed to the parent as it is
         answer = ("error", _sendable(error))
+    # the answer is ready: a second Ctrl-C must not lose it
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     connection.send(answer)
     connection.close()
 
