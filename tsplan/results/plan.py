@@ -7,7 +7,7 @@ A plan's outcome is two facts: what is known (`Status`) and what stopped the sea
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from functools import cached_property
 from types import MappingProxyType
@@ -122,7 +122,7 @@ class ModelSize:
 
 @dataclass(frozen=True, slots=True)
 class Timings:
-    """Seconds spent in each stage."""
+    """Seconds spent in each stage, to the microsecond."""
 
     load: float = 0.0
     parse: float = 0.0
@@ -132,6 +132,10 @@ class Timings:
     extract: float = 0.0
     verify: float = 0.0
     total: float = 0.0
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            object.__setattr__(self, item.name, round(getattr(self, item.name), 6))
 
 
 @dataclass(frozen=True, slots=True)

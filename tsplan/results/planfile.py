@@ -49,7 +49,7 @@ def plan_to_json(plan: Plan) -> str:
         "agents": None,
         "solver": asdict(plan.solver),
         "size": asdict(plan.size),
-        "timings": {name: round(value, 6) for name, value in asdict(plan.timings).items()},
+        "timings": asdict(plan.timings),
         "notes": list(plan.notes),
     }
     if not plan.notes:
