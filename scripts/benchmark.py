@@ -226,7 +226,9 @@ def plot(rows: Sequence[Row], path: str) -> None:
     for name, pick in (("total", lambda r: r.seconds), ("first plan", lambda r: r.first_plan)):
         values = sorted({row.value for row in rows})
         middle = [
-            median([pick(r) for r in rows if r.value == v and pick(r) is not None] or [float("nan")])
+            median(
+                [pick(r) for r in rows if r.value == v and pick(r) is not None] or [float("nan")]
+            )
             for v in values
         ]
         axes.plot(values, middle, marker="o", label=name)
@@ -237,14 +239,18 @@ def plot(rows: Sequence[Row], path: str) -> None:
 
 def parser() -> argparse.ArgumentParser:
     """The command line."""
-    made = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    made = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
     made.add_argument("family", choices=["grid", "decomposition", "scaling", "missions", "build"])
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument("--sizes", default="5,6", help="grid: rows and columns, such as 5,6 or 3-6")
     made.add_argument("--seeds", default="0-9")
     made.add_argument("--agents", type=int, default=20)
     made.add_argument("--axis", choices=list(families.AXES), default="agents")
-    made.add_argument("--objective", default="travel", help="such as availability,travel; '' for none")
+    made.add_argument(
+        "--objective", default="travel", help="such as availability,travel; '' for none"
+    )
     made.add_argument("--encoding", default="tight", choices=["tight", "reference"])
     made.add_argument("--without", nargs="*", default=[], help="ideas to switch off")
     made.add_argument("--compare", choices=["reference"], help="also run another encoding")

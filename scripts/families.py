@@ -42,7 +42,8 @@ def grid_map(rows: int, columns: int, labels: Sequence[str], random: Random) -> 
     places = random.sample(names, len(labels))
     label_of = dict(zip(places, labels, strict=True))
     states = [
-        State(name, labels=frozenset({label_of[name]} if name in label_of else ())) for name in names
+        State(name, labels=frozenset({label_of[name]} if name in label_of else ()))
+        for name in names
     ]
     edges = [Edge(name, name, 1) for name in names]
     for row in range(rows):
@@ -126,7 +127,9 @@ def scaling(scale: Scale, seed: int, objective: Sequence[str] = ("travel",)) -> 
     for _ in range(scale.tasks):
         duration = random.randint(1, 4)
         width = random.randint(10, 30)
-        begin = random.randint(min(reach, scale.horizon - width - duration), scale.horizon - width - duration)
+        begin = random.randint(
+            min(reach, scale.horizon - width - duration), scale.horizon - width - duration
+        )
         need = random.randint(1, max(1, min(25, each // 4)))
         label, capability = random.choice(labels), random.choice(names)
         end = begin + width

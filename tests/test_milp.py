@@ -33,7 +33,9 @@ def knapsack(items: int, seed: int = 0, rows: int = 3) -> Model:
     take = draft.columns(items, upper=1.0, integer=True)
     for _ in range(rows):
         weight = random.integers(10, 100, items).astype(float)
-        draft.rows(np.zeros(items), take, weight, lower=-np.inf, upper=weight.sum() / 2, kind="load")
+        draft.rows(
+            np.zeros(items), take, weight, lower=-np.inf, upper=weight.sum() / 2, kind="load"
+        )
     return draft.build().with_objective(-random.integers(10, 100, items).astype(float))
 
 
@@ -48,7 +50,9 @@ def simple(lower: float, upper: float, *, integer: bool = True) -> Model:
 def test_entries_at_one_place_add_up_and_rows_are_tagged() -> None:
     draft = Draft()
     column = draft.columns(1, upper=9.0)
-    draft.rows([0, 0], [column[0], column[0]], [1.0, 2.0], lower=3.0, upper=3.0, kind="twice", step=4)
+    draft.rows(
+        [0, 0], [column[0], column[0]], [1.0, 2.0], lower=3.0, upper=3.0, kind="twice", step=4
+    )
     model = draft.build()
     assert model.matrix.toarray().tolist() == [[3.0]]
     assert (model.tags[0].kind, model.tags[0].step) == ("twice", 4)
@@ -208,15 +212,6 @@ def _fails(number: int, send) -> int:
     raise SolverError("in words")
 
 
-def _waits(number: int, send) -> str:
-    try:
-        send("ready")
-        time.sleep(20)
-    except KeyboardInterrupt:
-        return "interrupted"
-    return "slept"
-
-
 def test_a_guarded_job_answers_and_sends_events() -> None:
     events: list[object] = []
     assert run_guarded(_answers, 4, events.append) == 8
@@ -232,10 +227,3 @@ def test_a_crash_becomes_a_message(number: int) -> None:
 def test_a_guarded_error_is_raised_here() -> None:
     with pytest.raises(SolverError, match="in words"):
         run_guarded(_fails, 0)
-
-
-def test_ctrl_c_reaches_the_guarded_job() -> None:
-    def interrupt(_: object) -> None:
-        threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
-
-    assert run_guarded(_waits, 0, interrupt) == "interrupted"

@@ -1,8 +1,8 @@
 """Run a job in a child process, so that a crash of native solver code becomes a message.
 
 The job gets its argument and a function that sends events back; events and the result must be
-picklable. The child has a process group of its own, so Ctrl-C reaches the parent alone, which
-passes it on once.
+picklable. The child has a process group of its own, so Ctrl-C reaches the parent alone; a caller
+that wants to pass it on does so from a signal handler, which tears no message apart.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def run_guarded(
     child.start()
     theirs.close()
     try:
-        kind, value = _listen(ours, child.pid, on_event)
+        kind, value = _listen(ours, on_event)
     finally:
         ours.close()
         child.join(1.0)
@@ -59,30 +59,17 @@ def run_guarded(
     raise CrashError(_cause(child.exitcode))
 
 
-def _listen(
-    connection: Connection, pid: int | None, on_event: Callable[[Any], object] | None
-) -> tuple[str, Any]:
+def _listen(connection: Connection, on_event: Callable[[Any], object] | None) -> tuple[str, Any]:
     """Events until the answer comes; ("lost", None) when the child ends without one."""
     while True:
         try:
             kind, value = connection.recv()
         except EOFError:
             return "lost", None
-        except KeyboardInterrupt:
-            if pid is not None:
-                _interrupt(pid)
-            continue
         if kind != "event":
             return kind, value
         if on_event is not None:
             on_event(value)
-
-
-def _interrupt(pid: int) -> None:
-    try:
-        os.kill(pid, signal.SIGINT)
-    except ProcessLookupError:
-        return  # it has just ended by itself
 
 
 def _child(job: Callable[[A, Send], R], argument: A, connection: Connection) -> None:

@@ -100,7 +100,9 @@ class WarmLP:
             return LPResult("cutoff", np.inf, None, None, seconds)
         if ended in (Ended.kTimeLimit, Ended.kInterrupt, Ended.kIterationLimit):
             return LPResult("limit", np.inf, None, None, seconds)
-        raise SolverError(f"HiGHS could not solve a linear program: {highs.modelStatusToString(ended)}")
+        raise SolverError(
+            f"HiGHS could not solve a linear program: {highs.modelStatusToString(ended)}"
+        )
 
 
 def _result(solution: Solution) -> LPResult:

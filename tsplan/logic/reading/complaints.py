@@ -44,8 +44,6 @@ WORDS: Mapping[str, str] = MappingProxyType(
 
 TEMPORAL = ("F", "G", "U", "R", "<>", "[]")
 
-_JOIN = "join it with an operator such as && or ||, or remove it"
-
 
 class Complaints(ErrorListener):  # type: ignore[misc]  # the ANTLR runtime has no types
     """Collects the findings of one stream."""
@@ -84,26 +82,35 @@ def _explained(token: Any, before: Any, rule: str, *, joinable: bool) -> tuple[s
     """Message and remedy for a token that does not fit after the one before it."""
     shown = "the end" if token.type == Token.EOF and token.text != ")" else f"'{token.text}'"
     last = before.text if before is not None else ""
-    if last in TEMPORAL and token.text != "[":
+    slip = _slip(token.text, last, shown)
+    if slip is not None:
+        return slip
+    if rule in FORMS:
+        follows = f" after '{last}'" if last else ""
+        return f"{shown} is unexpected{follows}", FORMS[rule]
+    if joinable:
+        remedy = "join it with an operator such as && or ||, or remove it"
+        return f"{shown} is left over after the formula", remedy
+    return _missing(token, last, shown)
+
+
+def _slip(text: str, last: str, shown: str) -> tuple[str, str] | None:
+    """Message and remedy for slips that two neighbouring tokens give away."""
+    if last in TEMPORAL and text != "[":
         remedy = f"write {last}[a,b] with whole numbers of steps, such as {last}[0,5]"
         return f"'{last}' needs an interval before {shown}", remedy
-    if token.text == "[" and last.isidentifier():
+    if text == "[" and last.isidentifier():
         remedy = (
             "every temporal operator has its own interval and stands apart from names: "
             "G[0,9] F[0,3] a, a U[0,2] b"
         )
         return f"'[' cannot follow the name '{last}'", remedy
-    if token.text == "(" and last.isidentifier():
+    if text == "(" and last.isidentifier():
         remedy = "counts are sum, min and max; tasks T(...) and limits L(...) are CaTL"
         return f"'(' cannot follow the name '{last}'", remedy
-    if last[:1].isdigit() and token.text.isidentifier():
-        return f"'{token.text}' cannot follow the number {last}", "multiply with *, such as 2*x"
-    if rule in FORMS:
-        follows = f" after '{last}'" if last else ""
-        return f"{shown} is unexpected{follows}", FORMS[rule]
-    if joinable:
-        return f"{shown} is left over after the formula", _JOIN
-    return _missing(token, last, shown)
+    if last[:1].isdigit() and text.isidentifier():
+        return f"'{text}' cannot follow the number {last}", "multiply with *, such as 2*x"
+    return None
 
 
 def _missing(token: Any, last: str, shown: str) -> tuple[str, str]:
