@@ -66,6 +66,7 @@ class Watch:
         self.root: float | None = None
 
     def __call__(self, event: Event) -> None:
+        """Hear of one event."""
         if isinstance(event, Incumbent) and self.first is None:
             self.first = event.elapsed
         if isinstance(event, Bound | Incumbent) and event.bound is not None and self.root is None:
@@ -157,16 +158,19 @@ def build_speed(options: argparse.Namespace) -> None:
         tracemalloc.stop()
         size = encoded.model.size
         print(
-            f"horizon {horizon}: {size.columns} columns, {size.nonzeros} nonzeros, {seconds:.2f} s, "
-            f"{size.columns / seconds:,.0f} columns/s, peak {peak / size.columns:.0f} bytes/column"
+            f"horizon {horizon}: {size.columns} columns, {size.nonzeros} nonzeros, "
+            f"{seconds:.2f} s, {size.columns / seconds:,.0f} columns/s, "
+            f"peak {peak / size.columns:.0f} bytes/column"
         )
 
 
 def table(rows: Sequence[Row]) -> str:
     """A Markdown table: one line per family, value and encoding."""
     lines = [
-        "| family | value | encoding | runs | proven | first plan median / worst | "
-        "total median / quartiles / worst | root gap median | columns | rows |",
+        (
+            "| family | value | encoding | runs | proven | first plan median / worst | "
+            "total median / quartiles / worst | root gap median | columns | rows |"
+        ),
         "|---|---|---|---|---|---|---|---|---|---|",
     ]
     groups: dict[tuple[str, str, float, str], list[Row]] = {}

@@ -1,7 +1,7 @@
 """Families of benchmark missions, made from a seed.
 
-`grid` and `decomposition` follow the recipes of the published CaTL studies; their maps and teams are
-drawn anew here from a seed. `scaling` is the project's own: random tasks on larger maps.
+`grid` and `decomposition` follow the recipes of the published CaTL studies; their maps and teams
+are drawn anew here from a seed. `scaling` is the project's own: random tasks on larger maps.
 """
 
 from __future__ import annotations

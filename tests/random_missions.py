@@ -15,14 +15,17 @@ LABELS = ["a", "b", "c"]
 
 
 def random_map(random: Random, states: int, *, strange: bool) -> TransitionSystem:
-    """A map with several labels per state; `strange` ones lack waits and have capacities and needs."""
+    """A map with several labels per state; `strange` ones lack waits and have capacities and
+    needs."""
     names = [f"s{number}" for number in range(states)]
     made = []
     for name in names:
         labels = [label for label in LABELS if random.random() < 0.35]
         capacity = random.choice([None, None, 1, 2]) if strange else None
         needs = ["u"] if strange and random.random() < 0.1 else []
-        made.append(State(name, labels=frozenset(labels), capacity=capacity, needs=frozenset(needs)))
+        made.append(
+            State(name, labels=frozenset(labels), capacity=capacity, needs=frozenset(needs))
+        )
     for label in LABELS:
         if not any(label in state.labels for state in made):
             place = random.randrange(states)
@@ -40,7 +43,11 @@ def random_map(random: Random, states: int, *, strange: bool) -> TransitionSyste
                 capacity = random.choice([None, None, 1]) if strange else None
                 cost = random.choice([None, None, 0.5, 4.0]) if strange else None
                 length = random.randint(1, 3)
-                duration = {"k0": length, "default": 4 - length} if strange and random.random() < 0.2 else length
+                duration = (
+                    {"k0": length, "default": 4 - length}
+                    if strange and random.random() < 0.2
+                    else length
+                )
                 edges.append(Edge(source, target, duration, capacity=capacity, cost=cost))
     return TransitionSystem.build(made, edges)
 

@@ -87,7 +87,7 @@ def test_an_unbounded_model_is_an_error(any_solver: Solver) -> None:
     draft = Draft()
     free = draft.columns(2, lower=-np.inf)
     draft.rows([0, 0], free, [1.0, -1.0], lower=0.0, upper=1.0, kind="apart")
-    with pytest.raises(SolverError, match="unbounded|failed"):
+    with pytest.raises(SolverError, match=r"unbounded|failed"):
         any_solver.solve(draft.build().with_objective(np.array([1.0, 1.0])), Options())
 
 
@@ -184,7 +184,7 @@ def test_unknown_solvers_are_named() -> None:
     ],
 )
 def test_impossible_solutions_cannot_be_made(status, stopped, values) -> None:
-    with pytest.raises(ValueError, match="go together|stopped"):
+    with pytest.raises(ValueError, match=r"go together|stopped"):
         Solution(status, stopped, values)
 
 

@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 
+_SHOWN = 8  # known words listed where none is close
+
 
 @dataclass(frozen=True, slots=True)
 class Finding:
@@ -78,5 +80,5 @@ def nearest(name: str, known: Iterable[str]) -> str:
         return f"did you mean '{close[0]}'?"
     if not words:
         return "none are defined"
-    shown = ", ".join(words[:8]) + (", ..." if len(words) > 8 else "")
+    shown = ", ".join([*words[:_SHOWN], *(["..."] if len(words) > _SHOWN else [])])
     return f"known: {shown}"

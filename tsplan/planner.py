@@ -1,4 +1,4 @@
-"""Plan a mission: encode, solve, split into paths, and have every plan judged before it is shown."""
+"""Plan a mission: encode, solve, split into paths, and have the plan judged before it is shown."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def plan(
     without: tuple[str, ...] = (),
     on_event: Listener | None = None,
 ) -> Plan:
-    """Plan a mission (or a `Problem` made from one) and return a verified plan, or why there is none.
+    """Plan a mission, or a `Problem` made from one: a verified plan, or why there is none.
 
     `time_limit` is in seconds, `gap` relative; what is None comes from the mission. `on_event` is
     called with every `Event`; when it returns True the search stops and the best plan is kept.

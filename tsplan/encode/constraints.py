@@ -70,14 +70,14 @@ class Expression:
         return -self + other
 
     def __ge__(self, other: Expression | float) -> Constraint:
-        return Constraint._between(self - other, 0.0, float("inf"))
+        return Constraint.between(self - other, 0.0, float("inf"))
 
     def __le__(self, other: Expression | float) -> Constraint:
-        return Constraint._between(self - other, -float("inf"), 0.0)
+        return Constraint.between(self - other, -float("inf"), 0.0)
 
     def equals(self, other: Expression | float) -> Constraint:
         """The constraint that both sides are the same."""
-        return Constraint._between(self - other, 0.0, 0.0)
+        return Constraint.between(self - other, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +90,8 @@ class Constraint:
     name: str = "constraint"
 
     @staticmethod
-    def _between(expression: Expression, lower: float, upper: float) -> Constraint:
+    def between(expression: Expression, lower: float, upper: float) -> Constraint:
+        """`lower <= expression <= upper`, the expression's constant moved to the bounds."""
         shift = expression.constant
         return Constraint(expression.terms, lower - shift, upper - shift)
 

@@ -85,7 +85,7 @@ class Choices:
         self._draft.rows(zeros, _array(literal), 1.0, lower=0.0, upper=0.0, kind=kind)
 
     def lineage(self, literal: Literal) -> Lineage:
-        """Choices that all columns of a literal descend from, with the options they descend from."""
+        """Choices that all columns of a literal descend from, with the options they came by."""
         if not literal:
             return {}
         first, *others = (self._lineage[column] for column in literal)

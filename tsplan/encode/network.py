@@ -37,7 +37,7 @@ class ClassGraph:
     @property
     def wait(self) -> Bools:
         """Which edges are waits (self-loops)."""
-        return self.tail == self.head
+        return np.equal(self.tail, self.head)
 
     @property
     def agents(self) -> int:
@@ -51,7 +51,8 @@ class ClassGraph:
         if not len(sources):
             return np.full(count, horizon + 1)
         weight = self.duration.astype(np.float64)
-        # duplicate entries of a sparse matrix would be added up: keep the quickest of parallel edges
+        # duplicate entries of a sparse matrix would be added up: keep the quickest of parallel
+        # edges
         order = np.lexsort((weight, self.head, self.tail))
         tail, head, weight = self.tail[order], self.head[order], weight[order]
         fresh = np.ones(len(order), dtype=np.bool_)
@@ -133,7 +134,7 @@ class Network:
         return np.concatenate([*parts, np.empty(0, dtype=np.int64)]), 0
 
     def most(self, states: Ints, capability: str | None) -> Ints:
-        """For each step 0..horizon, at most how many agents with a capability can be at `states`."""
+        """How many agents with a capability can be at `states` at most, for every step."""
         most = np.zeros(self.horizon + 1, dtype=np.int64)
         for item in self.having(capability):
             earliest = int(item.arrival[states].min(initial=self.horizon + 1))

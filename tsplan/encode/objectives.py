@@ -1,7 +1,8 @@
 """Objectives that are linear in the flows: one coefficient per column.
 
-`travel`, `cost` and `agents` are minimised as they stand; `makespan` and `availability` are searched
-level by level (see `tsplan.encode.stages`), since each of their levels is a model of its own.
+`travel`, `cost` and `agents` are minimised as they stand; `makespan` and `availability` are
+searched level by level (see `tsplan.encode.stages`), since each of their levels is a model of its
+own.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ class Outlook:
         return float(self._values[node][step])
 
     def possible(self, node: Formula, step: int) -> bool:
-        """False only if `node` can hold at `step` in no plan (a trusting outlook sees only false)."""
+        """False only if `node` can hold at `step` in no plan; if trusting, only if it is false."""
         best = self.best(node, step)
         return best > -np.inf if self._trusting else best >= 0
 

@@ -10,9 +10,9 @@ from tsplan.encode.build import Encoded, Setting, prepare, reference, tight
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import Constraint, CountTerm, Expression
 from tsplan.encode.ideas import ALL_IDEAS, Idea
+from tsplan.encode.readout import Measure
 from tsplan.encode.search import Effort
 from tsplan.encode.stages import Outcome, Point, Stages
-from tsplan.encode.readout import Measure
 from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
@@ -64,7 +64,7 @@ class Problem:
         self._setting: Setting | None = None
 
     def count(self, place: str, capability: str | None = None, *, step: int) -> Expression:
-        """Agents with a capability (None: all) at a state, or at all states of a label, at a step."""
+        """Agents with a capability (None: all) at a state, or at a label's states, at a step."""
         return Expression(((CountTerm(place, capability, step), 1.0),))
 
     def add(self, constraint: Constraint, name: str = "constraint") -> None:

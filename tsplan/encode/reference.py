@@ -136,25 +136,24 @@ class ReferenceEncoder:
     def _all(self, parts: Sequence[int], node: Formula, step: int) -> int:
         """1 exactly when all parts are 1: `z <= each`, `z >= sum - (count - 1)`."""
         column = int(self._draft.columns(1, upper=1.0, integer=True)[0])
-        self._tie(column, parts, (-np.inf, 0.0), (1.0 - len(parts), np.inf), node, step)
+        self._tie((column, parts), (-np.inf, 0.0), (1.0 - len(parts), np.inf), (node, step))
         return column
 
     def _any(self, parts: Sequence[int], node: Formula, step: int) -> int:
         """1 exactly when some part is 1: `z >= each`, `z <= sum`."""
         column = int(self._draft.columns(1, upper=1.0, integer=True)[0])
-        self._tie(column, parts, (0.0, np.inf), (-np.inf, 0.0), node, step)
+        self._tie((column, parts), (0.0, np.inf), (-np.inf, 0.0), (node, step))
         return column
 
     def _tie(
         self,
-        column: int,
-        parts: Sequence[int],
+        members: tuple[int, Sequence[int]],
         single: tuple[float, float],
         total: tuple[float, float],
-        node: Formula,
-        step: int,
+        place: tuple[Formula, int],
     ) -> None:
         """Rows `single[0] <= z - part <= single[1]` and `total[0] <= z - sum <= total[1]`."""
+        (column, parts), (node, step) = members, place
         count = len(parts)
         index = np.arange(count)
         self._draft.rows(
@@ -167,11 +166,10 @@ class ReferenceEncoder:
             node=node,
             step=step,
         )
-        members = [column, *parts]
         values = [1.0, *([-1.0] * count)]
         self._draft.rows(
             np.zeros(count + 1),
-            members,
+            [column, *parts],
             values,
             lower=total[0],
             upper=total[1],
@@ -182,7 +180,7 @@ class ReferenceEncoder:
 
 
 def _latest(root: Formula) -> dict[Formula, int]:
-    """Last step at which each sub-formula is needed when the root is judged at step 0; -1: never."""
+    """Last step at which each sub-formula is needed for the root at step 0; -1: never."""
     order = list(walk(root))
     latest = dict.fromkeys(order, -1)
     latest[root] = 0

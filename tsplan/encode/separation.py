@@ -1,8 +1,9 @@
 """Visit cuts that a fractional solution violates, found for all windows of a family at once.
 
 For a family whose columns each ask over consecutive steps, the cut of window [lo, hi] reads
-`n(lo) + C(hi) - C(lo) >= S(hi) - E(lo)`: C cumulative arrivals, S(hi) what the columns that begin by
-hi ask for, E(lo) what those that end before lo asked for. So all windows are one outer difference.
+`n(lo) + C(hi) - C(lo) >= S(hi) - E(lo)`: C cumulative arrivals, S(hi) what the columns that begin
+by hi ask for, E(lo) what those that end before lo asked for. So all windows are one outer
+difference.
 """
 
 from __future__ import annotations

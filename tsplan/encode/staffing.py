@@ -63,7 +63,7 @@ class Staffing:
         self.families: list[tuple[SiteColumns, Family]] = []
 
     def write(self, witnesses: Witnesses, *, cuts: bool) -> None:
-        """Rows for every demand; with `cuts` also the visit cuts of whole windows and their parts."""
+        """Rows for every demand; with `cuts` also visit cuts of windows and their parts."""
         lower: dict[tuple[Site, str | None], list[Demand]] = defaultdict(list)
         for demand in witnesses.demands:
             if demand.bound.upper:
@@ -201,7 +201,7 @@ class Staffing:
     def _families(
         self, demands: Sequence[Demand], choices: Choices, upper: Ints | None = None
     ) -> list[Family]:
-        """Demands at one site by exclusive literals; for limits, amounts are what is taken from N."""
+        """Demands at one site by exclusive literals; limits count what is taken from N."""
         base: dict[int, float] = defaultdict(float)
         asked: dict[int, dict[int, float]] = defaultdict(dict)
         for demand in demands:

@@ -1,14 +1,14 @@
 """Objectives one after the other: the first matters most, and what is reached is kept.
 
-`travel`, `cost`, `agents` and a user's own objective are minimised as linear functions of the flows.
-`availability` and `makespan` are levels of the model itself: raising every need by r, or forbidding
-arrivals after a step. They are searched by bisection between the level of the best plan known and
-a free bound, and each probe ends with its first plan or with a proof that there is none.
+`travel`, `cost`, `agents` and a user's own objective are minimised as linear functions of the
+flows. `availability` and `makespan` are levels of the model itself: raising every need by r, or
+forbidding arrivals after a step. They are searched by bisection between the level of the best plan
+known and a free bound, and each probe ends with its first plan or with a proof that there is none.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -17,12 +17,11 @@ from tsplan.encode import objectives
 from tsplan.encode.build import Encoded, Setting, reference, tight
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import CountTerm, resolve
-from tsplan.encode.ideas import Idea
+from tsplan.encode.network import unroll
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.search import Effort, Found, Search
-from tsplan.milp.model import Draft, Floats, INFINITY
+from tsplan.milp.model import INFINITY, Draft, Floats
 from tsplan.milp.solution import StoppedBy
-from tsplan.encode.network import unroll
 
 
 @dataclass(frozen=True, eq=False)
@@ -265,7 +264,8 @@ class Stages:
         point = self._point
         if point is None or len(point.values) != encoded.model.size.columns:
             return None
-        return point.values if encoded.model.violation(point.values) < 1e-6 else None
+        return point.values if encoded.model.violation(point.values) < _FEASIBLE else None
 
 
+_FEASIBLE = 1e-6
 _LINEAR = frozenset({"travel", "cost", "agents", "own"})

@@ -2,9 +2,9 @@
 
 A choice whose LP value is spread over several witnesses is split where half of its weight lies:
 the witness comes early, or it comes late. Both halves cut the LP's solution off, unlike "this
-witness or not", which leaves the rest of the choice as vague as before (branching on special ordered
-sets: Beale and Tomlin, 1970). The choice split first is the one spread widest. Nodes are taken best
-first, and depth first while no point is known.
+witness or not", which leaves the rest of the choice as vague as before (branching on special
+ordered sets: Beale and Tomlin, 1970). The choice split first is the one spread widest. Nodes are
+taken best first, and depth first while no point is known.
 """
 
 from __future__ import annotations

@@ -25,8 +25,8 @@ from tsplan.encode.atoms import Bound, Requirement
 from tsplan.encode.literals import ALWAYS, Choices, Literal
 from tsplan.encode.outlook import Outlook
 from tsplan.logic import (
-    And,
     Always,
+    And,
     Constant,
     Count,
     Eventually,
@@ -164,7 +164,7 @@ class WitnessEncoder:
                     self._ask(node.child, time, option)
 
     def _share(self, node: Eventually, repeated: Mapping[Literal, list[int]]) -> None:
-        """Witnesses shared between windows: one free column per step at which the child may hold."""
+        """Witnesses shared between windows: a free column per step at which the child may hold."""
         windows = [
             (literal, self._times(node, step))
             for literal, steps in repeated.items()

@@ -1,0 +1,1 @@
+"""Mixed-integer linear programs as arrays, and one file per solver."""

@@ -38,7 +38,7 @@ def run_guarded(
     """
     # fork is quick and safe while no other thread runs; elsewhere start afresh
     alone = sys.platform == "linux" and threading.active_count() == 1
-    context = multiprocessing.get_context("fork" if alone else "spawn")
+    context: Any = multiprocessing.get_context("fork" if alone else "spawn")
     ours, theirs = context.Pipe(duplex=False)
     child = context.Process(target=_child, args=(job, argument, theirs), daemon=True)
     child.start()

@@ -108,7 +108,8 @@ def _load(model: Model, environment: Any) -> Any:
         (~same & np.isfinite(model.row_upper), "<", model.row_upper),
     ):
         if rows.any() and model.size.columns:
-            native.addMConstr(model.matrix[np.flatnonzero(rows)], x, sense, side[rows])
+            part: Any = model.matrix[np.flatnonzero(rows)]  # gurobipy's stubs know no sparse arrays
+            native.addMConstr(part, x, sense, side[rows])
     native.update()
     return native
 
