@@ -155,5 +155,7 @@ def test_the_planner_finds_what_brute_force_finds_on_many(block: int) -> None:
 
 
 def test_the_enumeration_covers_most_of_the_missions() -> None:
-    missions = [random_mission(seed, states=4, most_agents=3, steps=5) for seed in range(10_000, 10_080)]
+    missions = [
+        random_mission(seed, states=4, most_agents=3, steps=5) for seed in range(10_000, 10_080)
+    ]
     assert sum(small_enough(mission) for mission in missions) >= 40

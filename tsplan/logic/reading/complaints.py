@@ -46,11 +46,16 @@ TEMPORAL = ("F", "G", "U", "R", "<>", "[]")
 
 
 class Complaints(ErrorListener):  # type: ignore[misc]  # the ANTLR runtime has no types
-    """Collects the findings of one stream."""
+    """Collects the findings of one stream; at most one for an interval, a count, a task, ...
 
-    def __init__(self, source: Source, parser: Any) -> None:
+    `strays` are offsets of characters that were left out: what the parser finds there is told.
+    """
+
+    def __init__(self, source: Source, parser: Any, strays: set[int]) -> None:
         self._source = source
         self._types = parser
+        self._strays = strays
+        self._told: set[int] = set()
         self.findings: list[Finding] = []
 
     def syntaxError(  # noqa: N802  (ANTLR calls it so)
@@ -60,12 +65,13 @@ class Complaints(ErrorListener):  # type: ignore[misc]  # the ANTLR runtime has 
         *_details: Any,
     ) -> None:
         """Turn one report of the parser into a finding."""
-        token = offendingSymbol
-        if token.type == self._types.STRAY:
-            return  # reported with the tokens already
-        rule = recognizer.ruleNames[recognizer._ctx.getRuleIndex()]  # noqa: SLF001  (no other way)
+        token, context = offendingSymbol, recognizer._ctx  # noqa: SLF001  (no other way)
         tokens = recognizer.getTokenStream().tokens
         before = tokens[token.tokenIndex - 1] if token.tokenIndex > 0 else None
+        start = before.stop + 1 if before is not None else 0
+        if self._strays.intersection(range(start, token.start)) or self._repeats(context):
+            return
+        rule = recognizer.ruleNames[context.getRuleIndex()]
         expected = recognizer.getExpectedTokens()
         ends = (self._types.AND, self._types.CLOSE, Token.EOF)
         joinable = token.type != Token.EOF and any(end in expected for end in ends)
@@ -76,6 +82,17 @@ class Complaints(ErrorListener):  # type: ignore[misc]  # the ANTLR runtime has 
                 return
         message, remedy = _explained(token, before, rule, joinable=joinable)
         self.findings.append(self._source.finding(token.start, message, remedy))
+
+    def _repeats(self, context: Any) -> bool:
+        """Whether something was told already about the form that a part belongs to."""
+        names, around = context.parser.ruleNames, None
+        while context is not None and names[context.getRuleIndex()] in FORMS:
+            around, context = context, context.parentCtx
+        if around is None:
+            return False
+        told = around.start.start in self._told
+        self._told.add(around.start.start)
+        return told
 
 
 def _explained(token: Any, before: Any, rule: str, *, joinable: bool) -> tuple[str, str]:
@@ -88,6 +105,8 @@ def _explained(token: Any, before: Any, rule: str, *, joinable: bool) -> tuple[s
     if rule in FORMS:
         follows = f" after '{last}'" if last else ""
         return f"{shown} is unexpected{follows}", FORMS[rule]
+    if last[:1].isdigit() and token.text.isidentifier():
+        return f"'{token.text}' cannot follow the number {last}", "multiply with *, such as 2*x"
     if joinable:
         remedy = "join it with an operator such as && or ||, or remove it"
         return f"{shown} is left over after the formula", remedy
@@ -108,8 +127,6 @@ def _slip(text: str, last: str, shown: str) -> tuple[str, str] | None:
     if text == "(" and last.isidentifier():
         remedy = "counts are sum, min and max; tasks T(...) and limits L(...) are CaTL"
         return f"'(' cannot follow the name '{last}'", remedy
-    if last[:1].isdigit() and text.isidentifier():
-        return f"'{text}' cannot follow the number {last}", "multiply with *, such as 2*x"
     return None
 
 

@@ -59,9 +59,10 @@ def read(text: str, language: str) -> tuple[Formula, dict[Formula, tuple[Place, 
     findings: list[Finding] = []
     formula = None
     for stream in streams:
-        tree, complaints = _parsed(stream, generated.parser, source)
+        complaints = Complaints(source, generated.parser, streams.strays)
+        tree = _parsed(stream, generated.parser, complaints)
         if stream.balanced:
-            findings += complaints
+            findings += complaints.findings
         value = reader.read(tree)
         if stream.opener is not None:
             reader.groups[stream.opener.start] = value
@@ -73,14 +74,13 @@ def read(text: str, language: str) -> tuple[Formula, dict[Formula, tuple[Place, 
     return formula, reader.places()
 
 
-def _parsed(stream: Stream, parser_class: Any, source: Source) -> tuple[Any, list[Finding]]:
-    """The syntax tree of a stream, and the findings of the parser."""
+def _parsed(stream: Stream, parser_class: Any, complaints: Complaints) -> Any:
+    """The syntax tree of a stream; what is wrong goes to `complaints`."""
     parser = parser_class(CommonTokenStream(ListTokenSource(stream.tokens)))
     parser._interp.predictionMode = PredictionMode.SLL  # noqa: SLF001  (ANTLR's documented way)
-    complaints = Complaints(source, parser_class)
     parser.removeErrorListeners()
     parser.addErrorListener(complaints)
-    return parser.formula(), complaints.findings
+    return parser.formula()
 
 
 def _order(finding: Finding) -> tuple[int, int]:

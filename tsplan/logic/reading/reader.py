@@ -92,8 +92,8 @@ class Reader(ABC):
         return getattr(self, f"read_{rule}")(part)
 
     def places(self) -> dict[Formula, tuple[Place, ...]]:
-        """Where each formula stands in the text, in the order of reading."""
-        return {formula: tuple(places) for formula, places in self._places.items()}
+        """Where each formula stands in the text, in the order of the text."""
+        return {formula: tuple(sorted(places)) for formula, places in self._places.items()}
 
     def complain(self, part: Any, message: str, remedy: str = "") -> None:
         """Note that a part of the tree, or a token, is wrong."""
@@ -107,7 +107,9 @@ class Reader(ABC):
         return formula
 
     def quote(self, first: Any, last: Any) -> str:
-        """The text from one part of the tree to another."""
+        """The text from one part of the tree to another; an ellipsis for one that is missing."""
+        if last.stop is None:
+            return "..."
         return self.source.quote(first.start.start, last.stop.stop)
 
     # --- rules of the shared grammar ---

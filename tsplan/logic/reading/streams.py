@@ -18,25 +18,31 @@ from tsplan.errors import Finding
 from tsplan.logic.reading.source import Source
 
 DEPTH = 12
-"""Nested parentheses that a stream holds at most; what is deeper is cut out."""
+"""Nested groups that a stream holds at most; what is deeper is cut out."""
+
+_LISTS = 2  # lists of arguments nest as in T(1,A,{(c,1)}); more of them is an error
 
 
 @dataclass(eq=False)
 class Stream:
     """Tokens to be parsed together, with an end token; `opener` is the '(' they were inside of.
 
+    `depth` counts the groups around, `lists` the lists of arguments inside the innermost group.
     `balanced` is False where parentheses had to be added or dropped.
     """
 
     opener: Any
     depth: int = 0
-    groups: bool = True  # whether '(' groups a part, rather than listing arguments
+    lists: int = 0
     tokens: list[Any] = field(default_factory=list)
     balanced: bool = True
 
 
 class Streams:
-    """Splits the tokens of one text; `findings` is complete after the last stream."""
+    """Splits the tokens of one text; `findings` is complete after the last stream.
+
+    Characters that belong to no token are left out; `strays` holds their offsets.
+    """
 
     def __init__(self, source: Source, lexer: Any, parser: Any) -> None:
         self._source = source
@@ -45,14 +51,16 @@ class Streams:
         listing = ("SUM", "MIN", "MAX", "TASK", "LIMIT", "LBRACE", "COMMA")
         self._listing = {getattr(parser, name) for name in listing if hasattr(parser, name)}
         self.findings: list[Finding] = []
+        self.strays: set[int] = set()
 
     def __iter__(self) -> Iterator[Stream]:
         """Streams, innermost first; the last one is the whole text."""
         tokens = self._lexer(InputStream(self._source.text)).getAllTokens()
         stack, extra = [Stream(None)], []
         for token in tokens:
-            self._note_stray(token)
-            if token.type == self._types.OPEN:
+            if token.type == self._types.STRAY:
+                self._note_stray(token)
+            elif token.type == self._types.OPEN:
                 stack.append(self._opened(stack[-1], token))
             elif token.type != self._types.CLOSE:
                 stack[-1].tokens.append(token)
@@ -64,13 +72,15 @@ class Streams:
         yield from self._ended(stack, extra)
 
     def _opened(self, around: Stream, token: Any) -> Stream:
-        groups = not around.tokens or around.tokens[-1].type not in self._listing
-        return Stream(token, around.depth + groups, groups)
+        listing = bool(around.tokens) and around.tokens[-1].type in self._listing
+        if listing and around.lists < _LISTS:
+            return Stream(token, around.depth, around.lists + 1)
+        return Stream(token, around.depth + 1)
 
     def _closed(self, stack: list[Stream], token: Any) -> Iterator[Stream]:
         """End the innermost stream: as one of its own if it is deep, else inside the one around."""
         inner, outer = stack.pop(), stack[-1]
-        if inner.groups and inner.depth % DEPTH == 0:
+        if not inner.lists and inner.depth % DEPTH == 0:
             inner.tokens.append(_made(Token.EOF, token.start, token.stop, ")"))
             yield inner
             outer.tokens.append(_made(self._types.GROUP, inner.opener.start, token.stop, "(...)"))
@@ -100,8 +110,10 @@ class Streams:
         self.findings.append(self._source.finding(tokens[0].start, message, remedy))
 
     def _note_stray(self, token: Any) -> None:
-        if token.type != self._types.STRAY:
-            return
+        known = token.start - 1 in self.strays
+        self.strays.add(token.start)
+        if known:
+            return  # one finding for a run of them
         if token.text == '"':
             message, remedy = "this quote is never closed", "end the name with another quote"
         else:
