@@ -21,9 +21,12 @@ def capacity_rows(network: Network, arrays: MapArrays, draft: Draft) -> None:
 
 def _state_rows(network: Network, state: int, capacity: int, draft: Draft) -> None:
     """`n(state, k) <= capacity` for every step; the start is the mission's to check."""
-    site = np.array([state])
-    parts = [network.present(site, None, step)[0] for step in range(1, network.horizon + 1)]
-    _sums(parts, capacity, "state capacity", draft)
+    steps = np.arange(1, network.horizon + 1)
+    if not len(steps):
+        return
+    index, columns, _ = network.present_at(np.array([state]), None, steps)
+    most = np.full(len(steps), float(capacity))
+    draft.rows(index, columns, 1.0, lower=-np.inf, upper=most, kind="state capacity")
 
 
 def _edge_rows(network: Network, group: int, capacity: int, draft: Draft) -> None:

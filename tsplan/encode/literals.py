@@ -26,6 +26,7 @@ class Choices:
     def __init__(self, draft: Draft) -> None:
         self._draft = draft
         self._lineage: dict[int, Lineage] = {}
+        self._free: set[int] = set()
         self._count = 0
         self.columns: list[int] = []
         self.groups: list[Ints] = []
@@ -58,6 +59,7 @@ class Choices:
         columns = self._draft.columns(count, upper=1.0, integer=True)
         for column in columns.tolist():
             self._lineage[column] = {self._count: frozenset((column,))}
+            self._free.add(column)
             self._count += 1
         self.columns += columns.tolist()
         return columns
@@ -101,8 +103,12 @@ class Choices:
     def families(self, columns: Iterable[int]) -> list[list[int]]:
         """Partition columns, greedily and in order, into families that exclude each other."""
         families: list[tuple[list[int], Lineage]] = []
+        alone: list[list[int]] = []
         for column in sorted(set(columns)):
             lineage = self._lineage[column]
+            if column in self._free:  # excludes nothing, so it is a family of its own
+                alone.append([column])
+                continue
             for place, (members, shared) in enumerate(families):
                 if self.exclusive(shared, lineage) or all(
                     self.exclusive(self._lineage[member], lineage) for member in members
@@ -113,7 +119,7 @@ class Choices:
                     break
             else:
                 families.append(([column], dict(lineage)))
-        return [members for members, _ in families]
+        return [members for members, _ in families] + alone
 
     def merged(self, literals: Iterable[Literal]) -> list[Literal]:
         """Fewer literals that say the same: exclusive ones are added up.
@@ -123,6 +129,8 @@ class Choices:
         unique = set(literals)
         if ALWAYS in unique:
             return [ALWAYS]
+        if len(unique) == 1:
+            return list(unique)
         columns = {column for literal in unique for column in literal}
         return [tuple(family) for family in self.families(columns)]
 

@@ -78,25 +78,27 @@ class ClassColumns:
     by_tail: tuple[Ints, Ints]
     by_head: tuple[Ints, Ints]
 
-    def leaving(self, states: Ints, step: int) -> Ints:
-        """Columns of all edges that leave one of `states` at `step`."""
-        return self._at(_members(self.by_tail, states), step)
+    def leaving(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Edges that leave `states`: positions in `steps`, and the column entered then."""
+        edges = _members(self.by_tail, states)
+        return self._at(edges, np.broadcast_to(steps, (len(edges), len(steps))))
 
-    def arriving(self, states: Ints, step: int) -> Ints:
-        """Columns of all edges that end in one of `states` at `step`, waits included."""
+    def arriving(self, states: Ints, steps: Ints, *, moves: bool = False) -> tuple[Ints, Ints]:
+        """Edges that end in `states`: positions in `steps`, and the column that ends then.
+
+        With `moves` unit waits are left out.
+        """
         edges = _members(self.by_head, states)
-        return self._at(edges, step - self.graph.duration[edges])
+        if moves:
+            graph = self.graph
+            edges = edges[~graph.wait[edges] | (graph.duration[edges] > 1)]
+        return self._at(edges, steps - self.graph.duration[edges][:, None])
 
-    def moved_in(self, states: Ints, step: int) -> Ints:
-        """Columns of the edges that end in one of `states` at `step`, unit waits left out."""
-        edges = _members(self.by_head, states)
-        duration = self.graph.duration[edges]
-        moves = edges[(self.graph.tail[edges] != self.graph.head[edges]) | (duration > 1)]
-        return self._at(moves, step - self.graph.duration[moves])
-
-    def _at(self, edges: Ints, step: int | Ints) -> Ints:
-        open_ = (self.first[edges] <= step) & (step <= self.last[edges])
-        return (self.offset[edges] + step - self.first[edges])[open_]
+    def _at(self, edges: Ints, entered: Ints) -> tuple[Ints, Ints]:
+        first, last = self.first[edges][:, None], self.last[edges][:, None]
+        edge, position = np.nonzero((first <= entered) & (entered <= last))
+        column = self.offset[edges[edge]] + entered[edge, position] - first[edge, 0]
+        return position, column
 
     def unrolled(self) -> tuple[Ints, Ints, Ints]:
         """Edge, step and column of every flow column of the class, as three equal-length arrays."""
@@ -124,14 +126,33 @@ class Network:
 
     def present(self, states: Ints, capability: str | None, step: int) -> tuple[Ints, int]:
         """Columns whose sum, with the returned constant, is n(states, capability, step)."""
+        _, columns, constant = self.present_at(states, capability, np.array([step]))
+        return columns, constant
+
+    def present_at(
+        self, states: Ints, capability: str | None, steps: Ints
+    ) -> tuple[Ints, Ints, int]:
+        """Positions in `steps` and columns, summed with a constant: n(states, capability, step).
+
+        Agents at a state leave it by some edge (a wait is one), or have arrived at the horizon.
+        """
         able = self.having(capability)
         if self.horizon == 0:
-            return np.empty(0, dtype=np.int64), sum(int(c.graph.start[states].sum()) for c in able)
-        parts = [
-            c.leaving(states, step) if step < self.horizon else c.arriving(states, step)
-            for c in able
-        ]
-        return np.concatenate([*parts, np.empty(0, dtype=np.int64)]), 0
+            return *_joined([]), sum(int(c.graph.start[states].sum()) for c in able)
+        begun = [c.leaving(states, steps) for c in able]
+        ended = []
+        if steps[-1] == self.horizon:
+            # nobody leaves at the horizon: count who has arrived
+            last = len(steps) - 1
+            for item in able:
+                position, column = item.arriving(states, steps[-1:])
+                ended.append((position + last, column))
+        return *_joined([*begun, *ended]), 0
+
+    def moved_in(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
+        """Positions in `steps` and columns of the arrivals at `states` by moves."""
+        able = self.having(capability)
+        return _joined([item.arriving(states, steps, moves=True) for item in able])
 
     def most(self, states: Ints, capability: str | None) -> Ints:
         """How many agents with a capability can be at `states` at most, for every step."""
@@ -209,6 +230,14 @@ def _grouped(keys: Ints, count: int) -> tuple[Ints, Ints]:
     """Positions sorted by key, and where each key's run begins (CSR of positions by key)."""
     order = np.argsort(keys, kind="stable")
     return order, np.searchsorted(keys[order], np.arange(count + 1))
+
+
+def _joined(pairs: Sequence[tuple[Ints, Ints]]) -> tuple[Ints, Ints]:
+    empty = np.empty(0, dtype=np.int64)
+    return (
+        np.concatenate([*(position for position, _ in pairs), empty]),
+        np.concatenate([*(column for _, column in pairs), empty]),
+    )
 
 
 def _members(grouped: tuple[Ints, Ints], keys: Ints) -> Ints:

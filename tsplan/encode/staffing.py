@@ -22,7 +22,7 @@ from tsplan.encode.atoms import Site
 from tsplan.encode.literals import Choices
 from tsplan.encode.network import Network
 from tsplan.encode.witness import Cover, Demand, Witnesses
-from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.milp.model import Block, Draft, Floats, Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +60,8 @@ class Staffing:
         self._joint = joint
         self._network = network
         self._draft = draft
+        self._needs = Block("staffing")
+        self._visits = Block("visit")
         self.families: list[tuple[SiteColumns, Family]] = []
 
     def write(self, witnesses: Witnesses, *, cuts: bool) -> None:
@@ -77,42 +79,45 @@ class Staffing:
             for family in self._families(demands, witnesses.choices):
                 self.families.append((site, family))
                 self._demand_rows(site, family)
-                if cuts:
-                    self._window_rows(site, family, _windows(family))
+                if cuts and len(family.columns):
+                    self._window_rows(site, family)
         if cuts:
             for key, demands in lower.items():
                 self._cover_rows(sites[key], demands, witnesses.covers)
+        self._needs.write(self._draft)
+        self._visits.write(self._draft)
         self._limits([d for d in witnesses.demands if d.bound.upper], witnesses.choices)
 
     def _site(
         self, states: Ints, capability: str | None, first: int, last: int, *, cuts: bool
     ) -> SiteColumns:
         """Count columns for steps first..last and, with `cuts`, cumulative arrivals."""
-        steps = range(first, last + 1)
+        steps = np.arange(first, last + 1)
         present = self._draft.columns(len(steps))
-        here = [self._network.present(states, capability, step) for step in steps]
-        self._define(present, [c for c, _ in here], np.array([k for _, k in here], dtype=float))
-        arrived = np.empty(0, dtype=np.int64)
-        if cuts:
-            arrived = self._draft.columns(len(steps))
-            able = self._network.having(capability)
-            came = [
-                np.concatenate([item.moved_in(states, step) for item in able] or [present[:0]])
-                for step in steps
-            ]
-            came[0] = present[:0]
-            followed = [np.append(c, arrived[i - 1 : i]) for i, c in enumerate(came)]
-            followed[0] = present[:0]
-            self._define(arrived, followed, np.zeros(len(steps)))
+        index, columns, constant = self._network.present_at(states, capability, steps)
+        self._define(present, (index, columns), float(constant))
+        if not cuts:
+            return SiteColumns(first, present, present[:0])
+        arrived = self._draft.columns(len(steps))
+        index, columns = self._network.moved_in(states, capability, steps)
+        later = index > 0  # arrivals are counted from the first step on
+        every = np.arange(1, len(steps))
+        index = np.concatenate([index[later], every])
+        self._define(arrived, (index, np.concatenate([columns[later], arrived[:-1]])), 0.0)
         return SiteColumns(first, present, arrived)
 
-    def _define(self, columns: Ints, parts: Sequence[Ints], constant: Floats) -> None:
-        """`columns[i]` = sum of the columns `parts[i]` + `constant[i]`."""
-        sizes = [len(part) for part in parts]
-        index = np.concatenate([np.arange(len(columns)), np.repeat(np.arange(len(columns)), sizes)])
-        members = np.concatenate([columns, *parts])
-        values = np.concatenate([np.ones(len(columns)), np.full(sum(sizes), -1.0)])
-        self._draft.rows(index, members, values, lower=constant, upper=constant, kind="count")
+    def _define(self, columns: Ints, parts: tuple[Ints, Ints], constant: float) -> None:
+        """`columns[i]` = the columns that `parts` puts at position i, summed, + `constant`."""
+        index, members = parts
+        own = np.arange(len(columns))
+        self._draft.rows(
+            np.concatenate([own, index]),
+            np.concatenate([columns, members]),
+            np.concatenate([np.ones(len(columns)), np.full(len(members), -1.0)]),
+            lower=np.full(len(columns), constant),
+            upper=constant,
+            kind="count",
+        )
 
     def _demand_rows(self, site: SiteColumns, family: Family) -> None:
         """`n(tau) >= base + sum of surplus * literal` for every step of the family."""
@@ -121,30 +126,27 @@ class Staffing:
         index = np.concatenate([np.arange(len(here)), row])
         members = np.concatenate([here, family.columns[column]])
         values = np.concatenate([np.ones(len(here)), -family.surplus[row, column]])
-        self._draft.rows(index, members, values, lower=family.base, upper=np.inf, kind="staffing")
+        self._needs.add(index, members, values, family.base)
 
-    def _window_rows(
-        self, site: SiteColumns, family: Family, windows: Sequence[tuple[int, int]]
-    ) -> None:
-        """Visit cuts of the family over windows given as positions in its steps."""
-        for low, high in windows:
-            self.visit(site, family, low, high)
-
-    def visit(self, site: SiteColumns, family: Family, low: int, high: int) -> None:
-        """One visit cut: positions low..high of the family's steps."""
-        need = family.amount[low : high + 1].max(axis=0)
-        asked = np.flatnonzero(need)
-        begin = family.steps[low] - site.first
-        end = family.steps[high] - site.first
-        members = [site.present[begin], site.arrived[end], site.arrived[begin]]
-        values = [1.0, 1.0, -1.0]
-        self._draft.rows(
-            np.zeros(3 + len(asked), dtype=np.int64),
-            np.concatenate([members, family.columns[asked]]),
-            np.concatenate([values, -need[asked]]),
-            lower=0.0,
-            upper=np.inf,
-            kind="visit",
+    def _window_rows(self, site: SiteColumns, family: Family) -> None:
+        """Visit cuts of the family's whole window, of its beginnings and of its ends."""
+        place = family.steps - site.first
+        count = len(place) - 1
+        if count < 1:
+            return
+        begun = np.maximum.accumulate(family.amount)[1:]
+        ending = np.maximum.accumulate(family.amount[::-1])[::-1][1:-1]
+        low = np.concatenate([np.repeat(place[:1], count), place[1:-1]])
+        high = np.concatenate([place[1:], np.repeat(place[-1:], count - 1)])
+        need = np.concatenate([begun, ending])
+        row, column = np.nonzero(need)
+        every = np.arange(len(low))
+        ends = [site.present[low], site.arrived[high], site.arrived[low]]
+        self._visits.add(
+            np.concatenate([every, every, every, row]),
+            np.concatenate([*ends, family.columns[column]]),
+            np.concatenate([np.repeat([1.0, 1.0, -1.0], len(low)), -need[row, column]]),
+            np.zeros(len(low)),
         )
 
     def _cover_rows(
@@ -168,13 +170,12 @@ class Staffing:
         self, site: SiteColumns, window: tuple[int, int], need: float, literal: tuple[int, ...]
     ) -> None:
         low, high = (step - site.first for step in window)
-        self._draft.rows(
+        ends = [site.present[low], site.arrived[high], site.arrived[low]]
+        self._visits.add(
             np.zeros(3 + len(literal), dtype=np.int64),
-            [site.present[low], site.arrived[high], site.arrived[low], *literal],
-            [1.0, 1.0, -1.0, *([-need] * len(literal))],
-            lower=0.0 if literal else need,
-            upper=np.inf,
-            kind="visit",
+            [*ends, *literal],
+            np.array([1.0, 1.0, -1.0, *([-need] * len(literal))]),
+            np.array([0.0 if literal else need]),
         )
 
     def _limits(self, demands: Sequence[Demand], choices: Choices) -> None:
@@ -186,15 +187,14 @@ class Staffing:
             site = np.array(states)
             most = self._network.most(site, capability)
             for family in self._families(members, choices, upper=most):
-                parts = [self._network.present(site, capability, int(k)) for k in family.steps]
-                sizes = [len(columns) for columns, _ in parts]
+                index, here, constant = self._network.present_at(site, capability, family.steps)
                 row, column = np.nonzero(family.surplus)
                 self._draft.rows(
-                    np.concatenate([np.repeat(np.arange(len(parts)), sizes), row]),
-                    np.concatenate([*(c for c, _ in parts), family.columns[column]]),
-                    np.concatenate([np.ones(sum(sizes)), family.surplus[row, column]]),
+                    np.concatenate([index, row]),
+                    np.concatenate([here, family.columns[column]]),
+                    np.concatenate([np.ones(len(here)), family.surplus[row, column]]),
                     lower=-np.inf,
-                    upper=most[family.steps] - family.base - [k for _, k in parts],
+                    upper=most[family.steps] - family.base - constant,
                     kind="limit",
                 )
 
@@ -234,11 +234,3 @@ def _family(
         amount=amount,
         base=np.array([base.get(step, 0.0) for step in steps]),
     )
-
-
-def _windows(family: Family) -> list[tuple[int, int]]:
-    """Positions of the whole window, its beginnings and its ends."""
-    if not len(family.columns):
-        return []
-    last = len(family.steps) - 1
-    return [(0, high) for high in range(1, last + 1)] + [(low, last) for low in range(1, last)]

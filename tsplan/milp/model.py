@@ -193,5 +193,32 @@ class Draft:
         )
 
 
+class Block:
+    """Rows of one kind, `>= lower`, collected piece by piece and drafted all at once."""
+
+    def __init__(self, kind: str) -> None:
+        self._kind = kind
+        self._count = 0
+        self._pieces: list[tuple[Ints, Ints, Floats]] = []
+        self._lower: list[Floats] = []
+
+    def add(
+        self, index: npt.ArrayLike, column: npt.ArrayLike, value: Floats, lower: Floats
+    ) -> None:
+        """More rows as triplets; `index` counts from 0 within the piece."""
+        rows = np.asarray(index, dtype=np.int64) + self._count
+        self._pieces.append((rows, np.asarray(column, dtype=np.int64), value))
+        self._lower.append(lower)
+        self._count += len(lower)
+
+    def write(self, draft: Draft) -> None:
+        """Draft the rows collected so far."""
+        if not self._pieces:
+            return
+        index, column, value = (np.concatenate(parts) for parts in zip(*self._pieces, strict=True))
+        lower = np.concatenate(self._lower)
+        draft.rows(index, column, value, lower=lower, upper=np.inf, kind=self._kind)
+
+
 def _joined(parts: Sequence[npt.NDArray[Any]], kind: type) -> npt.NDArray[Any]:
     return np.concatenate([*parts, np.empty(0, dtype=kind)]).astype(kind)
