@@ -1,0 +1,105 @@
+"""Long and deep formulas: nothing recurses on nesting, nothing takes more than its length."""
+
+import pickle
+import sys
+import time
+
+import numpy as np
+import pytest
+
+from tsplan import logic
+from tsplan.errors import FormulaError
+from tsplan.logic import CountTrace, parse
+
+DEPTH = 2000
+
+DEEP = {
+    "parentheses": ("mtl", "(" * DEPTH + "a" + ")" * DEPTH),
+    "numbers in parentheses": ("stl", "(" * DEPTH + "x" + ")" * DEPTH + " > 2"),
+    "predicates in parentheses": ("stl", "(" * DEPTH + "x > 2" + ")" * DEPTH),
+    "negations": ("mtl", "!" * DEPTH + "a"),
+    "negations in parentheses": ("mtl", "!(" * DEPTH + "a" + ")" * DEPTH),
+    "windows": ("mtl", "F[0,1] " * DEPTH + "a"),
+    "alternating windows": ("mtl", "F[0,1] G[0,1] (" * (DEPTH // 2) + "a" + ")" * (DEPTH // 2)),
+    "steps": ("mtl", "X " * DEPTH + "a"),
+    "until to the right": ("mtl", "(a U[0,1] " * DEPTH + "b" + ")" * DEPTH),
+    "until to the left": ("mtl", "(" * DEPTH + "a" + " U[0,1] b)" * DEPTH),
+    "conjunctions": ("mtl", "(a && " * DEPTH + "b" + ")" * DEPTH),
+    "equivalences": ("mtl", "(a <=> " * DEPTH + "b" + ")" * DEPTH),
+    "signs": ("stl", "-" * DEPTH + "x > 2"),
+}
+
+
+@pytest.mark.parametrize("name", DEEP)
+def test_deep_formulas_are_read_printed_and_transformed(name):
+    language, text = DEEP[name]
+    limit = sys.getrecursionlimit()
+    started = time.perf_counter()
+    formula = parse(text, language)
+    assert parse(str(formula), language) is formula
+    assert pickle.loads(pickle.dumps(formula)) is formula
+    assert logic.horizon(formula) >= 0
+    assert logic.simplify(logic.negation(formula)) is not formula
+    assert logic.substitute(formula, {}) is formula
+    assert time.perf_counter() - started < 20
+    assert sys.getrecursionlimit() == limit
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "(" * DEPTH + "a",
+        "a" + ")" * DEPTH,
+        "sum(" * DEPTH + "a",
+        "F[" * DEPTH,
+        "{(" * DEPTH,
+        ",(" * DEPTH,
+        "T(1,a,{(" * DEPTH,
+        "@" * DEPTH,
+        "(a b) && " * 200 + "c",
+        "(a => b && c) && " * 200 + "c",
+    ],
+)
+def test_wrong_texts_that_are_long_are_refused(text):
+    started = time.perf_counter()
+    for language in logic.LANGUAGES:
+        with pytest.raises(FormulaError):
+            parse(text, language)
+    assert time.perf_counter() - started < 20
+
+
+def test_five_hundred_conjuncts_parse_quickly():
+    tasks = [
+        f"F[0,{20 + place % 7}] T(1, green{place}, {{(IR,2),(Vis,2)}})" for place in range(500)
+    ]
+    parse("true", "catl")
+    started = time.perf_counter()
+    formula = parse(" && ".join(tasks), "catl")
+    assert time.perf_counter() - started < 2
+    assert len(formula.children) == 500
+
+
+def test_deep_formulas_are_evaluated():
+    formula = parse("(a U[0,1] " * DEPTH + "b" + ")" * DEPTH)
+    counts = np.ones((1, DEPTH + 3))
+    trace = CountTrace({None: counts}, {"a": np.array([0]), "b": np.array([0])})
+    assert logic.robustness(formula, trace).tolist() == [0.0, 0.0, 0.0]
+    assert logic.holds(~formula, trace).tolist() == [False] * 3
+
+
+def test_deeper_than_any_stack():
+    formula, other = parse("a"), parse("b")
+    for _ in range(20_000):
+        formula = ~(formula & other)
+    assert hash(formula) == hash(formula)
+    assert len(str(formula)) > 100_000
+    assert len(repr(formula)) < 300
+    del formula
+
+
+def test_shared_parts_are_evaluated_once():
+    formula = parse("a")
+    for _ in range(100):
+        formula = (formula & parse("b")) | (formula & ~parse("b"))
+    trace = CountTrace({None: np.array([[2, 0]])}, {"a": np.array([0]), "b": np.array([0])})
+    assert logic.holds(formula, trace).tolist() == [True, False]
