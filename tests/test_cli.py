@@ -148,6 +148,14 @@ def test_bad_usage_is_two(folder, capsys, arguments, words):
     assert "Traceback" not in err
 
 
+def test_a_finding_is_one_line_even_about_several(folder, capsys):
+    write(folder, language=("language: mtl", "language: 'mtl\\n\\n  and more'"))
+    text = (folder / "mission.yaml").read_text().replace("\\n", "\n")
+    (folder / "mission.yaml").write_text(text)
+    assert main(["check", "mission.yaml", "none.json"]) == 2
+    assert len(capsys.readouterr().err.splitlines()) == 2
+
+
 def test_an_internal_error_is_one_line(folder, capsys, monkeypatch):
     def broken(*_):
         raise ZeroDivisionError("two\nlines")

@@ -180,6 +180,7 @@ def changed(**entries):
         ('{"format": NaN}', "NaN is not a JSON number"),
         (changed(horizon=-1), "horizon"),
         (changed(horizon=1.5), "horizon"),
+        (changed(horizon=10**12), "horizon"),
         (changed(status="fine"), "status"),
         (changed(status="optimal"), "status optimal contradicts stopped_by gap"),
         (changed(agents=None), "needs the agents' paths"),

@@ -27,4 +27,4 @@ def warn(findings: Iterable[Finding]) -> None:
     """Write findings that do not stop the work, one a line."""
     for finding in findings:
         marked = replace(finding, message=f"warning: {finding.message}")
-        sys.stderr.write(f"{marked}\n")
+        sys.stderr.write(" ".join(str(marked).splitlines()) + "\n")

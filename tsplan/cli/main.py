@@ -35,7 +35,7 @@ def _answer(error: BaseException) -> tuple[Exit, list[str]]:
     from tsplan.errors import InputError, TsplanError  # noqa: PLC0415  (after the help)
 
     if isinstance(error, InputError):
-        return Exit.BAD_INPUT, [str(finding) for finding in error.findings]
+        return Exit.BAD_INPUT, [" ".join(str(finding).splitlines()) for finding in error.findings]
     if isinstance(error, TsplanError):
         return Exit.FAILED, str(error).splitlines()
     if isinstance(error, KeyboardInterrupt):

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 _EVERY = 0.1  # seconds between bounds that are passed on
 _ONE_REQUEST = 0.5  # seconds within which signals are one request
+_WATCH = 1.0  # seconds between looks at whether the parent still lives
 _LEAST = 1.0  # seconds that a second try gets at least
 _SIGNALS = tuple(
     number
@@ -97,6 +98,7 @@ def _job(given: tuple[Mission, Order], send: Callable[[Event], None]) -> Plan | 
     from tsplan.planner import plan  # noqa: PLC0415  (loads the solver, in the child alone)
 
     mission, order = given
+    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     try:
         return plan(
             mission,
@@ -110,6 +112,13 @@ def _job(given: tuple[Mission, Order], send: Callable[[Event], None]) -> Plan | 
         )
     except InputError as error:
         return _Refusal(error.findings)
+
+
+def _end_with(parent: int) -> None:
+    """End this process when its parent is gone: nobody waits for the answer any more."""
+    while os.getppid() == parent:
+        time.sleep(_WATCH)
+    os._exit(1)
 
 
 class _Forward:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.errors import Finding, FormulaError, nearest
-from tsplan.mission.data import OBJECTIVES, TaskInterval
+from tsplan.mission.data import MOST_ROBOTS, MOST_STEPS, OBJECTIVES, TaskInterval
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
@@ -88,6 +88,11 @@ def team_problems(team: Sequence[Group], system: TransitionSystem | None) -> lis
                 )
             if system is not None:
                 problems += _start_problems(system, group, ("team", place, "at", state))
+    size = sum(group.count for group in team)
+    if size > MOST_ROBOTS:
+        problems.append(
+            Problem(("team",), f"a team of {size:,} robots", f"at most {MOST_ROBOTS:,} are planned")
+        )
     if system is not None:
         problems += _crowds(team, system)
     return problems + _differing(team)
@@ -258,7 +263,13 @@ def horizon_problems(
 ) -> list[Problem]:
     """A horizon that is too short to judge the formula."""
     own, problems = formula_horizon(formula, task_interval)
-    if horizon is not None and own is not None and horizon < own:
+    if own is not None and max(own, horizon or 0) > MOST_STEPS:
+        path = FORMULA if own > MOST_STEPS else ("horizon",)
+        steps = max(own, horizon or 0)
+        problems.append(
+            Problem(path, f"a horizon of {steps:,} steps", f"at most {MOST_STEPS:,} are planned")
+        )
+    elif horizon is not None and own is not None and horizon < own:
         problems.append(
             Problem(
                 ("horizon",),

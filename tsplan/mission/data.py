@@ -38,6 +38,12 @@ OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
 )
 DEFAULT_OBJECTIVE = ("travel",)
 
+MOST_ROBOTS = 10_000_000
+"""Robots in a team; each one gets a path of its own, so a misprint must not fill the memory."""
+
+MOST_STEPS = 1_000_000
+"""Steps up to the horizon."""
+
 
 class Agent(NamedTuple):
     """One robot of the team, before it has a path."""

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
+from tsplan.mission.data import MOST_STEPS
 from tsplan.results.plan import Status
 
 Whole = Annotated[int, Field(strict=True, ge=0)]
@@ -93,7 +94,7 @@ class PlanFile(_Part):
     status: Outcome
     stopped_by: Literal["time_limit", "gap", "interrupt", "memory"] | None = None
     mission: Mission
-    horizon: Whole
+    horizon: Annotated[int, Field(strict=True, ge=0, le=MOST_STEPS)]
     objective: list[Objective] = []
     availability: Finite | None = None
     verified: Annotated[bool, Field(strict=True)] = False
