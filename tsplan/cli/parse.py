@@ -48,9 +48,9 @@ def tree(formula: logic.Formula) -> Iterator[str]:
     >>> print("\n".join(tree(parse("F[0,2] a && !b"))))
     and
       eventually [0,2]
-        sum(a) >= 1
+        a
       not
-        sum(b) >= 1
+        b
     """
     stack: list[tuple[int, logic.Formula]] = [(0, formula)]
     while stack:

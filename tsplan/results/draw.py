@@ -205,7 +205,9 @@ def _color(given: str | None, labels: frozenset[str]) -> str:
 
 
 def _per_class(duration: Mapping[str, int]) -> str:
-    return ", ".join(f"{name} {steps}" for name, steps in duration.items())
+    """The range of the durations; every class would not fit on an edge."""
+    least, most = min(duration.values()), max(duration.values())
+    return str(least) if least == most else f"{least}-{most}"
 
 
 def _arrow(
