@@ -48,7 +48,9 @@ class Encoded:
     """A model and what its columns mean.
 
     `indicators` are the 0/1 columns of the logic, `groups` those of them of which at most one is
-    1, in the order of their steps. `rho` is the availability's column in the reference encoding.
+    1, in the order of their steps. `shared` says that some eventuality lies under an always,
+    `level` which availability was asked for. `rho` is the availability's column in the reference
+    encoding.
     """
 
     model: Model
@@ -58,6 +60,8 @@ class Encoded:
     stayers: Ints
     rho: int = -1
     refuted: bool = False
+    shared: bool = False
+    level: int = 0
     groups: tuple[Ints, ...] = ()
     families: tuple[tuple[SiteColumns, Family], ...] = field(default=())
 
@@ -129,8 +133,12 @@ def _interest(
     return Interest(relevant, limited)
 
 
-def tight(setting: Setting, level: int = 0) -> Encoded:
-    """The tight model of plans with availability at least `level`."""
+def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
+    """The tight model of plans with availability at least `level`.
+
+    With `chain` eventualities under an always get as few witnesses as possible: a restriction,
+    whose flow columns are the same, for finding a first plan.
+    """
     draft = Draft()
     graphs = [item.graph for item in setting.reduced]
     finish = [~graph.wait for graph in graphs] if setting.monotone else None
@@ -140,7 +148,7 @@ def tight(setting: Setting, level: int = 0) -> Encoded:
     constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
     read = setting.requirement(level)
     outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
-    encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas)
+    encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas, chain=chain)
     witnesses = encoder.encode(setting.goal)
     staffing = Staffing(network, draft, joint=Idea.FAMILIES in setting.ideas)
     staffing.write(witnesses, cuts=Idea.VISITS in setting.ideas)
@@ -153,6 +161,7 @@ def tight(setting: Setting, level: int = 0) -> Encoded:
         stayers=stay,
         refuted=witnesses.choices.refuted,
         groups=tuple(witnesses.choices.groups),
+        shared=bool(witnesses.covers),
         families=tuple(staffing.families),
     )
 

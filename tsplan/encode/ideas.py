@@ -15,6 +15,7 @@ class Idea(StrEnum):
     REDUCTION = "reduction"  # plan between the states that matter (encode.reduction)
     OUTLOOK = "outlook"  # leave out witnesses that travel times rule out (encode.outlook)
     SHARING = "sharing"  # F under G: windows share their witnesses (encode.witness)
+    CHAINS = "chains"  # F under G: a first plan with the fewest witnesses (encode.witness)
     FAMILIES = "families"  # one row for demands that exclude each other (encode.staffing)
     VISITS = "visits"  # visit cuts over windows (encode.staffing)
     LAZY = "lazy"  # more visit cuts where the LP violates them (encode.separation)

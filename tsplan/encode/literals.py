@@ -8,7 +8,7 @@ descend from different options of one choice.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
 import numpy as np
@@ -18,6 +18,7 @@ from tsplan.milp.model import Draft, Ints
 Literal: TypeAlias = tuple[int, ...]
 ALWAYS: Literal = ()
 Lineage: TypeAlias = dict[int, frozenset[int]]
+Timed: TypeAlias = tuple[Ints, Sequence[int]]  # columns of a choice and the steps they stand for
 
 
 class Choices:
@@ -77,6 +78,21 @@ class Choices:
             upper=np.inf,
             kind=kind,
         )
+
+    def follow(self, before: Timed, after: Timed, gap: int, kind: str) -> None:
+        """The witness of `after` comes at most `gap` steps later than that of `before`."""
+        (earlier, first), (later, second) = before, after
+        for place, step in enumerate(first):
+            done = later[np.asarray(second) <= step + gap]
+            begun = earlier[: place + 1]
+            self._draft.rows(
+                np.zeros(len(done) + len(begun), dtype=np.int64),
+                np.concatenate([done, begun]),
+                np.concatenate([np.ones(len(done)), -np.ones(len(begun))]),
+                lower=0.0,
+                upper=np.inf,
+                kind=kind,
+            )
 
     def refute(self, literal: Literal, kind: str) -> None:
         """The literal cannot be 1; an impossible `ALWAYS` refutes the whole problem."""

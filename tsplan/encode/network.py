@@ -132,7 +132,7 @@ class Network:
     def present_at(
         self, states: Ints, capability: str | None, steps: Ints
     ) -> tuple[Ints, Ints, int]:
-        """Positions in `steps` and columns, summed with a constant: n(states, capability, step).
+        """Positions in `steps` and columns: summed, with a constant, they are the count there.
 
         Agents at a state leave it by some edge (a wait is one), or have arrived at the horizon.
         """

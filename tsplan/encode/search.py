@@ -60,7 +60,10 @@ Reporter = Callable[[Floats | None, float | None, float | None], None]
 
 
 class Search:
-    """One search for the least value of `objective` on one model."""
+    """One search for the least value of `objective` on one model.
+
+    `rescue`, where set, is asked for the flows of some plan when the dive has found none.
+    """
 
     def __init__(
         self, encoded: Encoded, objective: Floats, effort: Effort, clock: Clock, report: Reporter
@@ -74,6 +77,7 @@ class Search:
         self._values: Floats | None = None
         self._value = np.inf
         self._bound = -np.inf
+        self.rescue: Callable[[], Floats | None] | None = None
 
     def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
         """The least value, or with `first` any point. `start` is a known point of this model."""
@@ -86,6 +90,22 @@ class Search:
             if proven or (first and self._values is not None) or self._clock.over:
                 return self._found(proven=proven)
         return self._by_solver(first=first)
+
+    def any_by_lp(self) -> Floats | None:
+        """Any point that the dive or the tree finds, without the general solver; or None."""
+        if not self._encoded.refuted:
+            self._by_lp(first=True)
+        return self._values
+
+    def _adopt(self, flows: Floats) -> None:
+        """Keep the point of this model that has the given flows, if there is one."""
+        columns = self._encoded.flows
+        lower, upper = self._model.lower.copy(), self._model.upper.copy()
+        lower[columns] = upper[columns] = np.round(flows)
+        fixed = self._model.with_bounds(lower, upper)
+        values = self._call(fixed, Options(first=True), self._clock.within(5.0)).values
+        if values is not None:
+            self._accept(values)
 
     def _accept(self, values: Floats) -> None:
         """Keep a point of whole agents if it is better than the one known."""
@@ -140,15 +160,27 @@ class Search:
         if root.status != "optimal":
             return root.status == "infeasible"
         self._raise_bound(root.objective)
-        if Idea.DIVE in self._effort.ideas and not self._closed:
-            dived = dive(lp, self._encoded.indicators, root, self._clock, self._cutoff)
-            if dived.values is not None:
-                self._whole(dived.values)
-            elif dived.refuted:
-                return True
+        if Idea.DIVE in self._effort.ideas and not self._closed and self._dive(lp, root):
+            return True
         if self._closed or (first and self._values is not None):
             return self._closed
         return self._grow(lp, root, first=first) if Idea.TREE in self._effort.ideas else False
+
+    def _dive(self, lp: WarmLP, root: LPResult) -> bool:
+        """Look for a point by diving, and by the rescue if that fails; True if there is none."""
+        clock = self._clock
+        if self.rescue is not None:
+            clock = clock.within(max(1.0, 2 * root.seconds))
+        dived = dive(lp, self._encoded.indicators, root, clock, self._cutoff)
+        if dived.values is not None:
+            self._whole(dived.values)
+        elif dived.refuted:
+            return True
+        if self._values is None and self.rescue is not None:
+            flows = self.rescue()
+            if flows is not None:
+                self._adopt(flows)
+        return False
 
     def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:
         """Add violated visit cuts, to the LP and to the model, while they raise the bound."""

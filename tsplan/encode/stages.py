@@ -17,6 +17,7 @@ from tsplan.encode import objectives
 from tsplan.encode.build import Encoded, Setting, reference, tight
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import CountTerm, resolve
+from tsplan.encode.ideas import Idea
 from tsplan.encode.network import unroll
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.search import Effort, Found, Search
@@ -223,7 +224,7 @@ class Stages:
 
     def _build(self, kept: Kept) -> Encoded:
         if self.tight:
-            encoded = tight(self.setting, kept.level)
+            encoded = replace(tight(self.setting, kept.level), level=kept.level)
         else:
             most = max(self._outlook(), 0.0)
             high = kept.level if np.isinf(most) else int(most)
@@ -234,12 +235,18 @@ class Stages:
             upper[objectives.late_moves(encoded.network, kept.makespan)] = 0.0
             model = model.with_bounds(model.lower, upper)
         encoded = replace(encoded, model=model)
+        encoded = self._with_rows(encoded, kept)
+        size = encoded.model.size
+        self._size = (size.columns, size.integers, size.rows, size.nonzeros)
+        return encoded
+
+    def _with_rows(self, encoded: Encoded, kept: Kept) -> Encoded:
+        """The model with the values that earlier objectives must keep."""
+        model = encoded.model
         for name, value in kept.rows:
             vector = self._linear(encoded, name)
             slack = 1e-6 * max(1.0, abs(value))
             model = model.with_row(vector, -INFINITY, value + slack, f"kept {name}")
-        size = model.size
-        self._size = (size.columns, size.integers, size.rows, size.nonzeros)
         return replace(encoded, model=model)
 
     def _search(
@@ -254,10 +261,32 @@ class Stages:
         if not self.tight:
             effort = replace(effort, ideas=frozenset())
         search = Search(encoded, objective, effort, self.clock, report)
+        if encoded.shared and Idea.CHAINS in effort.ideas:
+            search.rescue = lambda: self._chained(encoded, effort)
         found = search.minimise(None if first else self._start(encoded), first=first)
         if found.values is not None:
             self._point = Point(encoded, found.values, self.tight)
         return found
+
+    def _chained(self, encoded: Encoded, effort: Effort) -> Floats | None:
+        """Flows of a plan found by way of the chained restriction, in a part of the time."""
+        restricted = self._restricted(encoded)
+        left = self.clock.left
+        budget = _CHAIN_SECONDS if left is None else min(_CHAIN_SECONDS, left / 2)
+        objective = self._linear(restricted, "travel")
+        search = Search(restricted, objective, effort, self.clock.within(budget), _unheard)
+        found = search.any_by_lp()
+        return None if found is None else found[restricted.flows]
+
+    def _restricted(self, encoded: Encoded) -> Encoded:
+        """The chained model within the bounds and kept rows of the exact one."""
+        kept = self._kept
+        restricted = tight(self.setting, encoded.level, chain=True)
+        model = restricted.model
+        upper = model.upper.copy()
+        upper[restricted.flows] = encoded.model.upper[encoded.flows]
+        restricted = replace(restricted, model=model.with_bounds(model.lower, upper))
+        return self._with_rows(restricted, kept)
 
     def _start(self, encoded: Encoded) -> Floats | None:
         """The present point, where it is one of this model too."""
@@ -267,5 +296,10 @@ class Stages:
         return point.values if encoded.model.violation(point.values) < _FEASIBLE else None
 
 
+def _unheard(*_: object) -> None:
+    """Reports of a search on a restriction are nobody's business: its bounds are not true ones."""
+
+
 _FEASIBLE = 1e-6
+_CHAIN_SECONDS = 60.0
 _LINEAR = frozenset({"travel", "cost", "agents", "own"})

@@ -9,20 +9,22 @@ at least (at most) so many agents here.
 * and, G hand their literal down and add nothing.
 * or, F, U, R choose one witness (`Choices.choose`). Exactly one is no loss.
 * F required at several steps under one literal (F under G) shares its witnesses between the
-  windows instead: each window holds at least one.
+  windows instead: each window holds at least one. A *chained* encoding asks for the fewest
+  witnesses that can cover the windows, one choice each, in order and close enough together. That
+  leaves plans out, so it only serves to find a first plan.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatchmethod
 
 import numpy as np
 
 from tsplan.encode.atoms import Bound, Requirement
-from tsplan.encode.literals import ALWAYS, Choices, Literal
+from tsplan.encode.literals import ALWAYS, Choices, Literal, Timed
 from tsplan.encode.outlook import Outlook
 from tsplan.logic import (
     Always,
@@ -75,8 +77,10 @@ class WitnessEncoder:
         requirement: Callable[[Count], Requirement],
         *,
         share: bool = True,
+        chain: bool = False,
     ) -> None:
         self._shares = share
+        self._chains = chain
         self._outlook = outlook
         self._requirement = requirement
         self._requests: dict[Formula, dict[int, list[Literal]]] = defaultdict(
@@ -154,7 +158,10 @@ class WitnessEncoder:
         repeated = {
             key: steps for key, steps in by_literal.items() if self._shares and len(steps) > 1
         }
-        if repeated:
+        if self._chains:
+            for literal, steps in repeated.items():
+                self._chain(node, literal, steps)
+        elif repeated:
             self._share(node, repeated)
         for literal, steps in by_literal.items():
             for step in () if literal in repeated else steps:
@@ -178,6 +185,27 @@ class WitnessEncoder:
             self.result.covers.append(Cover(members, literal))
         for time in times:
             self._ask(node.child, time, (column[time],))
+
+    def _chain(self, node: Eventually, literal: Literal, steps: Sequence[int]) -> None:
+        """As few witnesses as can cover the windows of all steps, each no later than it must be."""
+        length = node.high - node.low + 1
+        begin, end = min(steps) + node.low, max(steps) + node.low
+        links = -(-(end - begin + 1) // length)
+        former: Timed | None = None
+        for link in range(links):
+            earliest = max(begin, end - (links - 1 - link) * length)
+            latest = min(end + length - 1, begin + (link + 1) * length - 1)
+            span = range(earliest, latest + 1)
+            times = [time for time in span if self._outlook.possible(node.child, time)]
+            if not times:
+                self._choices.refute(literal, "chain")
+                return
+            columns = self._choices.choose(literal, len(times), "chain")
+            if former is not None:
+                self._choices.follow(former, (columns, times), length, "chain")
+            former = (columns, times)
+            for time, column in zip(times, columns.tolist(), strict=True):
+                self._ask(node.child, time, (column,))
 
     def _times(self, node: Eventually, step: int) -> list[int]:
         span = range(step + node.low, step + node.high + 1)
