@@ -1,40 +1,40 @@
 """HiGHS, the default solver.
 
-The solve runs in a thread of its own while the calling thread waits, so that a wall-clock watchdog,
-Ctrl-C and a watcher's wish to stop all work in the same way: ask HiGHS to stop, keep the incumbent.
+Every solve runs in a fresh thread. HiGHS keeps its workers per calling thread and refuses another
+number of them there, so a fresh thread is also what lets `threads` differ from solve to solve.
 """
 
 from __future__ import annotations
 
 import time
 from dataclasses import dataclass, field
-from threading import Event, Thread
 from typing import Any
 
 import highspy
 import numpy as np
 from highspy import HighsModelStatus as Ended
 
-from tsplan.errors import SolverError
+from tsplan.errors import SolverError, nearest
+from tsplan.milp.answer import Ending, Question, Verdict
+from tsplan.milp.attend import Attendant
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.solution import (
-    Options,
-    Progress,
-    Solution,
-    Status,
-    StoppedBy,
-    Watcher,
-    settled,
-)
+from tsplan.milp.solution import Options, Progress, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
 
-_INTEGER = int(highspy.HighsVarType.kInteger)
-_TOLERANCE = 1e-5
-_POLL = 0.05  # seconds between looks at the clock
-_STOPPED = {
+_LEAST_GAP = 1e-6
+_UNCLEAR = (Ended.kUnboundedOrInfeasible, Ended.kUnbounded)
+_REASONS = {
     Ended.kTimeLimit: StoppedBy.TIME_LIMIT,
     Ended.kInterrupt: StoppedBy.INTERRUPT,
     Ended.kMemoryLimit: StoppedBy.MEMORY,
+}
+_VERDICTS = {
+    Ended.kOptimal: Verdict.SOLVED,
+    Ended.kModelEmpty: Verdict.SOLVED,
+    Ended.kInfeasible: Verdict.REFUTED,
+    Ended.kObjectiveBound: Verdict.REFUTED,
+    Ended.kSolutionLimit: Verdict.ENDED,
+    **dict.fromkeys(_REASONS, Verdict.ENDED),
 }
 
 
@@ -42,22 +42,26 @@ def load(model: Model, *, relaxed: bool = False) -> highspy.Highs:
     """A silent HiGHS object that holds the model (its LP relaxation if `relaxed`)."""
     highs = highspy.Highs()
     checked(highs.setOptionValue("output_flag", False), "output_flag")
-    problem = highspy.HighsLp()
     rows, columns = model.matrix.shape
-    problem.num_col_, problem.num_row_ = columns, rows
-    problem.col_cost_, problem.offset_ = model.objective, model.offset
-    problem.col_lower_, problem.col_upper_ = model.lower, model.upper
-    problem.row_lower_, problem.row_upper_ = model.row_lower, model.row_upper
-    problem.a_matrix_.format_ = highspy.MatrixFormat.kRowwise
-    problem.a_matrix_.num_col_, problem.a_matrix_.num_row_ = columns, rows
-    problem.a_matrix_.start_ = model.matrix.indptr.astype(np.int32)
-    problem.a_matrix_.index_ = model.matrix.indices.astype(np.int32)
-    problem.a_matrix_.value_ = model.matrix.data
-    checked(highs.passModel(problem), "the model")
-    whole = np.flatnonzero(model.integer).astype(np.int32)
-    if len(whole) and not relaxed:
-        kinds = np.full(len(whole), _INTEGER, dtype=np.uint8)
-        checked(highs.changeColsIntegrality(len(whole), whole, kinds), "integrality")
+    whole = np.zeros(columns, np.int32) if relaxed else model.integer.astype(np.int32)
+    status = highs.passModel(
+        columns,
+        rows,
+        model.matrix.nnz,
+        int(highspy.MatrixFormat.kRowwise),
+        int(highspy.ObjSense.kMinimize),
+        float(model.offset),
+        np.ascontiguousarray(model.objective, dtype=np.float64),
+        np.ascontiguousarray(model.lower, dtype=np.float64),
+        np.ascontiguousarray(model.upper, dtype=np.float64),
+        np.ascontiguousarray(model.row_lower, dtype=np.float64),
+        np.ascontiguousarray(model.row_upper, dtype=np.float64),
+        model.matrix.indptr.astype(np.int32),
+        model.matrix.indices.astype(np.int32),
+        np.ascontiguousarray(model.matrix.data, dtype=np.float64),
+        whole,
+    )
+    checked(status, "the model")
     return highs
 
 
@@ -67,39 +71,12 @@ def checked(status: highspy.HighsStatus, what: str) -> None:
         raise SolverError(f"HiGHS refused {what}")
 
 
-@dataclass(eq=False)
-class _Watched:
-    """Passes a running solve's progress on, and remembers that it should stop."""
-
-    watch: Watcher | None
-    began: float
-    stop: bool = field(default=False)
-
-    def event(self, event: Any) -> None:
-        data = event.data_out
-        values = None
-        if event.callback_type == highspy.cb.HighsCallbackType.kCallbackMipImprovingSolution:
-            values = np.array(data.mip_solution)
-        progress = Progress(
-            objective=_finite(data.mip_primal_bound),
-            bound=_finite(data.mip_dual_bound),
-            elapsed=time.perf_counter() - self.began,
-            values=values,
-        )
-        if self.watch is not None and self.watch(progress):
-            self.stop = True
-
-    def interrupt(self, event: Any) -> None:
-        if self.stop:
-            event.interrupt()
-
-
 class Highs:
     """Solves models with HiGHS."""
 
     name = "highs"
     features = frozenset(
-        {"start", "progress", "incumbents", "first", "log", "seed", "threads", "gap"}
+        {"start", "progress", "incumbents", "first", "log", "seed", "threads", "gap", "cutoff"}
     )
 
     def availability(self) -> Availability:
@@ -114,129 +91,184 @@ class Highs:
         self, model: Model, options: Options | None = None, watch: Watcher | None = None
     ) -> Solution:
         """Minimise the model; see `tsplan.milp.solver.Solver`."""
-        options = options or Options()
         began = time.perf_counter()
+        options = options or Options()
         known = settled(model)
         if known is not None:
             return known
-        highs = load(model)
+        question = Question(model, options)
+        said = _Solve(question, watch, began).ending()
+        return question.answer(said, time.perf_counter() - began)
+
+
+@dataclass(eq=False)
+class _Solve:
+    """One solve, from the loaded model to what HiGHS says at its end."""
+
+    question: Question
+    watch: Watcher | None
+    began: float
+    _best: Floats | None = field(default=None, init=False)
+    _progress: Progress = field(default=Progress(None, None, 0.0), init=False)
+    _why: StoppedBy | None = field(default=None, init=False)
+
+    @property
+    def _deadline(self) -> float | None:
+        limit = self.question.options.time_limit
+        return None if limit is None else self.began + max(limit, 0.0)
+
+    def ending(self) -> Ending:
+        model, options = self.question.model, self.question.options
+        # HiGHS counts points above its bound as found, so a first point needs a row
+        strict = options.first and options.cutoff is not None
+        highs = load(self.question.cut() if strict else model)
         _configure(highs, options)
-        if options.start is not None:
-            point = highspy.HighsSolution()
-            point.col_value = options.start.tolist()
-            highs.setSolution(point)
-        watched = _Watched(watch, began)
-        _subscribe(highs, watched, options)
-        limit = options.time_limit
-        _run(highs, watched, None if limit is None else began + limit)
-        if highs.getModelStatus() == Ended.kUnboundedOrInfeasible:
-            checked(highs.setOptionValue("presolve", "off"), "presolve")
-            _run(highs, watched, None if limit is None else began + limit)
-        return _read(highs, model, options, time.perf_counter() - began)
+        said = self._run(highs)
+        if said is not None and highs.getModelStatus() in _UNCLEAR:
+            return self._clear(highs)
+        return said or self._left()
+
+    def _clear(self, highs: highspy.Highs) -> Ending:
+        """Tell infeasible and unbounded apart: presolve cannot, and branching may not."""
+        set_option(highs, "presolve", "off")
+        said = self._run(highs)
+        if said is None or highs.getModelStatus() not in _UNCLEAR:
+            return said or self._left()
+        size = self.question.model.size.columns
+        every = np.arange(size, dtype=np.int32)
+        checked(highs.changeColsCost(size, every, np.zeros(size)), "a zero objective")
+        set_option(highs, "objective_bound", highspy.kHighsInf)
+        said = self._run(highs)
+        if said is not None and said.values is not None:
+            raise SolverError("the model is unbounded: its objective can fall without end")
+        return said or self._left()
+
+    def _run(self, highs: highspy.Highs) -> Ending | None:
+        """Run HiGHS; None if it did not come to an end of its own."""
+        options = self.question.options
+        attendant = Attendant(self._deadline, self._hear, options.stop or (lambda: False))
+        _subscribe(highs, attendant, options)
+        if self._deadline is not None:
+            # HiGHS counts the seconds of all its runs together
+            left = max(self._deadline - time.perf_counter(), 0.0)
+            set_option(highs, "time_limit", highs.getRunTime() + left)
+        outcome: list[highspy.HighsStatus] = []
+        try:
+            if not attendant.run(lambda: outcome.append(highs.run())):
+                self._why = attendant.stopped_by
+                return None
+        except MemoryError:
+            self._why = StoppedBy.MEMORY
+            return None
+        except RuntimeError as error:
+            raise SolverError(f"HiGHS failed: {error}") from error
+        highs.clearCallbacks()
+        ended = highs.getModelStatus()
+        if outcome[0] == highspy.HighsStatus.kError:
+            raise SolverError(f"HiGHS ended with an error: {highs.modelStatusToString(ended)}")
+        return self._said(highs, ended, attendant.stopped_by)
+
+    def _said(self, highs: highspy.Highs, ended: Ended, stopped_by: StoppedBy | None) -> Ending:
+        if ended in _UNCLEAR:
+            return Ending(Verdict.ENDED)
+        if ended not in _VERDICTS:
+            words = highs.modelStatusToString(ended)
+            raise SolverError(f"HiGHS could not solve the model: {words}")
+        info = highs.getInfo()
+        feasible = int(highspy.SolutionStatus.kSolutionStatusFeasible)
+        whole = bool(self.question.model.integer.any())
+        values = None
+        if info.primal_solution_status == feasible:
+            values = np.array(highs.getSolution().col_value)
+        return Ending(
+            _VERDICTS[ended],
+            values,
+            finite(info.mip_dual_bound) if whole else None,
+            # the watchdog's interrupt is the time limit's
+            stopped_by or _REASONS.get(ended),
+            max(int(info.mip_node_count), 0),
+        )
+
+    def _left(self) -> Ending:
+        """What is known of a solve that did not come to an end of its own."""
+        return Ending(Verdict.ENDED, self._best, self._progress.bound, self._why)
+
+    def _hear(self, news: Any) -> bool:
+        """Pass progress and log lines on, in the calling thread."""
+        if isinstance(news, str):
+            if self.question.options.log is not None:
+                self.question.options.log(news)
+            return False
+        objective, bound, values = news
+        point = None if values is None else self.question.whole(values)
+        if point is not None and self.question.wanted(self.question.objective(point)):
+            self._best = point
+        else:
+            point = None
+        self._progress = Progress(
+            objective if objective is not None and self.question.wanted(objective) else None,
+            self.question.true_bound(bound),
+            time.perf_counter() - self.began,
+            point,
+        )
+        return self.watch is not None and self.watch(self._progress)
+
+
+def set_option(highs: highspy.Highs, name: str, value: object) -> None:
+    """Set one option; SolverError names the nearest option where HiGHS knows none of the name."""
+    if highs.getOptionType(name)[0] == highspy.HighsStatus.kError:
+        known = [word for word in dir(highs.getOptions()) if not word.startswith("_")]
+        raise SolverError(f"HiGHS has no option '{name}'; {nearest(name, known)}")
+    try:
+        checked(highs.setOptionValue(name, value), f"option {name} = {value}")
+    except TypeError:
+        raise SolverError(f"HiGHS refused option {name} = {value!r}") from None
+
+
+def finite(value: float) -> float | None:
+    """The number, or None for what HiGHS takes as infinite."""
+    return float(value) if abs(value) < highspy.kHighsInf else None
 
 
 def _configure(highs: highspy.Highs, options: Options) -> None:
-    asked: dict[str, object] = {
-        "mip_rel_gap": options.gap,
-        "mip_abs_gap": max(options.absolute_gap, 1e-6),
+    asked = {
+        "mip_rel_gap": float(options.gap),
+        "mip_abs_gap": max(float(options.absolute_gap), _LEAST_GAP),
+        "random_seed": options.seed,
+        "mip_max_improving_sols": 1 if options.first else None,
+        "objective_bound": options.cutoff,
+        "threads": options.threads,
+        "log_to_console": False,
+        "output_flag": options.log is not None,
+        **options.extra,
     }
-    if options.time_limit is not None:
-        asked["time_limit"] = max(float(options.time_limit), 0.0)
-    if options.seed is not None:
-        asked["random_seed"] = options.seed
-    if options.first:
-        asked["mip_max_improving_sols"] = 1
-    if options.cutoff is not None:
-        asked["objective_bound"] = options.cutoff
-    if options.threads is not None:
-        # a process keeps its first number of threads until the scheduler is made anew
-        highspy.Highs.resetGlobalScheduler(True)
-        asked["threads"] = options.threads
-    for name, value in {**asked, **options.extra}.items():
-        checked(highs.setOptionValue(name, value), f"option {name} = {value}")
+    for name, value in asked.items():
+        if value is not None:
+            set_option(highs, name, value)
+    if options.start is not None:
+        point = highspy.HighsSolution()
+        point.col_value = np.asarray(options.start, dtype=np.float64).tolist()
+        checked(highs.setSolution(point), "the start")
 
 
-def _subscribe(highs: highspy.Highs, watched: _Watched, options: Options) -> None:
-    if watched.watch is not None:
-        highs.cbMipImprovingSolution += watched.event
-        highs.cbMipLogging += watched.event
-    highs.cbMipInterrupt += watched.interrupt
-    highs.cbSimplexInterrupt += watched.interrupt
-    highs.cbIpmInterrupt += watched.interrupt
-    log = options.log
-    if log is not None:
-        checked(highs.setOptionValue("output_flag", True), "output_flag")
-        checked(highs.setOptionValue("log_to_console", False), "log_to_console")
-        highs.cbLogging += lambda event: log(event.message.rstrip("\n"))
+def _subscribe(highs: highspy.Highs, attendant: Attendant, options: Options) -> None:
+    def interrupt(event: Any) -> None:
+        if attendant.stopping:
+            event.interrupt()
 
+    def told(event: Any) -> None:
+        data = event.data_out
+        attendant.tell((finite(data.mip_primal_bound), finite(data.mip_dual_bound), None))
 
-def _run(highs: highspy.Highs, watched: _Watched, deadline: float | None) -> None:
-    """Run in a thread; ask it to stop when the time is up or on Ctrl-C."""
-    outcome: list[highspy.HighsStatus] = []
-    # an event and not `join`: a join that Ctrl-C breaks off takes the thread for ended
-    done = Event()
+    def improved(event: Any) -> None:
+        data = event.data_out
+        ends = finite(data.mip_primal_bound), finite(data.mip_dual_bound)
+        attendant.tell((*ends, np.array(data.mip_solution)))
 
-    def work() -> None:
-        try:
-            outcome.append(highs.run())
-        finally:
-            done.set()
-
-    Thread(target=work, daemon=True).start()
-    while not done.is_set():
-        try:
-            done.wait(_POLL)
-            if deadline is not None and time.perf_counter() > deadline:
-                watched.stop = True
-        except KeyboardInterrupt:
-            watched.stop = True
-            if watched.watch is not None:
-                watched.watch(Progress(None, None, time.perf_counter() - watched.began))
-    if not outcome or outcome[0] == highspy.HighsStatus.kError:
-        raise SolverError("HiGHS ended with an error")
-
-
-def _read(highs: highspy.Highs, model: Model, options: Options, seconds: float) -> Solution:
-    ended = highs.getModelStatus()
-    info = highs.getInfo()
-    nodes = max(int(info.mip_node_count), 0)
-    if ended == Ended.kInfeasible:
-        return Solution(Status.INFEASIBLE, seconds=seconds, nodes=nodes)
-    if ended in (Ended.kUnbounded, Ended.kUnboundedOrInfeasible):
-        raise SolverError("the model is unbounded: its objective can fall without end")
-    whole = bool(model.integer.any())
-    bound = _finite(info.mip_dual_bound) if whole else None
-    if info.primal_solution_status != int(highspy.SolutionStatus.kSolutionStatusFeasible):
-        stopped = _stopped(ended, options, seconds)
-        return Solution(Status.UNKNOWN, stopped, None, None, bound, seconds, nodes)
-    values = _whole(np.array(highs.getSolution().col_value), model)
-    objective = float(model.objective @ values) + model.offset
-    if ended == Ended.kOptimal:
-        shown = objective if bound is None else min(bound, objective)
-        closed = options.gap <= 0 or objective - shown <= max(options.absolute_gap, 1e-6)
-        status, why = (Status.OPTIMAL, None) if closed else (Status.FEASIBLE, StoppedBy.GAP)
-        return Solution(status, why, values, objective, shown, seconds, nodes)
-    why = None if ended == Ended.kSolutionLimit else _stopped(ended, options, seconds)
-    return Solution(Status.FEASIBLE, why, values, objective, bound, seconds, nodes)
-
-
-def _stopped(ended: Ended, options: Options, seconds: float) -> StoppedBy:
-    """What stopped the solve; the watchdog's interrupt is the time limit's."""
-    late = options.time_limit is not None and seconds >= options.time_limit - _POLL
-    if late:
-        return StoppedBy.TIME_LIMIT
-    return _STOPPED.get(ended, StoppedBy.INTERRUPT)
-
-
-def _whole(values: Floats, model: Model) -> Floats:
-    """Integer columns rounded where that keeps the point feasible; SolverError if none is."""
-    rounded = np.where(model.integer, np.round(values), values)
-    if model.violation(rounded) <= _TOLERANCE:
-        return rounded
-    if model.violation(values) <= _TOLERANCE:
-        return values
-    raise SolverError("HiGHS returned a point that violates the model")
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if abs(value) < highspy.kHighsInf else None
+    highs.cbMipImprovingSolution += improved
+    highs.cbMipLogging += told
+    highs.cbMipInterrupt += interrupt
+    highs.cbSimplexInterrupt += interrupt
+    highs.cbIpmInterrupt += interrupt
+    if options.log is not None:
+        highs.cbLogging += lambda event: attendant.tell(event.message.rstrip("\n"))
