@@ -1,32 +1,30 @@
 """Gurobi, for those who have it: the optional extra `gurobi`.
 
 The package from the registry carries a licence for small models only, so being installed and being
-usable are two things; a model that is too large is refused before it is built.
+usable are two things; a model that is too large is refused in words.
 """
 
 from __future__ import annotations
 
 import time
+from dataclasses import dataclass, field
 from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 
-from tsplan.errors import SolverError, SolverUnavailableError
+from tsplan.errors import SolverError, SolverUnavailableError, nearest
+from tsplan.milp.answer import Ending, Question, Verdict
+from tsplan.milp.attend import Attendant
 from tsplan.milp.model import Model
-from tsplan.milp.solution import (
-    Options,
-    Progress,
-    Solution,
-    Status,
-    StoppedBy,
-    Watcher,
-    settled,
-)
+from tsplan.milp.solution import Options, Progress, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
 
 _SMALL = 2000  # columns and rows that the licence in the package allows
 _TOO_LARGE = 10010  # Gurobi's error number for a model over its licence's size
+_NO_PARAMETER = 10007  # Gurobi's error number for an unknown parameter
+_LEAST_GAP = 1e-6
+_INSTALL = "pip install 'tsplan[gurobi]'"
 _REMEDY = "get a full licence from Gurobi (free for academics), or use --solver highs"
 
 
@@ -35,65 +33,172 @@ class Gurobi:
 
     name = "gurobi"
     features = frozenset(
-        {"start", "progress", "incumbents", "first", "log", "seed", "threads", "gap"}
+        {"start", "progress", "incumbents", "first", "log", "seed", "threads", "gap", "cutoff"}
     )
 
     def availability(self) -> Availability:
         """Installed if gurobipy is there; usable if an environment starts."""
         if find_spec("gurobipy") is None:
-            remedy = "pip install 'tsplan[gurobi]'"
-            return Availability(False, False, None, "gurobipy is not installed", remedy)
-        import gurobipy  # noqa: PLC0415 - never imported unasked
-
+            return Availability(
+                installed=False, usable=False, why="gurobipy is not installed", remedy=_INSTALL
+            )
+        try:
+            import gurobipy  # noqa: PLC0415 - never imported unasked
+        except ImportError as error:
+            why = f"gurobipy cannot be imported ({error})"
+            return Availability(installed=True, usable=False, why=why, remedy=_INSTALL)
         version = ".".join(str(part) for part in gurobipy.gurobi.version())
         try:
             with _environment():
-                return Availability(True, True, version)
+                return Availability(installed=True, usable=True, version=version)
         except gurobipy.GurobiError as error:
-            return Availability(True, False, version, f"its licence fails ({error})", _REMEDY)
+            why = f"its licence fails ({error})"
+            return Availability(
+                installed=True, usable=False, version=version, why=why, remedy=_REMEDY
+            )
 
     def native(self, model: Model) -> Any:
         """The model as a `gurobipy.Model`."""
+        _imported()
         return _load(model, _environment())
 
     def solve(
         self, model: Model, options: Options | None = None, watch: Watcher | None = None
     ) -> Solution:
         """Minimise the model; see `tsplan.milp.solver.Solver`."""
-        import gurobipy  # noqa: PLC0415 - never imported unasked
-
+        gurobipy = _imported()
+        began = time.perf_counter()
         options = options or Options()
         known = settled(model)
         if known is not None:
             return known
-        began = time.perf_counter()
+        question = Question(model, options)
         try:
-            with _environment() as environment, _load(model, environment) as native:
-                _configure(native, options)
-                native.optimize(_Callback(watch, options))
-                return _read(native, model, options, time.perf_counter() - began)
+            said = _Solve(question, watch, began).ending()
         except gurobipy.GurobiError as error:
-            if error.errno == _TOO_LARGE:
-                size = f"{model.size.columns} columns and {model.size.rows} rows"
-                raise SolverUnavailableError(
-                    f"Gurobi's licence here is too small for {size} "
-                    f"(it allows {_SMALL} of each); {_REMEDY}"
-                ) from error
-            raise SolverError(f"Gurobi failed: {error}") from error
+            raise _refusal(error, model, options) from error
+        return question.answer(said, time.perf_counter() - began)
+
+
+@dataclass(eq=False)
+class _Solve:
+    """One solve; everything native happens in one thread, which also disposes of it."""
+
+    question: Question
+    watch: Watcher | None
+    began: float
+    _said: Ending = field(default=Ending(Verdict.ENDED), init=False)
+    _best: Any = field(default=None, init=False)
+    _bound: float | None = field(default=None, init=False)
+
+    def ending(self) -> Ending:
+        options = self.question.options
+        limit = options.time_limit
+        deadline = None if limit is None else self.began + max(limit, 0.0)
+        attendant = Attendant(deadline, self._hear, options.stop or (lambda: False))
+        try:
+            if attendant.run(lambda: self._work(attendant)):
+                return self._said
+        except MemoryError:
+            return Ending(Verdict.ENDED, self._best, self._bound, StoppedBy.MEMORY)
+        return Ending(Verdict.ENDED, self._best, self._bound, attendant.stopped_by)
+
+    def _work(self, attendant: Attendant) -> None:
+        grb = _imported().GRB
+        with _environment() as environment, _load(self.question.model, environment) as native:
+            _configure(native, self.question.options)
+            watched = _Callback(attendant, grb, quiet=self.watch is None)
+            native.optimize(watched)
+            if native.Status == grb.INF_OR_UNBD:
+                native.Params.DualReductions = 0
+                native.optimize(watched)
+            if native.Status in (grb.UNBOUNDED, grb.INF_OR_UNBD):
+                # a ray says nothing about points: ask for one
+                native.setAttr("Obj", native.getVars(), [0.0] * native.NumVars)
+                native.Params.Cutoff = grb.INFINITY
+                native.optimize(watched)
+                if native.SolCount:
+                    raise SolverError("the model is unbounded: its objective can fall without end")
+            self._said = _read(native, grb, attendant.stopped_by)
+
+    def _hear(self, news: Any) -> bool:
+        """Pass progress and log lines on, in the calling thread."""
+        if isinstance(news, str):
+            if self.question.options.log is not None:
+                self.question.options.log(news)
+            return False
+        objective, bound, values = news
+        point = None if values is None else self.question.whole(values)
+        if point is not None:
+            self._best = point
+        self._bound = self.question.true_bound(bound)
+        elapsed = time.perf_counter() - self.began
+        progress = Progress(objective, self._bound, elapsed, point)
+        return self.watch is not None and self.watch(progress)
+
+
+@dataclass(eq=False)
+class _Callback:
+    """Tells the attendant what Gurobi tells, and Gurobi to stop when the attendant says so."""
+
+    attendant: Attendant
+    grb: Any
+    quiet: bool
+
+    def __call__(self, model: Any, where: int) -> None:
+        callback = self.grb.Callback
+        if self.attendant.stopping:
+            model.terminate()
+        if where == callback.MESSAGE:
+            self.attendant.tell(model.cbGet(callback.MSG_STRING).rstrip("\n"))
+        elif where == callback.MIPSOL:
+            values = np.array(model.cbGetSolution(model.getVars()))
+            self._told(
+                model.cbGet(callback.MIPSOL_OBJ), model.cbGet(callback.MIPSOL_OBJBND), values
+            )
+        elif where == callback.MIP and not self.quiet:
+            self._told(model.cbGet(callback.MIP_OBJBST), model.cbGet(callback.MIP_OBJBND), None)
+
+    def _told(self, objective: float, bound: float, values: Any) -> None:
+        self.attendant.tell((self._finite(objective), self._finite(bound), values))
+
+    def _finite(self, value: float) -> float | None:
+        return value if abs(value) < self.grb.INFINITY else None
+
+
+def _imported() -> Any:
+    """The module gurobipy. Raises SolverUnavailableError where it is missing."""
+    try:
+        import gurobipy  # noqa: PLC0415 - never imported unasked
+    except ImportError as error:
+        raise SolverUnavailableError(f"gurobipy is not installed; {_INSTALL}") from error
+    return gurobipy
+
+
+def _refusal(error: Any, model: Model, options: Options) -> SolverError:
+    """What a GurobiError means for the user."""
+    if error.errno == _TOO_LARGE:
+        size = f"{model.size.columns} columns and {model.size.rows} rows"
+        return SolverUnavailableError(
+            f"Gurobi's licence here is too small for {size} "
+            f"(it allows about {_SMALL} of each); {_REMEDY}"
+        )
+    if error.errno == _NO_PARAMETER:
+        known = [word for word in dir(_imported().GRB.Param) if not word.startswith("_")]
+        wrong = next((name for name in options.extra if name not in known), "")
+        return SolverError(f"Gurobi has no parameter '{wrong}'; {nearest(wrong, known)}")
+    return SolverError(f"Gurobi failed: {error}")
 
 
 def _environment() -> Any:
-    import gurobipy  # noqa: PLC0415 - never imported unasked
-
-    environment = gurobipy.Env(empty=True)
+    environment = _imported().Env(empty=True)
     environment.setParam("OutputFlag", 0)
     environment.start()
     return environment
 
 
 def _load(model: Model, environment: Any) -> Any:
-    import gurobipy  # noqa: PLC0415 - never imported unasked
-
+    gurobipy = _imported()
     native = gurobipy.Model(env=environment)
     kinds = np.where(model.integer, gurobipy.GRB.INTEGER, gurobipy.GRB.CONTINUOUS)
     x = native.addMVar(
@@ -108,85 +213,53 @@ def _load(model: Model, environment: Any) -> Any:
         (~same & np.isfinite(model.row_upper), "<", model.row_upper),
     ):
         if rows.any() and model.size.columns:
-            part: Any = model.matrix[np.flatnonzero(rows)]  # gurobipy's stubs know no sparse arrays
-            native.addMConstr(part, x, sense, side[rows])
+            native.addMConstr(model.matrix[np.flatnonzero(rows)], x, sense, side[rows])
     native.update()
     return native
 
 
 def _configure(native: Any, options: Options) -> None:
-    native.Params.MIPGap = options.gap
-    native.Params.MIPGapAbs = max(options.absolute_gap, 1e-6)
     asked = {
-        "TimeLimit": options.time_limit,
+        "MIPGap": options.gap,
+        "MIPGapAbs": max(options.absolute_gap, _LEAST_GAP),
+        "TimeLimit": None if options.time_limit is None else max(options.time_limit, 0.0),
         "Threads": options.threads,
         "Seed": options.seed,
         "SolutionLimit": 1 if options.first else None,
         "Cutoff": options.cutoff,
+        "LogToConsole": 0,
+        "OutputFlag": 0 if options.log is None else 1,
         **options.extra,
     }
     for name, value in asked.items():
         if value is not None:
             native.setParam(name, value)
     if options.start is not None:
-        native.setAttr("Start", native.getVars(), options.start.tolist())
-    if options.log is not None:
-        native.Params.OutputFlag = 1
-        native.Params.LogToConsole = 0
-    # tell infeasible and unbounded models apart
-    native.Params.DualReductions = 0
+        native.setAttr("Start", native.getVars(), np.asarray(options.start).tolist())
 
 
-class _Callback:
-    """Passes progress and log lines on; asks Gurobi to stop when the watcher does."""
-
-    def __init__(self, watch: Watcher | None, options: Options) -> None:
-        self._watch = watch
-        self._log = options.log
-
-    def __call__(self, model: Any, where: int) -> None:
-        from gurobipy import GRB  # noqa: PLC0415 - never imported unasked
-
-        if where == GRB.Callback.MESSAGE and self._log is not None:
-            self._log(model.cbGet(GRB.Callback.MSG_STRING).rstrip("\n"))
-        if self._watch is None:
-            return
-        if where == GRB.Callback.MIPSOL:
-            values = np.array(model.cbGetSolution(model.getVars()))
-            best, bound = GRB.Callback.MIPSOL_OBJ, GRB.Callback.MIPSOL_OBJBND
-        elif where == GRB.Callback.MIP:
-            values = None
-            best, bound = GRB.Callback.MIP_OBJBST, GRB.Callback.MIP_OBJBND
-        else:
-            return
-        ends = [model.cbGet(best), model.cbGet(bound)]
-        shown = [end if abs(end) < GRB.INFINITY else None for end in ends]
-        elapsed = model.cbGet(GRB.Callback.RUNTIME)
-        if self._watch(Progress(shown[0], shown[1], elapsed, values)):
-            model.terminate()
-
-
-def _read(native: Any, model: Model, options: Options, seconds: float) -> Solution:
-    from gurobipy import GRB  # noqa: PLC0415 - never imported unasked
-
-    ended, nodes = native.Status, int(native.NodeCount)
-    if ended in (GRB.INFEASIBLE, GRB.CUTOFF):
-        return Solution(Status.INFEASIBLE, seconds=seconds, nodes=nodes)
-    if ended in (GRB.UNBOUNDED, GRB.INF_OR_UNBD):
-        raise SolverError("the model is unbounded: its objective can fall without end")
-    stopped = {GRB.TIME_LIMIT: StoppedBy.TIME_LIMIT, GRB.MEM_LIMIT: StoppedBy.MEMORY}.get(
-        ended, StoppedBy.INTERRUPT
+def _read(native: Any, grb: Any, stopped_by: StoppedBy | None) -> Ending:
+    """What Gurobi says at its end."""
+    verdicts = {
+        grb.OPTIMAL: Verdict.SOLVED,
+        grb.INFEASIBLE: Verdict.REFUTED,
+        grb.CUTOFF: Verdict.REFUTED,
+        grb.SOLUTION_LIMIT: Verdict.ENDED,
+    }
+    reasons = {
+        grb.TIME_LIMIT: StoppedBy.TIME_LIMIT,
+        grb.INTERRUPTED: StoppedBy.INTERRUPT,
+        grb.MEM_LIMIT: StoppedBy.MEMORY,
+    }
+    ended = native.Status
+    if ended not in verdicts and ended not in reasons:
+        raise SolverError(f"Gurobi could not solve the model (status {ended})")
+    values = np.array(native.getAttr("X", native.getVars())) if native.SolCount else None
+    bound = float(native.ObjBound) if native.IsMIP else None
+    return Ending(
+        verdicts.get(ended, Verdict.ENDED),
+        values,
+        None if bound is None or abs(bound) >= grb.INFINITY else bound,
+        stopped_by or reasons.get(ended),
+        int(native.NodeCount),
     )
-    bound = float(native.ObjBound) if abs(native.ObjBound) < GRB.INFINITY else None
-    if not native.SolCount:
-        return Solution(Status.UNKNOWN, stopped, None, None, bound, seconds, nodes)
-    values = np.array([variable.X for variable in native.getVars()])
-    values = np.where(model.integer, np.round(values), values)
-    objective = float(model.objective @ values) + model.offset
-    if ended == GRB.OPTIMAL:
-        shown = objective if bound is None else min(bound, objective)
-        closed = options.gap <= 0 or objective - shown <= max(options.absolute_gap, 1e-6)
-        status, why = (Status.OPTIMAL, None) if closed else (Status.FEASIBLE, StoppedBy.GAP)
-        return Solution(status, why, values, objective, shown, seconds, nodes)
-    why = None if ended == GRB.SOLUTION_LIMIT else stopped
-    return Solution(Status.FEASIBLE, why, values, objective, bound, seconds, nodes)
