@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import signal
 import threading
 import time
@@ -10,7 +11,7 @@ import time
 import numpy as np
 import pytest
 
-from tsplan.errors import SolverError, SolverUnavailableError
+from tsplan.errors import Finding, FormulaError, SolverError, SolverUnavailableError
 from tsplan.milp.guard import CrashError, run_guarded
 from tsplan.milp.highs import Highs
 from tsplan.milp.model import Draft, Model
@@ -227,3 +228,9 @@ def test_a_crash_becomes_a_message(number: int) -> None:
 def test_a_guarded_error_is_raised_here() -> None:
     with pytest.raises(SolverError, match="in words"):
         run_guarded(_fails, 0)
+
+
+def test_input_errors_survive_the_way_between_processes() -> None:
+    error = FormulaError([Finding("wrong", "mend it", "f.yaml", 1, 2)])
+    again = pickle.loads(pickle.dumps(error))
+    assert (type(again), again.findings) == (FormulaError, error.findings)

@@ -43,6 +43,10 @@ class InputError(TsplanError, ValueError):
         self.findings: tuple[Finding, ...] = tuple(findings)
         super().__init__("\n".join(str(finding) for finding in self.findings))
 
+    def __reduce__(self) -> tuple[type[InputError], tuple[tuple[Finding, ...]]]:
+        """Pickle by the findings, so that errors survive the way between processes."""
+        return type(self), (self.findings,)
+
 
 class FormulaError(InputError):
     """A formula cannot be read or does not fit its use."""
