@@ -194,3 +194,8 @@ def test_any_text_is_a_formula_or_has_findings(parts, language):
 def test_any_characters_at_all(text, language):
     with contextlib.suppress(FormulaError):
         parse(text, language)
+
+
+def test_an_operator_in_the_midst_of_a_broken_task_is_a_finding_and_no_crash() -> None:
+    with pytest.raises(FormulaError):
+        parse("F[0,4] T(1, green, {(      && G[0,9] sum(home) >= 1", "catl")

@@ -24,14 +24,15 @@ class Availability:
 
 
 class Solver(Protocol):
-    """A solver of mixed-integer linear programs.
-
-    `features` names what it can do: "start", "progress", "incumbents", "first", "log", "seed",
-    "threads", "gap".
-    """
+    """A solver of mixed-integer linear programs. `name` is what the registry knows it by."""
 
     name: str
-    features: frozenset[str]
+
+    @property
+    def features(self) -> frozenset[str]:
+        """What it can do of "start", "progress", "incumbents", "first", "log", "seed", "threads",
+        "gap" and "cutoff"; the options of what it cannot do are passed over.
+        """
 
     def availability(self) -> Availability:
         """Whether it is installed and usable. Never raises."""
@@ -86,3 +87,13 @@ def solver(name: str) -> Solver:
 def available() -> dict[str, Availability]:
     """Every registered solver and whether it can be used."""
     return {name: make("").availability() for name, make in SOLVERS.items()}
+
+
+def installed() -> list[str]:
+    """The names of the solvers that can be used here, PuLP's each on its own."""
+    names = [name for name, state in available().items() if state.usable and name != "pulp"]
+    if available()["pulp"].usable:
+        from tsplan.milp.pulp import backends  # noqa: PLC0415 - no solver is imported unasked
+
+        names += [f"pulp:{name}" for name in backends()]
+    return names

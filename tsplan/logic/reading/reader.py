@@ -84,12 +84,12 @@ class Reader(ABC):
         """The value of a part of the syntax tree; None if something in it is wrong."""
         children = part.children or ()
         if part.exception is not None or any(isinstance(child, ErrorNode) for child in children):
+            # words such as operators are read by the rule above them and have no reader
             for child in children:
-                if hasattr(child, "getRuleIndex"):
+                if hasattr(child, "getRuleIndex") and hasattr(self, _reader_of(child)):
                     self.read(child)
             return None
-        rule = part.parser.ruleNames[part.getRuleIndex()]
-        return getattr(self, f"read_{rule}")(part)
+        return getattr(self, _reader_of(part))(part)
 
     def places(self) -> dict[Formula, tuple[Place, ...]]:
         """Where each formula stands in the text, in the order of the text."""
@@ -251,3 +251,8 @@ def _kind(part: Any) -> str:
     """Name of the token that an operator begins with."""
     name: str = part.parser.symbolicNames[part.start.type]
     return name
+
+
+def _reader_of(part: Any) -> str:
+    """The name of the method that reads parts of this rule."""
+    return f"read_{part.parser.ruleNames[part.getRuleIndex()]}"

@@ -1,0 +1,93 @@
+"""PuLP's own terms: problems out of models, and verdicts out of answers.
+
+Works with PuLP 3.3.2 and PuLP 4. PuLP 3 calls a time-limited incumbent "Optimal" in `status` and an
+unsolved model "infeasible" in `sol_status`, so each is asked only what it tells truly; PuLP 4
+returns an object that says why the solver stopped and whether it has a point.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tsplan.errors import SolverError
+from tsplan.milp.answer import Ending, Verdict
+from tsplan.milp.model import Floats, Model
+from tsplan.milp.solution import StoppedBy
+
+_NOT_SOLVED, _SOLVED, _INFEASIBLE, _UNBOUNDED, _UNDEFINED = 0, 1, -1, -2, -3  # PuLP 3 and 4
+_TIME, _MEMORY, _GAP, _SOLUTIONS, _NUMERICAL = -4, -5, -7, -9, -12  # PuLP 4
+_INTEGER_FEASIBLE = 2  # PuLP 3's sol_status
+
+
+def load(model: Model) -> tuple[Any, list[Any]]:
+    """The model as a `pulp.LpProblem`, and its variables in the order of the columns."""
+    import pulp  # noqa: PLC0415 - never imported unasked
+
+    expression = getattr(pulp.LpAffineExpression, "from_list", pulp.LpAffineExpression)
+    problem = pulp.LpProblem("tsplan", pulp.LpMinimize)
+    kinds = (pulp.LpContinuous, pulp.LpInteger)
+    columns = zip(_sides(model.lower), _sides(model.upper), model.integer.tolist(), strict=True)
+    variables = [
+        problem.add_variable(f"x{number}", lowBound=low, upBound=high, cat=kinds[whole])
+        for number, (low, high, whole) in enumerate(columns)
+    ]
+    costs = model.objective.tolist()
+    problem += expression([(x, cost) for x, cost in zip(variables, costs, strict=True) if cost]) + (
+        float(model.offset)
+    )
+    starts, places = model.matrix.indptr.tolist(), model.matrix.indices.tolist()
+    entries = model.matrix.data.tolist()
+    for row, (low, high) in enumerate(
+        zip(_sides(model.row_lower), _sides(model.row_upper), strict=True)
+    ):
+        begin, end = starts[row], starts[row + 1]
+        if begin == end:
+            continue  # already known to hold
+        pairs = zip(places[begin:end], entries[begin:end], strict=True)
+        left = expression([(variables[place], entry) for place, entry in pairs])
+        if low is not None and low == high:
+            problem += left == low
+            continue
+        if low is not None:
+            problem += left >= low
+        if high is not None:
+            problem += left <= high
+    return problem, variables
+
+
+def _sides(bounds: Floats) -> list[float | None]:
+    """Bounds with None for no bound, as PuLP has it."""
+    return [bound if np.isfinite(bound) else None for bound in bounds.tolist()]
+
+
+def told(problem: Any, answer: Any) -> Ending:
+    """What PuLP says, without the point itself: `values` is empty where there is one."""
+    point = np.empty(0)
+    if hasattr(answer, "has_solution"):
+        return _told_by_stats(answer, point if answer.has_solution else None)
+    status, found = int(problem.status), int(problem.sol_status)
+    if status == _INFEASIBLE:
+        return Ending(Verdict.REFUTED)
+    if _UNBOUNDED in (status, found):
+        return Ending(Verdict.REFUTED)
+    if status == _UNDEFINED:
+        raise SolverError("PuLP's solver ended without an answer")
+    if status == found == _SOLVED:
+        return Ending(Verdict.SOLVED, point)
+    return Ending(Verdict.ENDED, point if found == _INTEGER_FEASIBLE else None)
+
+
+def _told_by_stats(stats: Any, point: Floats | None) -> Ending:
+    """The same from the object that PuLP 4 returns."""
+    status = int(stats.status)
+    if status in (_INFEASIBLE, _UNBOUNDED):
+        return Ending(Verdict.REFUTED)
+    if status in (_UNDEFINED, _NUMERICAL, _NOT_SOLVED):
+        raise SolverError(f"PuLP's solver ended without an answer ({stats.status_str})")
+    bound = None if stats.best_bound is None else float(stats.best_bound)
+    if status in (_SOLVED, _GAP):
+        return Ending(Verdict.SOLVED, point, bound)
+    reasons = {_TIME: StoppedBy.TIME_LIMIT, _MEMORY: StoppedBy.MEMORY}
+    return Ending(Verdict.ENDED, point, bound, reasons.get(status))
