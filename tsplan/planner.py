@@ -182,13 +182,14 @@ class Run:
             status = Status.OPTIMAL if outcome.proven else Status.FEASIBLE
         else:
             status = Status.INFEASIBLE if outcome.infeasible else Status.NO_PLAN_FOUND
-        reached = tuple(ObjectiveValue(r.name, r.value, r.bound) for r in outcome.reached)
+        reached = [ObjectiveValue(r.name, r.value, r.bound) for r in outcome.reached]
         made = Plan(
             status=status,
             stopped_by=stopped,
             mission=MissionRef(mission.name, mission.digest),
             horizon=mission.horizon,
-            objective=reached,
+            objective=tuple(item for item in reached if item.name != "own"),
+            notes=tuple(_own(item) for item in reached if item.name == "own"),
             agents=agents,
             solver=used,
             size=self._size(outcome),
@@ -205,6 +206,13 @@ class Run:
         checked = certify(self._problem.mission, made) if made.has_paths else made
         self._seconds["verify"] = time.perf_counter() - began
         return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
+
+
+def _own(item: ObjectiveValue) -> str:
+    """A user's own objective in words: the check cannot know what it means."""
+    bound = "open" if item.bound is None else f"{item.bound:g}"
+    value = "open" if item.value is None else f"{item.value:g}"
+    return f"own objective {value} (bound {bound})"
 
 
 @contextmanager
