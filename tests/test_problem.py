@@ -71,7 +71,7 @@ def test_unknown_places_steps_and_words_are_named() -> None:
 
 def test_events_tell_of_stages_and_verified_plans() -> None:
     events = []
-    tsplan.plan(mission(("availability", "travel")), on_event=lambda e: events.append(e))
+    tsplan.plan(mission(("availability", "travel")), on_event=events.append)
     assert isinstance(events[0], Stage)
     plans = [event.plan() for event in events if isinstance(event, Incumbent)]
     assert plans

@@ -18,8 +18,14 @@ from typing import Any
 from tsplan.milp.solution import StoppedBy
 
 _POLL = 0.05  # seconds between looks at the clock
-_PATIENCE = {StoppedBy.TIME_LIMIT: 0.2, StoppedBy.INTERRUPT: 1.0}
-"""Seconds that the native code gets to stop, by what stopped it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """Seconds that native code gets to stop, by what stopped it."""
+
+    time_limit: float = 0.2
+    interrupt: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -41,14 +47,14 @@ class Attendant:
 
     `hear` is called with what the solve tells, `asked` when there is no news; both may return True
     to stop. `stop` is called once, when the solve is to stop; it must not block. `deadline` is a
-    time of `time.perf_counter`, `patience` is what the native code gets beyond its usual seconds.
+    time of `time.perf_counter`.
     """
 
     deadline: float | None = None
     hear: Callable[[Any], bool] = field(default=lambda _: False)
     asked: Callable[[], bool] = _never
     stop: Callable[[], None] = _nothing
-    patience: float = 0.0
+    patience: Patience = Patience()
     stopped_by: StoppedBy | None = field(default=None, init=False)
     _stopped: float = field(default=0.0, init=False)
     _news: SimpleQueue[object] = field(default_factory=SimpleQueue, init=False)
@@ -121,4 +127,5 @@ class Attendant:
         if self.stopped_by is None:
             return False
         spent = time.perf_counter() - self._stopped
-        return spent > _PATIENCE[self.stopped_by] + self.patience
+        late = self.stopped_by is StoppedBy.TIME_LIMIT
+        return spent > (self.patience.time_limit if late else self.patience.interrupt)

@@ -6,6 +6,7 @@ usable are two things; a model that is too large is refused in words.
 
 from __future__ import annotations
 
+import signal
 import time
 from dataclasses import dataclass, field
 from importlib.util import find_spec
@@ -22,7 +23,6 @@ from tsplan.milp.solver import Availability
 
 _SMALL = 2000  # columns and rows that the licence in the package allows
 _TOO_LARGE = 10010  # Gurobi's error number for a model over its licence's size
-_NO_PARAMETER = 10007  # Gurobi's error number for an unknown parameter
 _LEAST_GAP = 1e-6
 _INSTALL = "pip install 'tsplan[gurobi]'"
 _REMEDY = "get a full licence from Gurobi (free for academics), or use --solver highs"
@@ -75,7 +75,7 @@ class Gurobi:
         question = Question(model, options)
         try:
             said = _Solve(question, watch, began).ending()
-        except gurobipy.GurobiError as error:
+        except (gurobipy.GurobiError, TypeError) as error:
             raise _refusal(error, model, options) from error
         return question.answer(said, time.perf_counter() - began)
 
@@ -97,11 +97,14 @@ class _Solve:
         deadline = None if limit is None else self.began + max(limit, 0.0)
         attendant = Attendant(deadline, self._hear, options.stop or (lambda: False))
         try:
-            if attendant.run(lambda: self._work(attendant)):
-                return self._said
+            ended = attendant.run(lambda: self._work(attendant))
         except MemoryError:
             return Ending(Verdict.ENDED, self._best, self._bound, StoppedBy.MEMORY)
-        return Ending(Verdict.ENDED, self._best, self._bound, attendant.stopped_by)
+        if not ended:
+            return Ending(Verdict.ENDED, self._best, self._bound, attendant.stopped_by)
+        if self._said.stopped_by is StoppedBy.INTERRUPT and not attendant.stopping:
+            _pass_interrupt_on()
+        return self._said
 
     def _work(self, attendant: Attendant) -> None:
         grb = _imported().GRB
@@ -166,6 +169,13 @@ class _Callback:
         return value if abs(value) < self.grb.INFINITY else None
 
 
+def _pass_interrupt_on() -> None:
+    """Gurobi catches Ctrl-C itself; a handler of the program's own has to hear of it too."""
+    handler = signal.getsignal(signal.SIGINT)
+    if callable(handler) and handler is not signal.default_int_handler:
+        signal.raise_signal(signal.SIGINT)
+
+
 def _imported() -> Any:
     """The module gurobipy. Raises SolverUnavailableError where it is missing."""
     try:
@@ -177,16 +187,16 @@ def _imported() -> Any:
 
 def _refusal(error: Any, model: Model, options: Options) -> SolverError:
     """What a GurobiError means for the user."""
-    if error.errno == _TOO_LARGE:
+    if getattr(error, "errno", 0) == _TOO_LARGE:
         size = f"{model.size.columns} columns and {model.size.rows} rows"
         return SolverUnavailableError(
             f"Gurobi's licence here is too small for {size} "
             f"(it allows about {_SMALL} of each); {_REMEDY}"
         )
-    if error.errno == _NO_PARAMETER:
-        known = [word for word in dir(_imported().GRB.Param) if not word.startswith("_")]
-        wrong = next((name for name in options.extra if name not in known), "")
-        return SolverError(f"Gurobi has no parameter '{wrong}'; {nearest(wrong, known)}")
+    known = [word for word in dir(_imported().GRB.Param) if not word.startswith("_")]
+    for name in options.extra:
+        if name not in known:
+            return SolverError(f"Gurobi has no parameter '{name}'; {nearest(name, known)}")
     return SolverError(f"Gurobi failed: {error}")
 
 

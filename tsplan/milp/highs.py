@@ -217,12 +217,16 @@ class _Solve:
 def set_option(highs: highspy.Highs, name: str, value: object) -> None:
     """Set one option; SolverError names the nearest option where HiGHS knows none of the name."""
     if highs.getOptionType(name)[0] == highspy.HighsStatus.kError:
-        known = [word for word in dir(highs.getOptions()) if not word.startswith("_")]
-        raise SolverError(f"HiGHS has no option '{name}'; {nearest(name, known)}")
+        raise SolverError(f"HiGHS has no option '{name}'; {nearest(name, option_names())}")
     try:
         checked(highs.setOptionValue(name, value), f"option {name} = {value}")
     except TypeError:
         raise SolverError(f"HiGHS refused option {name} = {value!r}") from None
+
+
+def option_names() -> list[str]:
+    """HiGHS' own names of its options."""
+    return [word for word in dir(highspy.HighsOptions()) if not word.startswith("_")]
 
 
 def finite(value: float) -> float | None:

@@ -11,6 +11,7 @@ import time
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
@@ -21,7 +22,7 @@ import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
 from tsplan.milp.answer import Ending, Question, Verdict
-from tsplan.milp.attend import Attendant
+from tsplan.milp.attend import Attendant, Patience
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.offspring import Offspring
 from tsplan.milp.pulp_words import load, told
@@ -35,7 +36,8 @@ _LEAST_GAP = (
     1e-9  # some backends take a gap of 0 for none given, and have a larger one of their own
 )
 _SLACK = 0.25  # seconds after its time limit until a backend is interrupted from outside
-_PATIENCE = 1.0  # seconds that a backend then has to write its point
+_PATIENCE = Patience(time_limit=1.0, interrupt=5.0)  # then it has to write its point
+_MOST = 0.9  # of a time limit, after which it is what stopped a backend that does not say
 _CBC = frozenset({"PULP_CBC_CMD", "COIN_CMD"})
 
 
@@ -45,6 +47,11 @@ class Pulp:
     def __init__(self, backend: str = "") -> None:
         self._backend = backend
         self.name = f"pulp:{backend}" if backend else "pulp"
+
+    @cached_property
+    def _found(self) -> list[str]:
+        # looking costs a moment: some backends start their licence to see whether they can
+        return backends() if find_spec("pulp") is not None else []
 
     @property
     def features(self) -> frozenset[str]:
@@ -70,7 +77,7 @@ class Pulp:
             return Availability(
                 installed=False, usable=False, why="PuLP is not installed", remedy=_INSTALL
             )
-        found, number = backends(), version("pulp")
+        found, number = self._found, version("pulp")
         listed = f"PuLP finds here: {', '.join(found)}" if found else "PuLP finds none here"
         if self._backend and self._backend not in found:
             why = f"PuLP finds no usable {self._backend}"
@@ -112,8 +119,8 @@ class Pulp:
         state = self.availability()
         if not state.usable:
             raise SolverUnavailableError(f"{state.why}; {state.remedy}")
-        found = backends()
-        return self._backend or next((name for name in _PREFERRED if name in found), found[0])
+        best = (name for name in _PREFERRED if name in self._found)
+        return self._backend or next(best, self._found[0])
 
 
 @dataclass(eq=False)
@@ -153,17 +160,17 @@ class _Solve:
 
         def work() -> None:
             offspring.mine()
-            self._said = self._solved(model, log, attendant)
+            try:
+                self._said = self._solved(model, log, attendant)
+            except SolverError:
+                raise
+            except Exception as error:
+                # backends raise errors of their own, and some when they are interrupted
+                if not attendant.stopping:
+                    raise SolverError(f"PuLP's {self.backend} failed: {error}") from error
+                self._said = Ending(Verdict.ENDED, stopped_by=attendant.stopped_by)
 
-        import pulp  # noqa: PLC0415 - never imported unasked
-
-        try:
-            ended = attendant.run(work)
-        except (pulp.PulpSolverError, pulp.constants.PulpError) as error:
-            if not attendant.stopping:
-                raise SolverError(f"PuLP's {self.backend} failed: {error}") from error
-            ended = False
-        if ended:
+        if attendant.run(work):
             self._pass_on(log)
             return self._said
         offspring.kill()
@@ -178,32 +185,35 @@ class _Solve:
                 variable.setInitialValue(value, check=False)
         answer = problem.solve(_backend(self.backend, arguments))
         said = told(problem, answer)
-        if said.verdict is Verdict.ENDED and said.stopped_by is None:
-            said = replace(said, stopped_by=self._reason(said, attendant))
         if said.verdict is Verdict.REFUTED:
             return said
-        return replace(said, values=self._values(variables, said))
+        values = self._values(variables, said.verdict)
+        reason = said.stopped_by or attendant.stopped_by
+        if said.verdict is Verdict.ENDED and reason is None:
+            reason = self._reason(values)
+        return replace(said, values=values, stopped_by=reason)
 
-    def _reason(self, said: Ending, attendant: Attendant) -> StoppedBy | None:
+    def _reason(self, values: Floats | None) -> StoppedBy | None:
+        """What may have stopped a backend that does not say."""
         options = self.question.options
-        if attendant.stopped_by is not None:
-            return attendant.stopped_by
-        if options.first and said.values is not None:
+        if options.first and values is not None:
             return None
-        return StoppedBy.INTERRUPT if options.time_limit is None else StoppedBy.TIME_LIMIT
+        limit, spent = options.time_limit, time.perf_counter() - self.began
+        late = limit is not None and spent >= _MOST * limit
+        return StoppedBy.TIME_LIMIT if late else StoppedBy.INTERRUPT
 
-    def _values(self, variables: list[Any], said: Ending) -> Floats | None:
-        """The backend's point; None where it is none, as some hand over what they have."""
-        if said.values is None:
-            return None
+    def _values(self, variables: list[Any], verdict: Verdict) -> Floats | None:
+        """The backend's point, or None; the model says whether what it left behind is one."""
         model = self.question.model
         listed = (variable.value() for variable in variables)
-        values = np.array([0.0 if value is None else float(value) for value in listed])
-        values = np.clip(values, model.lower, model.upper)
+        read = np.array([0.0 if value is None else float(value) for value in listed])
+        values: Floats = np.minimum(np.maximum(read, model.lower), model.upper)
         if self.question.whole(values) is not None:
             return values
+        if verdict is Verdict.ENDED:
+            return None
         polished = _polished(model, values)
-        return values if polished is None and said.verdict is Verdict.SOLVED else polished
+        return values if polished is None else polished
 
     def _arguments(self, log: Path) -> dict[str, object]:
         """What the backend is given, as far as it takes it."""
@@ -273,11 +283,15 @@ def _parameters(name: str) -> dict[str, inspect.Parameter]:
 
 
 def _extra(
-    name: str, extra: Mapping[str, object], known: dict[str, inspect.Parameter]
+    name: str, extra: Mapping[str, object], known: Mapping[str, inspect.Parameter | None]
 ) -> dict[str, object]:
     """The user's own options. Raises SolverError for one that the backend would not notice."""
     given = dict(extra)
-    open_ended = any(p.kind is inspect.Parameter.VAR_KEYWORD for p in known.values())
+    open_ended = any(p.kind is inspect.Parameter.VAR_KEYWORD for p in known.values() if p)
+    if name == "HiGHS":
+        from tsplan.milp.highs import option_names  # noqa: PLC0415 - no solver imported unasked
+
+        known, open_ended = {**known, **dict.fromkeys(option_names())}, False
     for option in given:
         if option not in known and not open_ended:
             raise SolverError(f"PuLP's {name} has no option '{option}'; {nearest(option, known)}")

@@ -17,8 +17,7 @@ from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import StoppedBy
 
 _NOT_SOLVED, _SOLVED, _INFEASIBLE, _UNBOUNDED, _UNDEFINED = 0, 1, -1, -2, -3  # PuLP 3 and 4
-_TIME, _MEMORY, _GAP, _SOLUTIONS, _NUMERICAL = -4, -5, -7, -9, -12  # PuLP 4
-_INTEGER_FEASIBLE = 2  # PuLP 3's sol_status
+_TIME, _MEMORY, _GAP, _NUMERICAL = -4, -5, -7, -12  # PuLP 4
 
 
 def load(model: Model) -> tuple[Any, list[Any]]:
@@ -63,23 +62,18 @@ def _sides(bounds: Floats) -> list[float | None]:
 
 
 def told(problem: Any, answer: Any) -> Ending:
-    """What PuLP says, without the point itself: `values` is empty where there is one."""
-    point = np.empty(0)
+    """What PuLP says, without a point: `problem.solve` gave `answer`. Raises SolverError."""
     if hasattr(answer, "has_solution"):
-        return _told_by_stats(answer, point if answer.has_solution else None)
+        return _told_by_stats(answer)
     status, found = int(problem.status), int(problem.sol_status)
-    if status == _INFEASIBLE:
-        return Ending(Verdict.REFUTED)
-    if _UNBOUNDED in (status, found):
+    if status == _INFEASIBLE or _UNBOUNDED in (status, found):
         return Ending(Verdict.REFUTED)
     if status == _UNDEFINED:
         raise SolverError("PuLP's solver ended without an answer")
-    if status == found == _SOLVED:
-        return Ending(Verdict.SOLVED, point)
-    return Ending(Verdict.ENDED, point if found == _INTEGER_FEASIBLE else None)
+    return Ending(Verdict.SOLVED if status == found == _SOLVED else Verdict.ENDED)
 
 
-def _told_by_stats(stats: Any, point: Floats | None) -> Ending:
+def _told_by_stats(stats: Any) -> Ending:
     """The same from the object that PuLP 4 returns."""
     status = int(stats.status)
     if status in (_INFEASIBLE, _UNBOUNDED):
@@ -88,6 +82,6 @@ def _told_by_stats(stats: Any, point: Floats | None) -> Ending:
         raise SolverError(f"PuLP's solver ended without an answer ({stats.status_str})")
     bound = None if stats.best_bound is None else float(stats.best_bound)
     if status in (_SOLVED, _GAP):
-        return Ending(Verdict.SOLVED, point, bound)
+        return Ending(Verdict.SOLVED, None, bound)
     reasons = {_TIME: StoppedBy.TIME_LIMIT, _MEMORY: StoppedBy.MEMORY}
-    return Ending(Verdict.ENDED, point, bound, reasons.get(status))
+    return Ending(Verdict.ENDED, None, bound, reasons.get(status))

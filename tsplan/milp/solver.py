@@ -30,8 +30,10 @@ class Solver(Protocol):
 
     @property
     def features(self) -> frozenset[str]:
-        """What it can do of "start", "progress", "incumbents", "first", "log", "seed", "threads",
-        "gap" and "cutoff"; the options of what it cannot do are passed over.
+        """What it can do.
+
+        Of "start", "progress", "incumbents", "first", "log", "seed", "threads", "gap" and "cutoff";
+        options for what it cannot do are passed over.
         """
 
     def availability(self) -> Availability:
