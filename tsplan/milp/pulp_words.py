@@ -80,8 +80,8 @@ def _told_by_stats(stats: Any) -> Ending:
         return Ending(Verdict.REFUTED)
     if status in (_UNDEFINED, _NUMERICAL, _NOT_SOLVED):
         raise SolverError(f"PuLP's solver ended without an answer ({stats.status_str})")
-    bound = None if stats.best_bound is None else float(stats.best_bound)
+    # its `best_bound` is read off logs, and was seen above the best point of a stopped CBC
     if status in (_SOLVED, _GAP):
-        return Ending(Verdict.SOLVED, None, bound)
+        return Ending(Verdict.SOLVED)
     reasons = {_TIME: StoppedBy.TIME_LIMIT, _MEMORY: StoppedBy.MEMORY}
-    return Ending(Verdict.ENDED, None, bound, reasons.get(status))
+    return Ending(Verdict.ENDED, stopped_by=reasons.get(status))
