@@ -196,8 +196,9 @@ class _Solve:
     def _hear(self, news: Any) -> bool:
         """Pass progress and log lines on, in the calling thread."""
         if isinstance(news, str):
-            if self.question.options.log is not None:
-                self.question.options.log(news)
+            for line in news.splitlines():
+                if self.question.options.log is not None:
+                    self.question.options.log(line)
             return False
         objective, bound, values = news
         point = None if values is None else self.question.whole(values)
@@ -275,4 +276,4 @@ def _subscribe(highs: highspy.Highs, attendant: Attendant, options: Options) -> 
     highs.cbSimplexInterrupt += interrupt
     highs.cbIpmInterrupt += interrupt
     if options.log is not None:
-        highs.cbLogging += lambda event: attendant.tell(event.message.rstrip("\n"))
+        highs.cbLogging += lambda event: attendant.tell(event.message)

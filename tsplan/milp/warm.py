@@ -86,6 +86,7 @@ class WarmLP:
         self._watched = False
         self._warm = False
         # HiGHS calls a program without columns empty, whatever its rows say
+        self._offset = float(model.offset)
         self._hopeless = hopeless(model)
         set_option(self._highs, "solver", "simplex")
 
@@ -148,12 +149,13 @@ class WarmLP:
             words = self._highs.modelStatusToString(ended)
             raise SolverError(f"HiGHS could not solve a linear program: {words}")
         self._warm = True
-        return self._result(_ENDS[ended], most, time.perf_counter() - began)
+        return self._result(ended, most, time.perf_counter() - began)
 
-    def _result(self, status: LPStatus, cutoff: float, seconds: float) -> LPResult:
-        if status != "optimal":
-            return LPResult(status, _INFINITY, seconds)
-        objective = float(self._highs.getObjectiveValue())
+    def _result(self, ended: Ended, cutoff: float, seconds: float) -> LPResult:
+        if _ENDS[ended] != "optimal":
+            return LPResult(_ENDS[ended], _INFINITY, seconds)
+        empty = ended == Ended.kModelEmpty
+        objective = self._offset if empty else float(self._highs.getObjectiveValue())
         if objective > cutoff:
             # the bound is only looked at between iterations
             return LPResult("cutoff", _INFINITY, seconds)
@@ -205,8 +207,8 @@ class WarmLP:
             self._watched = on
 
     def _interrupt(self, event: Any) -> None:
-        if self._stop is not None and self._stop():
-            event.interrupt()
+        # said either way: HiGHS remembers the last answer, from earlier solves too
+        event.interrupt(self._stop is not None and self._stop())
 
 
 def _indices(places: npt.ArrayLike) -> npt.NDArray[np.int32]:
