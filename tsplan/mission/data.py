@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
 from types import MappingProxyType
@@ -37,6 +38,16 @@ OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
     }
 )
 DEFAULT_OBJECTIVE = ("travel",)
+SWARM_OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
+    {
+        "splits": "minimise",
+        "travel": "minimise",
+        "moves": "minimise",
+        "balance": "maximise",
+        "makespan": "minimise",
+    }
+)
+DEFAULT_SWARM_OBJECTIVE = ("splits", "travel")
 
 MOST_ROBOTS = 10_000_000
 """Robots in a team; each one gets a path of its own, so a misprint must not fill the memory."""
@@ -84,6 +95,28 @@ class Group:
 
 
 @dataclass(frozen=True, slots=True)
+class SwarmBounds:
+    """How a swarm may divide: at most `most` sub-swarms (None: any number) of `least` or more."""
+
+    most: int | None = None
+    least: int = 1
+
+
+@dataclass(frozen=True)
+class SwarmRules:
+    """What makes the team a team of swarms: each of its classes is one swarm.
+
+    `each` has the bounds of every swarm by its class name, `together` bounds the sub-swarms of
+    all swarms at one step, and `margin` is the head-room by which the shares of a plan are kept
+    away from what the formula needs, as a fraction of the swarm.
+    """
+
+    each: Mapping[str, SwarmBounds]
+    together: int | None = None
+    margin: Fraction = Fraction(0)
+
+
+@dataclass(frozen=True, slots=True)
 class SolverChoice:
     """What the mission asks of the solver; None leaves it to the planner."""
 
@@ -101,6 +134,7 @@ class Mission:
     `text` is the formula as it was written and `formula` what it parses to; `goal` is what is
     encoded. `horizon` is the last step, at least the formula's own. `objective` is
     lexicographic, the first name matters most; without any, every plan is as good as another.
+    With `swarm` rules every class of the team is a swarm, whose agents move as sub-swarms.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`.
 
     Raises MissionError with everything that does not fit together.
@@ -116,6 +150,7 @@ class Mission:
     objective: tuple[str, ...] = DEFAULT_OBJECTIVE
     task_interval: TaskInterval = "closed"
     solver: SolverChoice = SolverChoice()
+    swarm: SwarmRules | None = None
     digest: str = ""
     warnings: tuple[Finding, ...] = ()
     parse_seconds: float = field(default=0.0, compare=False, repr=False)
