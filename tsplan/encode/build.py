@@ -151,7 +151,9 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas, chain=chain)
     witnesses = encoder.encode(setting.goal)
     staffing = Staffing(network, draft, joint=Idea.FAMILIES in setting.ideas)
-    staffing.write(witnesses, cuts=Idea.VISITS in setting.ideas)
+    staffing.write(
+        witnesses, cuts=Idea.VISITS in setting.ideas, together=Idea.TOGETHER in setting.ideas
+    )
     stay = _stayers(setting, network, draft)
     return Encoded(
         model=draft.build(),

@@ -26,7 +26,7 @@ from tsplan.milp.solver import Solver
 from tsplan.milp.warm import LPResult, WarmLP
 
 _ROUNDS = 12  # of separation at the root
-_PATIENCE = 10.0  # seconds the tree may take before the solver's own search begins
+_PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
 _WHOLE = 1e-6
 
 
