@@ -47,8 +47,9 @@ class Setting:
 class Encoded:
     """A model and what its columns mean.
 
-    `indicators` are the 0/1 columns of the logic, `groups` those of them of which at most one is
-    1, in the order of their steps. `shared` says that some eventuality lies under an always,
+    `indicators` are the 0/1 columns of the logic and `steps` when what they stand for begins (tight
+    encoding only); `groups` are those of them of which at most one is 1, in the order of their
+    steps. `shared` says that some eventuality lies under an always,
     `level` which availability was asked for. `rho` is the availability's column in the reference
     encoding.
     """
@@ -62,6 +63,7 @@ class Encoded:
     refuted: bool = False
     shared: bool = False
     level: int = 0
+    steps: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
     groups: tuple[Ints, ...] = ()
     families: tuple[tuple[SiteColumns, Family], ...] = field(default=())
 
@@ -162,6 +164,7 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
         flows=flows,
         stayers=stay,
         refuted=witnesses.choices.refuted,
+        steps=np.array(witnesses.choices.steps, dtype=np.int64),
         groups=tuple(witnesses.choices.groups),
         shared=bool(witnesses.covers),
         families=tuple(staffing.families),

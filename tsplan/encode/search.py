@@ -16,7 +16,7 @@ from scipy import sparse
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
-from tsplan.encode.dive import dive, fractional
+from tsplan.encode.dive import Picker, dive, fractional
 from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
 from tsplan.encode.tree import Tree, Witnessing
@@ -62,7 +62,8 @@ Reporter = Callable[[Floats | None, float | None, float | None], None]
 class Search:
     """One search for the least value of `objective` on one model.
 
-    `rescue`, where set, is asked for the flows of some plan when the dive has found none.
+    `scout` and `rescue`, where set, are asked for the flows of some plan: before the first LP, and
+    after it if there may be a plan and none is known.
     """
 
     def __init__(
@@ -77,6 +78,7 @@ class Search:
         self._values: Floats | None = None
         self._value = np.inf
         self._bound = -np.inf
+        self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
 
     def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
@@ -85,20 +87,32 @@ class Search:
             return Found(None, None, np.inf, proven=True)
         if start is not None:
             self._accept(start)
+        self._send(self.scout)
+        if first and self._values is not None:
+            return self._found(proven=False)
         if self._effort.ideas & {Idea.DIVE, Idea.TREE}:
             proven = self._by_lp(first=first)
             if proven or (first and self._values is not None) or self._clock.over:
                 return self._found(proven=proven)
         return self._by_solver(first=first)
 
-    def any_by_lp(self) -> Floats | None:
-        """Any point that the dive or the tree finds, without the general solver; or None."""
-        if not self._encoded.refuted:
-            self._by_lp(first=True)
+    def dive_for(self, pick: Picker) -> Floats | None:
+        """The point that a dive by `pick` finds, however often it goes wrong, or None."""
+        if self._encoded.refuted:
+            return None
+        lp = WarmLP(self._model, lambda: self._clock.over)
+        root = lp.solve(time_limit=self._clock.left)
+        if root.status == "optimal":
+            dived = dive(lp, self._encoded.indicators, root, self._clock, pick=pick)
+            if dived.values is not None:
+                self._whole(dived.values)
         return self._values
 
-    def _adopt(self, flows: Floats) -> None:
-        """Keep the point of this model that has the given flows, if there is one."""
+    def _send(self, scout: Callable[[], Floats | None] | None) -> None:
+        """Keep the point of this model that has the flows which `scout` brings, if there is one."""
+        flows = scout() if scout is not None and self._values is None else None
+        if flows is None:
+            return
         columns = self._encoded.flows
         lower, upper = self._model.lower.copy(), self._model.upper.copy()
         lower[columns] = upper[columns] = np.round(flows)
@@ -152,14 +166,14 @@ class Search:
         """Root LP with cuts, dive, tree. True if that settled the question."""
         lp = WarmLP(self._model, self._clock.stop)
         root = lp.solve(time_limit=self._clock.left)
-        if root.status == "infeasible":
-            return True
-        if root.status != "optimal":
-            return False
-        root = self._tighten(lp, root, first=first)
+        if root.status == "optimal":
+            root = self._tighten(lp, root, first=first)
         if root.status != "optimal":
             return root.status == "infeasible"
         self._raise_bound(root.objective)
+        self._send(self.rescue)
+        if first and self._values is not None:
+            return self._closed
         if Idea.DIVE in self._effort.ideas and not self._closed and self._dive(lp, root):
             return True
         if self._closed or (first and self._values is not None):
@@ -167,20 +181,13 @@ class Search:
         return self._grow(lp, root, first=first) if Idea.TREE in self._effort.ideas else False
 
     def _dive(self, lp: WarmLP, root: LPResult) -> bool:
-        """Look for a point by diving, and by the rescue if that fails; True if there is none."""
-        clock = self._clock
-        if self.rescue is not None:
-            clock = clock.within(max(1.0, 2 * root.seconds))
-        dived = dive(lp, self._encoded.indicators, root, clock, self._cutoff)
+        """Look for a point by diving; True if there is none."""
+        indicators = self._encoded.indicators
+        turns = 20 + len(indicators) // 10
+        dived = dive(lp, indicators, root, self._clock, cutoff=self._cutoff, turns=turns)
         if dived.values is not None:
             self._whole(dived.values)
-        elif dived.refuted:
-            return True
-        if self._values is None and self.rescue is not None:
-            flows = self.rescue()
-            if flows is not None:
-                self._adopt(flows)
-        return False
+        return dived.refuted
 
     def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:
         """Add violated visit cuts, to the LP and to the model, while they raise the bound."""
