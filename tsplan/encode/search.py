@@ -20,6 +20,7 @@ from tsplan.encode.dive import Picker, dive, fractional
 from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
 from tsplan.encode.tree import Tree, Witnessing
+from tsplan.encode.wholeness import Rounding
 from tsplan.milp.model import Floats, Ints, Model, Tag
 from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy
 from tsplan.milp.solver import Solver
@@ -78,6 +79,7 @@ class Search:
         self._values: Floats | None = None
         self._value = np.inf
         self._bound = -np.inf
+        self._lp: WarmLP | None = None
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
 
@@ -100,7 +102,7 @@ class Search:
         """The point that a dive by `pick` finds, however often it goes wrong, or None."""
         if self._encoded.refuted:
             return None
-        lp = WarmLP(self._model, lambda: self._clock.over)
+        lp = self._warm()
         root = lp.solve(time_limit=self._clock.left)
         if root.status == "optimal":
             dived = dive(lp, self._encoded.indicators, root, self._clock, pick=pick)
@@ -164,7 +166,7 @@ class Search:
 
     def _by_lp(self, *, first: bool) -> bool:
         """Root LP with cuts, dive, tree. True if that settled the question."""
-        lp = WarmLP(self._model, self._clock.stop)
+        lp = self._warm()
         root = lp.solve(time_limit=self._clock.left)
         if root.status == "optimal":
             root = self._tighten(lp, root, first=first)
@@ -221,24 +223,41 @@ class Search:
         return grown.done and whole
 
     def _whole(self, values: Floats) -> bool:
-        """Keep a point whose indicators are whole, its flows made whole where they are not."""
-        rounded = values.copy()
-        logic = self._encoded.indicators
-        rounded[logic] = np.round(values[logic])
+        """Keep a point whose indicators are whole, its flows made whole where they are not.
+
+        True if that cost nothing, so that whole agents are no worse than fractional ones.
+        """
         if not len(fractional(values, self._encoded.flows)):
-            whole = np.flatnonzero(self._model.integer)
-            rounded[whole] = np.round(rounded[whole])
-            self._accept(rounded)
+            self._accept(self._rounded(values))
             return True
+        aim = float(self._model.objective @ values) + max(self._step, _WHOLE) - 1e-4
+        encoded = self._encoded
+        rounding = Rounding(self._warm(), self._model, encoded.indicators, encoded.flows)
+        near = rounding.whole(values, self._clock.within(5.0))
+        if near is not None:
+            near = self._rounded(near)
+            self._accept(near)
+            if float(self._model.objective @ near) <= aim:
+                return True
+        logic = encoded.indicators
         fixed = self._model.with_bounds(
-            _placed(self._model.lower, logic, rounded), _placed(self._model.upper, logic, rounded)
+            _placed(self._model.lower, logic, np.round(values)),
+            _placed(self._model.upper, logic, np.round(values)),
         )
         solution = self._call(fixed, Options(), self._clock.within(5.0))
-        if solution.values is not None:
-            value = float(self._model.objective @ solution.values)
-            self._accept(solution.values)
-            return value <= float(self._model.objective @ values) + max(self._step, _WHOLE) - 1e-4
-        return False
+        if solution.values is None:
+            return False
+        self._accept(solution.values)
+        return float(self._model.objective @ solution.values) <= aim
+
+    def _rounded(self, values: Floats) -> Floats:
+        """The point without the last digits of its whole numbers."""
+        return np.where(self._model.integer, np.round(values), values)
+
+    def _warm(self) -> WarmLP:
+        if self._lp is None:
+            self._lp = WarmLP(self._model, self._clock.stop)
+        return self._lp
 
     # --- the solver's side -------------------------------------------------------------------
 
