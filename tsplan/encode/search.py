@@ -16,7 +16,7 @@ from scipy import sparse
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
-from tsplan.encode.dive import Picker, dive, fractional
+from tsplan.encode.dive import Earliest, Picker, dive, fractional, largest
 from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
 from tsplan.encode.tree import Tree, Witnessing
@@ -28,6 +28,7 @@ from tsplan.milp.warm import LPResult, WarmLP
 
 _ROUNDS = 12  # of separation at the root
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
+_LONG = 2.0  # seconds at the root after which a second dive is worth its while
 _WHOLE = 1e-6
 
 
@@ -80,6 +81,7 @@ class Search:
         self._value = np.inf
         self._bound = -np.inf
         self._lp: WarmLP | None = None
+        self._began = clock.elapsed
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
 
@@ -107,7 +109,7 @@ class Search:
         if root.status == "optimal":
             dived = dive(lp, self._encoded.indicators, root, self._clock, pick=pick)
             if dived.values is not None:
-                self._whole(dived.values)
+                self._keep(dived.values)
         return self._values
 
     def _send(self, scout: Callable[[], Floats | None] | None) -> None:
@@ -180,15 +182,29 @@ class Search:
             return True
         if self._closed or (first and self._values is not None):
             return self._closed
-        return self._grow(lp, root, first=first) if Idea.TREE in self._effort.ideas else False
+        return self._grow(lp, first=first) if Idea.TREE in self._effort.ideas else False
 
     def _dive(self, lp: WarmLP, root: LPResult) -> bool:
-        """Look for a point by diving; True if there is none."""
-        indicators = self._encoded.indicators
-        turns = 20 + len(indicators) // 10
-        dived = dive(lp, indicators, root, self._clock, cutoff=self._cutoff, turns=turns)
-        if dived.values is not None:
-            self._whole(dived.values)
+        """Look for points by diving; True if there is none."""
+        encoded = self._encoded
+        turns = 20 + len(encoded.indicators) // 10
+        pickers: list[Picker] = [largest]
+        if self._clock.elapsed - self._began > _LONG:  # a tree will not get far soon
+            pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.groups))
+        for pick in pickers:
+            dived = dive(
+                lp,
+                encoded.indicators,
+                root,
+                self._clock,
+                cutoff=self._cutoff,
+                turns=turns,
+                pick=pick,
+            )
+            if dived.values is not None:
+                self._keep(dived.values)
+            if dived.refuted or self._closed:
+                break
         return dived.refuted
 
     def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:
@@ -209,46 +225,55 @@ class Search:
                 break
         return root
 
-    def _grow(self, lp: WarmLP, root: LPResult, *, first: bool) -> bool:
+    def _grow(self, lp: WarmLP, *, first: bool) -> bool:
         again = lp.solve(time_limit=self._clock.left)
         if again.status != "optimal":
             return False
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
         tree = Tree(lp, witnessing, max(self._step, _WHOLE))
-        budget = max(_PATIENCE, 20 * root.seconds)
+        budget = max(_PATIENCE, 15 * (self._clock.elapsed - self._began))
         cutoff = None if self._values is None else self._value
         grown = tree.grow(again, self._clock.within(budget), cutoff, first=first)
         self._raise_bound(grown.bound)
         whole = grown.values is None or self._whole(grown.values)
         return grown.done and whole
 
-    def _whole(self, values: Floats) -> bool:
-        """Keep a point whose indicators are whole, its flows made whole where they are not.
+    def _keep(self, values: Floats) -> None:
+        """Keep a point whose indicators are whole, its flows made whole where they are not."""
+        near = self._nearby(values)
+        if near is None:
+            near = self._repaired(values)
+        if near is not None:
+            self._accept(near)
 
-        True if that cost nothing, so that whole agents are no worse than fractional ones.
-        """
-        if not len(fractional(values, self._encoded.flows)):
-            self._accept(self._rounded(values))
-            return True
+    def _whole(self, values: Floats) -> bool:
+        """Keep such a point; True if whole agents are proven to be no worse than its parts."""
         aim = float(self._model.objective @ values) + max(self._step, _WHOLE) - 1e-4
+        for attempt in (self._nearby, self._repaired):
+            found = attempt(values)
+            if found is not None:
+                self._accept(found)
+                if float(self._model.objective @ found) <= aim:
+                    return True
+        return False
+
+    def _nearby(self, values: Floats) -> Floats | None:
+        """A point of whole agents by rounding."""
         encoded = self._encoded
+        if not len(fractional(values, encoded.flows)):
+            return self._rounded(values)
         rounding = Rounding(self._warm(), self._model, encoded.indicators, encoded.flows)
         near = rounding.whole(values, self._clock.within(5.0))
-        if near is not None:
-            near = self._rounded(near)
-            self._accept(near)
-            if float(self._model.objective @ near) <= aim:
-                return True
-        logic = encoded.indicators
+        return None if near is None else self._rounded(near)
+
+    def _repaired(self, values: Floats) -> Floats | None:
+        """The best point of whole agents with the witnesses of `values`, if the solver finds it."""
+        logic = self._encoded.indicators
         fixed = self._model.with_bounds(
             _placed(self._model.lower, logic, np.round(values)),
             _placed(self._model.upper, logic, np.round(values)),
         )
-        solution = self._call(fixed, Options(), self._clock.within(5.0))
-        if solution.values is None:
-            return False
-        self._accept(solution.values)
-        return float(self._model.objective @ solution.values) <= aim
+        return self._call(fixed, Options(), self._clock.within(5.0)).values
 
     def _rounded(self, values: Floats) -> Floats:
         """The point without the last digits of its whole numbers."""
