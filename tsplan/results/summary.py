@@ -6,7 +6,7 @@ import math
 import re
 from typing import TYPE_CHECKING
 
-from tsplan.mission.data import OBJECTIVES
+from tsplan.mission.data import SENSES
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def objective_line(item: ObjectiveValue) -> str:
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
         return f"{item.name} {value} (proven: no plan does better)"
-    side = "at most" if OBJECTIVES.get(item.name) == "maximise" else "at least"
+    side = "at most" if SENSES.get(item.name) == "maximise" else "at least"
     gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
     return f"{item.name} {value} (any plan has {side} {number(item.bound)}; gap {gap:.1%})"
 
