@@ -16,7 +16,7 @@ import numpy as np
 
 from tsplan.errors import Finding, SolverError
 from tsplan.mission.data import SENSES, Mission
-from tsplan.results.judging import counts_robustness
+from tsplan.results.counting import counts_robustness
 from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
 from tsplan.results.occupancy import interval_counts, state_counts

@@ -18,7 +18,7 @@ import numpy as np
 
 from tsplan.errors import Finding, PlanError
 from tsplan.results.checking import check
-from tsplan.results.judging import count_trace
+from tsplan.results.counting import count_trace
 from tsplan.results.moves import leaving, present
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from tsplan.results.judging import counts_robustness
+from tsplan.results.counting import counts_robustness
 from tsplan.results.moves import Move
 
 if TYPE_CHECKING:
