@@ -6,7 +6,9 @@ import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from tsplan.errors import InputError
 from tsplan.mission import load_mission
+from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -14,6 +16,7 @@ if TYPE_CHECKING:
 
     from tsplan.errors import Finding
     from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
 
 
 def mission_of(path: Path) -> Mission:
@@ -21,6 +24,22 @@ def mission_of(path: Path) -> Mission:
     mission = load_mission(path)
     warn(mission.warnings)
     return mission
+
+
+def mission_and_plan(mission_path: Path, plan_path: Path) -> tuple[Mission, Plan]:
+    """The mission and the plan of two files, or the findings of both."""
+    findings: list[Finding] = []
+    try:
+        mission = mission_of(mission_path)
+    except InputError as error:
+        findings += error.findings
+    try:
+        plan = load_plan(plan_path)
+    except InputError as error:
+        findings += error.findings
+    if findings:
+        raise InputError(findings)
+    return mission, plan
 
 
 def warn(findings: Iterable[Finding]) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.mission.data import SENSES
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
+from tsplan.results.timeline import timeline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,7 +44,7 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += [f"  {objective_line(item)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, infinite='unbounded')}")
-        lines += ["", *_table(plan), ""]
+        lines += ["", *(_happenings(plan) if plan.groups else _table(plan)), ""]
     return [*lines, *_work(plan)]
 
 
@@ -119,6 +120,15 @@ def names(ids: Sequence[str], most: int = 3) -> str:
     return ", ".join([*shown, *([f"{rest} more"] if rest else [])])
 
 
+def _happenings(plan: Plan) -> list[str]:
+    """How the sub-swarms of a plan split and merge."""
+    lines = timeline(plan)
+    if len(lines) <= MOST_PATHS:
+        return lines
+    rest = f"  ... and {len(lines) - MOST_PATHS:,} more splits and merges until the end:"
+    return [*lines[: MOST_PATHS - 1], rest, lines[-1]]
+
+
 def _table(plan: Plan) -> list[RenderableType]:
     from rich.table import Table  # noqa: PLC0415  (slow to import)
 
@@ -140,9 +150,9 @@ def _table(plan: Plan) -> list[RenderableType]:
 def _work(plan: Plan) -> list[str]:
     """With what and how long, as far as it is known."""
     size, time = plan.size, plan.timings
-    lines = [
-        f"  horizon {plan.horizon}" + (f", {len(plan.agents):,} agents" if plan.agents else "")
-    ]
+    begin = plan.groups_at(0)
+    agents = sum(group.size for group in begin) if begin else len(plan.agents)
+    lines = [f"  horizon {plan.horizon}" + (f", {agents:,} agents" if agents else "")]
     if plan.solver.name:
         lines.append(
             f"  {plan.solver.name} {plan.solver.version}: {size.columns:,} columns "
