@@ -192,27 +192,33 @@ def unroll(
     """
     classes = []
     for number, graph in enumerate(graphs):
-        arrival = graph.earliest(horizon)
-        last = np.full(len(graph.tail), horizon - 1)
-        if finish is not None:
-            last = np.where(finish[number], horizon - graph.duration, last)
-        first = arrival[graph.tail]
-        spans = np.maximum(last - first + 1, 0)
-        columns = draft.columns(int(spans.sum()), upper=float(graph.agents), integer=True)
-        base = int(columns[0]) if len(columns) else 0
-        classes.append(
-            ClassColumns(
-                graph=graph,
-                arrival=arrival,
-                first=first,
-                last=last,
-                offset=base + np.cumsum(spans) - spans,
-                by_tail=_grouped(graph.tail, len(graph.start)),
-                by_head=_grouped(graph.head, len(graph.start)),
-            )
-        )
+        late = None if finish is None else finish[number]
+        classes.append(laid_out(graph, horizon, draft, upper=float(graph.agents), finish=late))
         _conserve(classes[-1], horizon, draft)
     return Network(tuple(classes), horizon, len(graphs[0].start) if graphs else 0)
+
+
+def laid_out(
+    graph: ClassGraph, horizon: int, draft: Draft, *, upper: float, finish: Bools | None = None
+) -> ClassColumns:
+    """Integer columns up to `upper` for every edge and step at which it may be entered."""
+    arrival = graph.earliest(horizon)
+    last = np.full(len(graph.tail), horizon - 1)
+    if finish is not None:
+        last = np.where(finish, horizon - graph.duration, last)
+    first = arrival[graph.tail]
+    spans = np.maximum(last - first + 1, 0)
+    columns = draft.columns(int(spans.sum()), upper=upper, integer=True)
+    base = int(columns[0]) if len(columns) else 0
+    return ClassColumns(
+        graph=graph,
+        arrival=arrival,
+        first=first,
+        last=last,
+        offset=base + np.cumsum(spans) - spans,
+        by_tail=_grouped(graph.tail, len(graph.start)),
+        by_head=_grouped(graph.head, len(graph.start)),
+    )
 
 
 def _conserve(columns: ClassColumns, horizon: int, draft: Draft) -> None:

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tsplan.encode.atoms import Site
-from tsplan.encode.literals import ALWAYS, Choices
+from tsplan.encode.literals import Choices
 from tsplan.encode.network import Network
 from tsplan.encode.together import Region, Together
 from tsplan.encode.witness import Cover, Demand, Witnesses
@@ -112,15 +112,8 @@ class Staffing:
         for (_, capability), demands in lower.items():
             able[capability] += demands
         for capability, demands in able.items():
-            choices = witnesses.choices
-            joint = Together(demands, choices)
-            team = self._network.agents(capability)
-            always, needed = joint.most()
-            if max(always.values(), default=0) > team:
-                choices.refute(ALWAYS, "together")
-            for column, need in needed.items():
-                if max(need.values(), default=0) > team:
-                    choices.refute((column,), "together")
+            joint = Together(demands, witnesses.choices)
+            joint.rule_out(self._network.agents(capability))
             for region in joint.regions() if cuts else ():
                 self._region_rows(region, capability, witnesses)
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from tsplan.encode.atoms import Site
-from tsplan.encode.literals import Choices
+from tsplan.encode.literals import ALWAYS, Choices
 from tsplan.encode.witness import Demand
 
 Needs: TypeAlias = dict[int, dict[Site, int]]
@@ -59,9 +59,13 @@ class Together:
         steps = {demand.step for demand in own}
         return _needs([*own, *(demand for demand in self._always if demand.step in steps)])
 
-    def most(self) -> tuple[Mapping[int, int], dict[int, dict[int, int]]]:
-        """Agents needed at every step: in any case, and where a column is 1."""
-        return _totals(self._base), {column: _totals(needs) for column, needs in self._of.items()}
+    def rule_out(self, team: int) -> None:
+        """Refute what needs more than `team` agents at one step."""
+        if max(_totals(self._base).values(), default=0) > team:
+            self._choices.refute(ALWAYS, "together")
+        for column, needs in self._of.items():
+            if max(_totals(needs).values(), default=0) > team:
+                self._choices.refute((column,), "together")
 
     def regions(self) -> list[Region]:
         """A region for every set of places that some column needs most agents at, all at once."""
