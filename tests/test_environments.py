@@ -20,6 +20,11 @@ BEST = {
     "farm_patrol": [7, 3],
     "office_cleaning": [20, 11],
     "office_delivery": [1, 16, 80],
+    "reef_drift": [2, 0],
+    "reef_regroup": [0, 7, 620],
+    "reef_relay": [1, 13, 20],
+    "reef_survey": [2, 0, 30],
+    "reef_thin": None,
     "rescue_evacuation": [117, 30],
     "rescue_search": [88],
     "warehouse_orders": [11, 56],
@@ -69,7 +74,7 @@ def test_missions_are_modest_and_raise_no_warnings(name):
     mission = load_mission(FOLDER / f"{name}.yaml")
     assert mission.warnings == ()
     assert mission.horizon <= 60
-    assert sum(count for group in mission.team for _, count in group.starts) <= 40
+    assert mission.size <= (40 if mission.swarm is None else 1000)
 
 
 @pytest.mark.parametrize(

@@ -198,7 +198,7 @@ def test_impossible_moves_are_refused(moves, words):
         ({"formula": "F[0,3] sum(goal) >= 60%", "horizon": 5}, ["the formula does not hold", "-2"]),
         (
             {"formula": "F[0,3] sum(goal) >= 50%", "margin": 1, "horizon": 5},
-            ["some demand is 1 agents short of the mission's margin"],
+            ["some demand falls 1 short of the mission's margin"],
         ),
         ({"horizon": 7}, ["ends at step 5 and the mission at step 7"]),
     ],

@@ -54,8 +54,8 @@ def judged_swarms(mission: Mission, plan: Plan, journeys: Journeys) -> Verdict:
     if availability < 0:
         problems.append(f"the formula does not hold (its availability is {availability:g})")
     elif with_margin < 0:
-        short = f"{-with_margin:g} agents short of the mission's margin"
-        problems.append(f"the formula holds, but some demand is {short}")
+        short = f"{-with_margin:g} short of the mission's margin"
+        problems.append(f"the formula holds, but some demand falls {short}")
     problems += _misnamed(plan.groups, table)
     if not problems and plan.groups:
         problems += _unrelated(plan.groups, groups_of_traffic(traffic, mission.horizon))
