@@ -16,9 +16,10 @@ from tsplan.encode.atoms import Bound, Requirement, requirement
 from tsplan.encode.build import Encoded
 from tsplan.encode.capacities import capacity_rows
 from tsplan.encode.classes import MapArrays, agent_classes, map_arrays
+from tsplan.encode.literals import Literal
 from tsplan.encode.network import ClassColumns, ClassGraph, Network, unroll
 from tsplan.encode.outlook import Outlook
-from tsplan.encode.staffing import Staffing
+from tsplan.encode.staffing import Family, SiteColumns, Staffing
 from tsplan.encode.swarm.groups import Occupancy, bound_groups, group_network, occupancy
 from tsplan.encode.together import Together
 from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses
@@ -65,12 +66,14 @@ def swarm_model(mission: Mission) -> SwarmModel:
     witnesses = _witnesses(plot, swarms, graphs)
     groups = group_network(swarms, _most(plot, graphs, rules.together))
     staffing = _occupied_rows(plot, groups, swarms, witnesses)
-    occupied = _encoded(plot, groups, swarms, witnesses, staffing, np.empty(0, dtype=np.int64))
+    nobody = np.empty(0, dtype=np.int64)
+    occupied = _encoded(plot, groups, swarms, witnesses, staffing.families, nobody)
     before = plot.draft.column_count
     agents = unroll(graphs, mission.horizon, plot.draft)
     flows = np.arange(before, plot.draft.column_count)
-    _counted_rows(plot, agents, swarms, witnesses)
-    counted = _encoded(plot, groups, swarms, witnesses, staffing, flows)
+    counting = _counted_rows(plot, agents, swarms, witnesses)
+    families = [*staffing.families, *counting.families]
+    counted = _encoded(plot, groups, swarms, witnesses, families, flows)
     return SwarmModel(swarms, agents, occupied, counted, plot.arrays.names)
 
 
@@ -128,7 +131,26 @@ def _occupied_rows(
     for demand in witnesses.demands:
         if demand.bound.upper and demand.bound.amount <= 0:
             _empty(plot, swarms, demand)
+        elif not demand.bound.upper and demand.bound.amount > 1:
+            _nobody_else(plot, swarms, demand)
     return staffing
+
+
+def _nobody_else(plot: _Plot, swarms: Sequence[Occupancy], demand: Demand) -> None:
+    """Too few agents for a sub-swarm are left over: no group is anywhere else."""
+    able = [swarm for swarm in swarms if _counts(demand.bound, swarm)]
+    each = dict(zip(map(id, swarms), plot.bounds, strict=True))
+    total = sum(swarm.entered.graph.agents for swarm in able)
+    inside = np.array(demand.bound.states)
+    found = []
+    for swarm in able:
+        if total - demand.bound.amount >= each[id(swarm)].least:
+            continue
+        state, step, own = swarm.reached()
+        elsewhere = (step == demand.step) & ~np.isin(state, inside)
+        when, between = swarm.inside()
+        found += [own[elsewhere], between[when == demand.step]]
+    _forbid(plot.draft, np.concatenate([*found, np.empty(0, dtype=np.int64)]), demand.literal)
 
 
 def _empty(plot: _Plot, swarms: Sequence[Occupancy], demand: Demand) -> None:
@@ -143,13 +165,18 @@ def _empty(plot: _Plot, swarms: Sequence[Occupancy], demand: Demand) -> None:
         for states in [states[swarm.entered.arrival[states] <= demand.step]]
     ]
     columns = np.concatenate([*found, np.empty(0, dtype=np.int64)])
-    count, literal = len(columns), np.array(demand.literal, dtype=np.int64)
-    plot.draft.rows(
-        np.concatenate([np.arange(count), np.repeat(np.arange(count), len(literal))]),
-        np.concatenate([columns, np.tile(literal, count)]),
+    _forbid(plot.draft, columns, demand.literal)
+
+
+def _forbid(draft: Draft, columns: Ints, literal: Literal) -> None:
+    """The columns are 0 where the literal is 1."""
+    count, members = len(columns), np.array(literal, dtype=np.int64)
+    draft.rows(
+        np.concatenate([np.arange(count), np.repeat(np.arange(count), len(members))]),
+        np.concatenate([columns, np.tile(members, count)]),
         1.0,
         lower=-np.inf,
-        upper=np.full(count, 1.0 if demand.literal else 0.0),
+        upper=np.full(count, 1.0 if literal else 0.0),
         kind="empty",
     )
 
@@ -161,16 +188,20 @@ def _counts(bound: Bound, swarm: Occupancy) -> bool:
 
 def _counted_rows(
     plot: _Plot, agents: Network, swarms: Sequence[Occupancy], witnesses: Witnesses
-) -> None:
+) -> Staffing:
     """Agents are where their groups are, and as many as the formula and the bounds want."""
     capacity_rows(agents, plot.arrays, plot.draft)
+    smallest = min(bounds.least for bounds in plot.bounds)
     counted = [
         demand
+        if demand.bound.upper
+        # whoever is at a state is a sub-swarm there
+        else replace(demand, bound=replace(demand.bound, amount=max(demand.bound.amount, smallest)))
         for demand in witnesses.demands
-        if (demand.bound.amount != 0 if demand.bound.upper else demand.bound.amount > 1)
+        if demand.bound.upper or demand.bound.amount > 0
     ]
     staffing = Staffing(agents, plot.draft)
-    staffing.write(Witnesses(witnesses.choices, counted), cuts=False, together=False)
+    staffing.write(Witnesses(witnesses.choices, counted), cuts=True, together=True)
     for item, swarm, bounds in zip(agents.classes, swarms, plot.bounds, strict=True):
         edge, _, flow = item.unrolled()
         _, _, group = swarm.entered.unrolled()
@@ -179,6 +210,7 @@ def _counted_rows(
         _between(plot.draft, flow, group, np.where(long, float(bounds.least), 1.0), size)
         if bounds.least > 1:
             _least_at_states(plot, item, swarm, bounds)
+    return staffing
 
 
 def _between(draft: Draft, flow: Ints, group: Ints, least: Floats, most: float) -> None:
@@ -240,7 +272,7 @@ def _encoded(  # noqa: PLR0917 - everything the search asks for
     groups: Network,
     swarms: Sequence[Occupancy],
     witnesses: Witnesses,
-    staffing: Staffing,
+    families: Sequence[tuple[SiteColumns, Family]],
     flows: Ints,
 ) -> Encoded:
     choices = witnesses.choices
@@ -258,5 +290,5 @@ def _encoded(  # noqa: PLR0917 - everything the search asks for
         refuted=choices.refuted,
         steps=np.concatenate([steps, np.array(choices.steps, dtype=np.int64)])[order],
         groups=tuple(choices.groups),
-        families=tuple(staffing.families),
+        families=tuple(families),
     )

@@ -16,6 +16,7 @@ import numpy as np
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
+from tsplan.encode.ideas import Idea
 from tsplan.encode.search import Effort, Found, Search
 from tsplan.encode.stages import Reached
 from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, late
@@ -30,6 +31,7 @@ SwarmFlows: TypeAlias = Mapping[str, tuple[Move, ...]]
 Tell: TypeAlias = Callable[[str, "SwarmFlows | None", "float | None", "float | None"], None]
 
 _COUNTING = 10.0  # seconds for counting agents into known groups
+_SHORTENING = 3.0  # seconds for a point of few moves before agents' travel is minimised
 _FEASIBLE = 1e-6
 
 
@@ -109,14 +111,25 @@ class _Stages:
     ) -> SwarmOutcome:
         size = self.model.counted.model.size
         stopped = None if proven or infeasible else self._stopped or self._limit()
+        flows = None
+        if self._point is not None:
+            self._point = self._evened(self._point)
+            flows = self._flows(self._point)
+            reached = tuple(self._again(item, self._point) for item in reached)
         return SwarmOutcome(
-            None if self._point is None else self._flows(self._evened(self._point)),
+            flows,
             reached,
             proven,
             infeasible,
             stopped,
             (size.columns, size.integers, size.rows, size.nonzeros),
         )
+
+    def _again(self, item: Reached, point: Floats) -> Reached:
+        """What is reached in the end: even shares may be better in what was not proven."""
+        if item.name == "makespan":
+            return replace(item, value=self._last_move(point))
+        return replace(item, value=self._shown(item.name, self._value(item.name, point)))
 
     def _limit(self) -> StoppedBy:
         return StoppedBy.INTERRUPT if self.clock.stop() else StoppedBy.TIME_LIMIT
@@ -153,6 +166,8 @@ class _Stages:
             if settled or self.clock.over:
                 return found
             bound = found.bound
+        if name == "travel" and kept.of_groups:
+            self._shortened(kept)
         found = self._by_counts(name, kept, first=first)
         return replace(found, bound=max(found.bound, bound))
 
@@ -190,7 +205,9 @@ class _Stages:
             flows = None if values is None else self._flows(values)
             self.tell(name, flows, self._shown(name, value), self._shown(name, bound))
 
-        search = Search(encoded, vector, self.effort, self.clock, report)
+        # a tree on the witnesses leaves open where the groups go: that is the solver's part
+        plain = replace(self.effort, ideas=self.effort.ideas - {Idea.TREE})
+        search = Search(encoded, vector, plain, self.clock, report)
         found = search.minimise(None if first else self._start(encoded), first=first)
         if found.values is not None:
             self._point = found.values[:columns]
@@ -268,7 +285,26 @@ class _Stages:
         columns = self.model.occupied.indicators
         lower, upper = encoded.model.lower.copy(), encoded.model.upper.copy()
         lower[columns] = upper[columns] = np.round(values[columns])
-        return self._solve(encoded.model.with_bounds(lower, upper), Options(first=True)).values
+        model = encoded.model.with_bounds(lower, upper)
+        vector = VECTORS["travel"](self.model, model.size.columns)
+        return self._solve(model.with_objective(vector), Options()).values
+
+    def _shortened(self, kept: _Kept) -> None:
+        """A better point to begin with: where groups move little, agents travel little."""
+        encoded = self._narrowed(self.model.occupied, kept)
+        vector = VECTORS["moves"](self.model, encoded.model.size.columns)
+
+        def report(values: Floats | None, _value: float | None, _bound: float | None) -> None:
+            point = None if values is None else self._counted(values, kept)
+            if point is None:
+                return
+            travel = self._value("travel", point)
+            if self._point is None or travel < self._value("travel", self._point):
+                self._point = point
+                self.tell("travel", self._flows(point), travel, None)
+
+        clock = self.clock.within(_SHORTENING)
+        Search(encoded, vector, self.effort, clock, report).minimise(self._start(encoded))
 
     def _solve(self, model: Model, options: Options) -> Solution:
         left = self.clock.within(_COUNTING).left
