@@ -273,4 +273,5 @@ class _Draft:
             digest=self.document.digest,
             warnings=tuple(self.warnings),
             parse_seconds=self.seconds,
+            origin=self.document,
         )
