@@ -46,12 +46,9 @@ class Finder:
         self.everything: Set = frozenset().union(*self.groups, *self.facts)
         self._sure = True
 
-    def first(self, seeds: Sequence[Set] = ()) -> Core:
-        """A conflict of a mission that cannot be met, within one of `seeds` if that holds one."""
-        for seed in seeds:
-            if self._impossible(seed) and self._sure:
-                return self._reduced(seed)
-        return self._reduced(self.everything)
+    def within(self, elements: Set) -> Core | None:
+        """A conflict among some elements; None where it is not proven that there is one."""
+        return self._reduced(elements) if self._impossible(elements) else None
 
     def others(self, core: Core, most: int) -> Iterator[Core]:
         """Up to `most` conflicts that differ from `core` and from each other."""
@@ -68,10 +65,11 @@ class Finder:
                     break
             else:
                 rest = self.everything - hit
-                if self._impossible(rest):
+                new = self.within(rest)
+                if new is not None:
                     found += 1
-                    cores.append(self._reduced(rest))
-                    yield cores[-1]
+                    cores.append(new)
+                    yield new
                     open_.insert(0, hit)
 
     def _reduced(self, elements: Set) -> Core:

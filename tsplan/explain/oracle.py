@@ -34,6 +34,7 @@ class Oracle:
     mission: Mission
     clock: Clock
     solver: str | None = None
+    patience: float | None = None  # seconds for one question
     solves: int = field(default=0, init=False)
     seconds: float = field(default=0.0, init=False)
     interrupted: bool = field(default=False, init=False)
@@ -66,8 +67,8 @@ class Oracle:
         if self.over:
             return None
         began = time.perf_counter()
-        left = self.clock.left
-        limit = None if left is None else max(left, _LEAST)
+        limits = [item for item in (self.clock.left, self.patience) if item is not None]
+        limit = max(min(limits), _LEAST) if limits else None
         found = plan(problem, time_limit=limit, solver=self.solver)
         self.solves += 1
         self.seconds += time.perf_counter() - began
