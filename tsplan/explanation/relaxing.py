@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from tsplan.encode.problem import Problem
-from tsplan.explain.data import Element
-from tsplan.explain.elements import leaf_of
-from tsplan.explain.occurrences import without
+from tsplan.explanation.data import Element
+from tsplan.explanation.elements import leaf_of
+from tsplan.explanation.occurrences import without
 from tsplan.logic import Always, Count, walk
 from tsplan.mission import Group
 from tsplan.mission.data import MOST_ROBOTS

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from tsplan.explain.data import Place
-from tsplan.explain.occurrences import Leaf, Way
+from tsplan.explanation.data import Place
+from tsplan.explanation.occurrences import Leaf, Way
 from tsplan.logic import parse_with_places
 
 if TYPE_CHECKING:

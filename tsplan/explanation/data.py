@@ -112,6 +112,6 @@ class Explanation:
 
     def to_json(self) -> str:
         """The explanation as a `tsplan-explanation/1` document."""
-        from tsplan.explain.writing import explanation_to_json  # noqa: PLC0415  (imports this)
+        from tsplan.explanation.writing import explanation_to_json  # noqa: PLC0415  (imports this)
 
         return explanation_to_json(self)

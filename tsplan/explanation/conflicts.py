@@ -13,11 +13,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from tsplan.explain.elements import formula_groups, named_facts
+from tsplan.explanation.elements import formula_groups, named_facts
 
 if TYPE_CHECKING:
-    from tsplan.explain.data import Element
-    from tsplan.explain.oracle import Oracle
+    from tsplan.explanation.data import Element
+    from tsplan.explanation.oracle import Oracle
 
 Set = frozenset["Element"]
 

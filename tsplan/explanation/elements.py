@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tsplan.explain.data import Element
-from tsplan.explain.occurrences import Leaf, conjuncts, leaves
+from tsplan.explanation.data import Element
+from tsplan.explanation.occurrences import Leaf, conjuncts, leaves
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission

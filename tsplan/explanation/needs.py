@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import ceil, floor
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
-from tsplan.explain.occurrences import Leaf, Way
+from tsplan.explanation.occurrences import Leaf, Way
 from tsplan.logic import (
     Always,
     And,

@@ -7,17 +7,17 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
-from tsplan.explain.data import Element
-from tsplan.explain.dimensions import FORMULA_DIMENSIONS, Deadline, Dimension
-from tsplan.explain.elements import leaf_of, of_leaf
-from tsplan.explain.occurrences import Leaf, leaves, node_at, nodes_along
-from tsplan.explain.relaxing import useful_number
-from tsplan.explain.surroundings import EdgeRoom, EdgeTime, MoreAgents, StateRoom
+from tsplan.explanation.data import Element
+from tsplan.explanation.dimensions import FORMULA_DIMENSIONS, Deadline, Dimension
+from tsplan.explanation.elements import leaf_of, of_leaf
+from tsplan.explanation.occurrences import Leaf, leaves, node_at, nodes_along
+from tsplan.explanation.relaxing import useful_number
+from tsplan.explanation.surroundings import EdgeRoom, EdgeTime, MoreAgents, StateRoom
 from tsplan.logic import Count, Limit, Task
 from tsplan.logic import labels as labels_of
 
 if TYPE_CHECKING:
-    from tsplan.explain.facts import View
+    from tsplan.explanation.facts import View
 
 MOST_PLACES = 6
 """States at which more robots are tried, for each entry of the team."""

@@ -9,16 +9,16 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.encode.clock import Clock
-from tsplan.explain.candidates import Candidate, candidates
-from tsplan.explain.changes import ORDER, Repairs, ranked
-from tsplan.explain.conflicts import Core, Finder
-from tsplan.explain.data import Change, Conflict, Explanation, Fact, Status
-from tsplan.explain.facts import View, find_facts
-from tsplan.explain.oracle import Oracle
-from tsplan.explain.surroundings import EdgeTime
+from tsplan.explanation.candidates import Candidate, candidates
+from tsplan.explanation.changes import ORDER, Repairs, ranked
+from tsplan.explanation.conflicts import Core, Finder
+from tsplan.explanation.data import Change, Conflict, Explanation, Fact, Status
+from tsplan.explanation.facts import View, find_facts
+from tsplan.explanation.oracle import Oracle
+from tsplan.explanation.surroundings import EdgeTime
 
 if TYPE_CHECKING:
-    from tsplan.explain.dimensions import Dimension
+    from tsplan.explanation.dimensions import Dimension
     from tsplan.mission import Mission
 
 Listener: TypeAlias = Callable[[str], object]
@@ -129,7 +129,7 @@ class _Run:
 
     def _feasible(self, *, slack: bool) -> Explanation:
         """What is tight about a mission that can be met."""
-        from tsplan.explain.tightness import slacks, tight_facts  # noqa: PLC0415  (rarely needed)
+        from tsplan.explanation.tightness import slacks, tight_facts  # noqa: PLC0415  (rarely needed)
 
         self.oracle.clock = self.clock
         with self._timed("tight"):
@@ -143,7 +143,8 @@ class _Run:
 
     def _changes(self, finder: Finder, cores: list[Core]) -> tuple[Change, ...]:
         """Single changes that help; several together where none does."""
-        repairs = Repairs(self.oracle)
+        cores_known = [core.elements for core in cores]
+        repairs = Repairs(self.oracle, finder.everything, cores_known)
         every = candidates(self.view, cores[0].elements)
         every.sort(key=lambda item: (ORDER.index(item.dimension.kind), item.rank))
         self.oracle.patience = _PATIENCE

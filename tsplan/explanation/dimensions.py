@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Protocol
 
-from tsplan.explain.occurrences import Leaf, exchanged, node_at
-from tsplan.explain.wording import agents
+from tsplan.explanation.occurrences import Leaf, exchanged, node_at
+from tsplan.explanation.wording import agents
 from tsplan.logic import Count, Eventually, Formula, Limit, Task, Until, horizon, translate
 
 if TYPE_CHECKING:
-    from tsplan.explain.data import ChangeKind
+    from tsplan.explanation.data import ChangeKind
     from tsplan.mission import Mission
 
 _LONGEST = 60  # steps by which a deadline of a short mission is extended at most

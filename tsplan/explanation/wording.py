@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from tsplan.explain.data import Element, Part, Place
-from tsplan.explain.elements import formula_groups, leaf_of
-from tsplan.explain.occurrences import Leaf, Way, conjuncts, node_at
-from tsplan.explain.places import Sources
+from tsplan.explanation.data import Element, Part, Place
+from tsplan.explanation.elements import formula_groups, leaf_of
+from tsplan.explanation.occurrences import Leaf, Way, conjuncts, node_at
+from tsplan.explanation.places import Sources
 
 if TYPE_CHECKING:
     from tsplan.mission import Group, Mission

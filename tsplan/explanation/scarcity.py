@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from tsplan.explain.needs import Demand, Span, demands_below
-from tsplan.explain.occurrences import Way
-from tsplan.explain.wording import agents
+from tsplan.explanation.needs import Demand, Span, demands_below
+from tsplan.explanation.occurrences import Way
+from tsplan.explanation.wording import agents
 from tsplan.logic import Always, And, Eventually, Formula
 
 if TYPE_CHECKING:
-    from tsplan.explain.data import Fact
-    from tsplan.explain.facts import View
+    from tsplan.explanation.data import Fact
+    from tsplan.explanation.facts import View
 
 
 def scarcity(view: View) -> Iterator[Fact]:

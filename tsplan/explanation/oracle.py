@@ -11,8 +11,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from tsplan.explain.data import Element
-from tsplan.explain.relaxing import any_plan, relaxed
+from tsplan.explanation.data import Element
+from tsplan.explanation.relaxing import any_plan, relaxed
 from tsplan.planner import plan
 from tsplan.results import Status, StoppedBy
 

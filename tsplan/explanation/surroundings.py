@@ -6,12 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from tsplan.explain.wording import many
+from tsplan.explanation.wording import many
 from tsplan.mission import Group
 from tsplan.ts import Edge, TransitionSystem
 
 if TYPE_CHECKING:
-    from tsplan.explain.data import ChangeKind
+    from tsplan.explanation.data import ChangeKind
     from tsplan.mission import Mission
 
 

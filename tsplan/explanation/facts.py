@@ -13,11 +13,11 @@ from functools import cached_property
 from math import inf
 from typing import TYPE_CHECKING
 
-from tsplan.explain.arrivals import Arrival, Arrivals, latest_of
-from tsplan.explain.data import Element, Fact
-from tsplan.explain.elements import of_leaf
-from tsplan.explain.needs import Demand, demands
-from tsplan.explain.wording import Wording, agents
+from tsplan.explanation.arrivals import Arrival, Arrivals, latest_of
+from tsplan.explanation.data import Element, Fact
+from tsplan.explanation.elements import of_leaf
+from tsplan.explanation.needs import Demand, demands
+from tsplan.explanation.wording import Wording, agents
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -101,8 +101,8 @@ Finder = Callable[[View], Iterator[Fact]]
 
 def find_facts(view: View) -> tuple[Fact, ...]:
     """All facts that forbid every plan, those of the simplest kinds first."""
-    from tsplan.explain.meetings import contradictions, crowding, room  # noqa: PLC0415
-    from tsplan.explain.scarcity import scarcity  # noqa: PLC0415  (both import this module)
+    from tsplan.explanation.meetings import contradictions, crowding, room  # noqa: PLC0415
+    from tsplan.explanation.scarcity import scarcity  # noqa: PLC0415  (both import this module)
 
     finders: tuple[Finder, ...] = (scarcity, unreachable, crowding, contradictions, room)
     found: dict[tuple[str, str], Fact] = {}

@@ -13,13 +13,14 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import MissionError
-from tsplan.explain.data import Change, ChangeKind
-from tsplan.explain.facts import View, find_facts
+from tsplan.explanation.data import Change, ChangeKind, Element
+from tsplan.explanation.facts import View, find_facts
+from tsplan.explanation.relaxing import relaxed
 
 if TYPE_CHECKING:
-    from tsplan.explain.candidates import Candidate
-    from tsplan.explain.dimensions import Dimension
-    from tsplan.explain.oracle import Oracle
+    from tsplan.explanation.candidates import Candidate
+    from tsplan.explanation.dimensions import Dimension
+    from tsplan.explanation.oracle import Oracle
     from tsplan.mission import Mission
 
 LARGEST_TOTAL = 40
@@ -30,9 +31,9 @@ ORDER: tuple[ChangeKind, ...] = (
     "loosen_limit",
     "more_subswarms",
     "shorten_task",
-    "lower_need",
     "edge",
     "add_agents",
+    "lower_need",
 )
 """Changes of equal amounts are ranked in this order."""
 
@@ -73,9 +74,15 @@ def least(possible: Callable[[int], bool | None], most: int) -> Least | None:
 
 @dataclass(eq=False)
 class Repairs:
-    """Looks for changes of the mission that an oracle knows."""
+    """Looks for changes of the mission that an oracle knows.
+
+    `cores` are conflicts of the mission and `everything` all its elements. A change that leaves a
+    conflict impossible is ruled out by that alone, which is quicker than with the whole mission.
+    """
 
     oracle: Oracle
+    everything: frozenset[Element]
+    cores: Sequence[frozenset[Element]]
     _answers: dict[tuple[tuple[Dimension, int], ...], bool | None] = field(
         default_factory=dict, init=False
     )
@@ -153,6 +160,9 @@ class Repairs:
             changed = applied(self.oracle.mission, amounts)
         except MissionError:
             return False  # for example more robots at a state than it holds
+        for core in self.cores:
+            if self.oracle.asked(relaxed(changed, self.everything - core)) is False:
+                return False
         return self.oracle.met(changed)
 
     def _change(self, amounts: Sequence[tuple[Dimension, int]], *, proven: bool) -> Change:

@@ -7,14 +7,14 @@ from itertools import combinations
 from math import inf
 from typing import TYPE_CHECKING
 
-from tsplan.explain.data import Element
-from tsplan.explain.facts import MOST_DEMANDS
-from tsplan.explain.wording import agents
+from tsplan.explanation.data import Element
+from tsplan.explanation.facts import MOST_DEMANDS
+from tsplan.explanation.wording import agents
 
 if TYPE_CHECKING:
-    from tsplan.explain.data import Fact
-    from tsplan.explain.facts import View
-    from tsplan.explain.needs import Demand
+    from tsplan.explanation.data import Fact
+    from tsplan.explanation.facts import View
+    from tsplan.explanation.needs import Demand
 
 
 def crowding(view: View) -> Iterator[Fact]:
