@@ -25,6 +25,8 @@ if TYPE_CHECKING:
         SolverUnavailableError,
         TsplanError,
     )
+    from tsplan.explanation import Explanation
+    from tsplan.explanation.explaining import explain
     from tsplan.logic import parse
     from tsplan.mission import Group, Mission, SolverChoice, load_mission
     from tsplan.planner import plan
@@ -47,6 +49,8 @@ _HOMES = {
         "SolverUnavailableError",
         "TsplanError",
     ),
+    "tsplan.explanation": ("Explanation",),
+    "tsplan.explanation.explaining": ("explain",),
     "tsplan.logic": ("parse",),
     "tsplan.mission": ("Group", "Mission", "SolverChoice", "load_mission"),
     "tsplan.planner": ("plan",),
@@ -71,6 +75,7 @@ __version__ = "0.1.0"
 __all__ = [
     "AgentPlan",
     "Edge",
+    "Explanation",
     "Finding",
     "FormulaError",
     "Group",
@@ -92,6 +97,7 @@ __all__ = [
     "TsplanError",
     "assign",
     "check",
+    "explain",
     "load_map",
     "load_mission",
     "load_plan",

@@ -44,7 +44,8 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
         written["team"] = [_member(group) for group in values["team"]]
     text = json.dumps(written, default=_plain)
     try:
-        return mission_from_document(parse_document(text, _SOURCE), Path(), system)
+        made = mission_from_document(parse_document(text, _SOURCE), Path(), system)
+        return replace(made, origin=None)  # nobody has seen that document
     except InputError as error:
         raise MissionError(_without_lines(finding) for finding in error.findings) from None
 

@@ -20,6 +20,7 @@ from tsplan.errors import Finding, MissionError
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from tsplan.document import Document
     from tsplan.logic import Formula
     from tsplan.ts import TransitionSystem
 
@@ -147,7 +148,8 @@ class Mission:
     encoded. `horizon` is the last step, at least the formula's own. `objective` is
     lexicographic, the first name matters most; without any, every plan is as good as another.
     With `swarm` rules every class of the team is a swarm, whose agents move as sub-swarms.
-    `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`.
+    `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
+    mission that was read from a file keeps its document as `origin`, for places in it.
 
     Raises MissionError with everything that does not fit together.
     """
@@ -166,6 +168,7 @@ class Mission:
     digest: str = ""
     warnings: tuple[Finding, ...] = ()
     parse_seconds: float = field(default=0.0, compare=False, repr=False)
+    origin: Document | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         from tsplan.mission.checks import problems_of  # noqa: PLC0415  (imports this module)

@@ -322,4 +322,5 @@ class _Draft:
             digest=self.document.digest,
             warnings=tuple(self.warnings),
             parse_seconds=self.seconds,
+            origin=self.document,
         )

@@ -1,0 +1,206 @@
+"""Ways to change a formula step by step, each making it weaker the further it goes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Protocol
+
+from tsplan.explanation.occurrences import Leaf, exchanged, node_at
+from tsplan.explanation.wording import agents
+from tsplan.logic import Count, Eventually, Formula, Limit, Task, Until, horizon, translate
+
+if TYPE_CHECKING:
+    from tsplan.explanation.data import ChangeKind
+    from tsplan.mission import Mission
+
+_LONGEST = 60  # steps by which a deadline of a short mission is extended at most
+
+
+class Dimension(Protocol):
+    """One way to change a mission, by 1, 2, ... up to `most`."""
+
+    @property
+    def kind(self) -> ChangeKind:
+        """What is changed."""
+        ...
+
+    @property
+    def most(self) -> int:
+        """The largest change that makes sense."""
+        ...
+
+    def applied(self, mission: Mission, amount: int) -> Mission:
+        """The mission after the change; MissionError where it would not fit together."""
+        ...
+
+    def words(self, mission: Mission, amount: int) -> str:
+        """The change in words."""
+        ...
+
+
+def edited(mission: Mission, leaf: Leaf, node: Formula) -> Mission:
+    """The mission with another node in its formula, its horizon extended where that needs it."""
+    formula = exchanged(mission.formula, {leaf.way: node})
+    own = horizon(translate(formula, interval=mission.task_interval))
+    longest = max(mission.horizon, own)
+    return replace(mission, formula=formula, text=str(formula), horizon=longest, warnings=())
+
+
+@dataclass(frozen=True)
+class Deadline:
+    """A later end of the window of an `F` or `U`; `was` is the requirement it belongs to."""
+
+    leaf: Leaf
+    was: str
+    most: int
+    kind: ChangeKind = "extend_deadline"
+
+    @classmethod
+    def of(cls, mission: Mission, leaf: Leaf, was: str) -> Deadline | None:
+        """The deadline of a node; None where it has none."""
+        node = node_at(mission.formula, leaf.way)
+        if not isinstance(node, Eventually | Until):
+            return None
+        return cls(Leaf(leaf.way), was, max(4 * mission.horizon, _LONGEST))
+
+    def applied(self, mission: Mission, amount: int) -> Mission:
+        """The mission with the later deadline."""
+        node = self._node(mission)
+        return edited(mission, self.leaf, replace(node, high=node.high + amount))
+
+    def words(self, mission: Mission, amount: int) -> str:
+        """The deadline, from when to when."""
+        end = self._node(mission).high
+        late = f"{amount} step{'s' if amount > 1 else ''} later"
+        return f"extend the deadline {end} to {end + amount} ({late}) in {self.was}"
+
+    def _node(self, mission: Mission) -> Eventually | Until:
+        node = node_at(mission.formula, self.leaf.way)
+        assert isinstance(node, Eventually | Until)
+        return node
+
+
+@dataclass(frozen=True)
+class Duration:
+    """A task that lasts less long."""
+
+    leaf: Leaf
+    was: str
+    most: int
+    kind: ChangeKind = "shorten_task"
+
+    @classmethod
+    def of(cls, mission: Mission, leaf: Leaf, was: str) -> Duration | None:
+        """The duration of a node; None where it has none that can be shortened."""
+        node = node_at(mission.formula, leaf.way)
+        least = int(mission.task_interval == "half-open")
+        if not isinstance(node, Task) or node.duration <= least:
+            return None
+        return cls(Leaf(leaf.way), was, node.duration - least)
+
+    def applied(self, mission: Mission, amount: int) -> Mission:
+        """The mission with the shorter task."""
+        node = self._node(mission)
+        return edited(mission, self.leaf, replace(node, duration=node.duration - amount))
+
+    def words(self, mission: Mission, amount: int) -> str:
+        """The duration, from what to what."""
+        now = self._node(mission).duration
+        return f"shorten the task from {now} to {now - amount} steps in {self.was}"
+
+    def _node(self, mission: Mission) -> Task:
+        node = node_at(mission.formula, self.leaf.way)
+        assert isinstance(node, Task)
+        return node
+
+
+@dataclass(frozen=True)
+class LowerNeed:
+    """Fewer agents asked for by a task's need or a count."""
+
+    leaf: Leaf
+    was: str
+    most: int
+    kind: ChangeKind = "lower_need"
+
+    @classmethod
+    def of(cls, mission: Mission, leaf: Leaf, was: str) -> LowerNeed | None:
+        """The number that a leaf asks for; None where it asks for nobody."""
+        node = node_at(mission.formula, leaf.way)
+        if isinstance(node, Task):
+            asked = node.needs[leaf.pair or 0][1]
+        elif isinstance(node, Count) and node.relation == ">=" and isinstance(node.bound, int):
+            asked = node.bound
+        else:
+            return None
+        return cls(leaf, was, asked) if asked > 0 else None
+
+    def applied(self, mission: Mission, amount: int) -> Mission:
+        """The mission that asks for fewer agents."""
+        return edited(mission, self.leaf, _counting(mission, self.leaf, self.most - amount))
+
+    def words(self, mission: Mission, amount: int) -> str:
+        """The need, from what to what."""
+        label, who = _subject(mission, self.leaf)
+        less = agents(self.most - amount, who)
+        return f"lower the need at '{label}' from {self.most} to {less} in {self.was}"
+
+
+@dataclass(frozen=True)
+class LooserLimit:
+    """More agents allowed by a limit or a count."""
+
+    leaf: Leaf
+    was: str
+    now: int
+    most: int
+    kind: ChangeKind = "loosen_limit"
+
+    @classmethod
+    def of(cls, mission: Mission, leaf: Leaf, was: str) -> LooserLimit | None:
+        """The number that a leaf allows; None where it limits nothing."""
+        node = node_at(mission.formula, leaf.way)
+        if isinstance(node, Limit):
+            allowed = node.needs[leaf.pair or 0][1] if node.needs else 0
+        elif isinstance(node, Count) and node.relation == "<=" and isinstance(node.bound, int):
+            allowed = node.bound
+        else:
+            return None
+        most = mission.size - max(allowed, 0)
+        return cls(leaf, was, allowed, most) if most > 0 else None
+
+    def applied(self, mission: Mission, amount: int) -> Mission:
+        """The mission that allows more agents."""
+        return edited(mission, self.leaf, _counting(mission, self.leaf, self.now + amount))
+
+    def words(self, mission: Mission, amount: int) -> str:
+        """The limit, from what to what."""
+        label, who = _subject(mission, self.leaf)
+        more = agents(self.now + amount, who)
+        return f"loosen the limit at '{label}' from {self.now} to {more} in {self.was}"
+
+
+def _counting(mission: Mission, leaf: Leaf, amount: int) -> Formula:
+    """An atom with another number of agents."""
+    node = node_at(mission.formula, leaf.way)
+    if isinstance(node, Count):
+        return replace(node, bound=amount)
+    assert isinstance(node, Task | Limit)
+    if not node.needs:  # nobody at all may be there
+        return Count("max", node.label, None, "<=", amount)
+    needs = list(node.needs)
+    needs[leaf.pair or 0] = (needs[leaf.pair or 0][0], amount)
+    return replace(node, needs=tuple(needs))
+
+
+def _subject(mission: Mission, leaf: Leaf) -> tuple[str, str | None]:
+    """The label and the capability that an atom counts."""
+    node = node_at(mission.formula, leaf.way)
+    if isinstance(node, Count):
+        return node.label, node.capability
+    assert isinstance(node, Task | Limit)
+    return node.label, node.needs[leaf.pair or 0][0] if node.needs else None
+
+
+FORMULA_DIMENSIONS = (Deadline, LooserLimit, LowerNeed, Duration)
+"""What of a formula can be changed, the least intrusive first."""
