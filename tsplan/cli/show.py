@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_of
+from tsplan.draw.map import PlotUnavailableError, draw_map, draw_mission, draw_plan, pyplot
 from tsplan.errors import Finding, InputError, PlanError
-from tsplan.results.draw import PlotUnavailableError, draw_map, draw_mission, draw_plan, pyplot
 from tsplan.results.planfile import load_plan, write_whole
 
 if TYPE_CHECKING:

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from tsplan.milp.model import Ints
+    from tsplan.mission import Mission
+    from tsplan.results.evidence import Evidence
+    from tsplan.results.requirements import Requirement
 
 Stay: TypeAlias = tuple[int, int, str]
 """`(from, to, state)`: at that state at every step from..to, both included."""
@@ -217,6 +220,26 @@ class Plan:
 
         rows = self.states if states is None else tuple(states)
         return state_counts(self.bundles, rows, self.horizon, capability)
+
+    def explain(self, mission: Mission) -> Evidence:
+        """Why the plan satisfies the formula of its mission, as a tree that prints itself.
+
+        Every node says where it holds, by how many agents, and what it rests on there: which step,
+        which agents. It comes from the evaluator and the counts alone. Raises PlanError for a
+        plan without paths or of another mission.
+        """
+        from tsplan.results.evidence import explain  # noqa: PLC0415  (the parser is slow to import)
+
+        return explain(self, mission)
+
+    def requirements(self, mission: Mission) -> tuple[Requirement, ...]:
+        """What the formula's atoms ask of the counts and what the plan gives, over all steps.
+
+        Raises PlanError for a plan without paths or of another mission.
+        """
+        from tsplan.results.requirements import requirements  # noqa: PLC0415  (as above)
+
+        return requirements(self, mission)
 
     def to_json(self) -> str:
         """The plan as a `tsplan-plan/1` document, one agent a line."""
