@@ -18,8 +18,8 @@ from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, R
 from tsplan.mission import Group
 from tsplan.results import AgentPlan, MissionRef, Plan
 from tsplan.results.checking import formula_robustness
+from tsplan.results.counting import count_trace
 from tsplan.results.evidence import Presence, explain
-from tsplan.results.occupancy import count_trace
 from tsplan.results.reasons import reason, settled, spans, windows
 from tsplan.results.requirements import requirements, runs
 from tsplan.ts import Edge, State, TransitionSystem
@@ -244,6 +244,13 @@ def random_case(seed):
     return mission, Plan("feasible", MissionRef("m", ""), steps, "gap", agents=tuple(agents))
 
 
+def everything(mission, plan):
+    """All counts of a plan."""
+    states = list(mission.system.states)
+    counts = {name: plan.counts(name, states=states) for name in (None, "u", "v")}
+    return count_trace(mission.system, counts)
+
+
 def settles(node):
     """Whether what is below a node fixes its values at its steps, told from the children alone."""
     values = [dict(zip(child.steps, child.availability, strict=True)) for child in node.children]
@@ -300,7 +307,7 @@ def switched(formula, values, step, value):
 def test_random_evidence_settles_the_formula_and_agrees_with_the_evaluator(seed):
     mission, plan = random_case(seed)
     top = explain(plan, mission)
-    trace = count_trace(mission.system, plan.bundles, plan.horizon, ["u", "v"])
+    trace = everything(mission, plan)
     assert top.availability == (formula_robustness(mission, plan.bundles, plan.horizon),)
     for _, node in top.walk():
         if not node.steps:  # nothing rests on it; it may even look beyond the horizon
@@ -320,7 +327,7 @@ def test_random_evidence_settles_the_formula_and_agrees_with_the_evaluator(seed)
 def test_random_requirements_stay_in_their_windows_and_settle_the_goal(seed):
     mission, plan = random_case(seed)
     found = requirements(plan, mission)
-    trace = count_trace(mission.system, plan.bundles, plan.horizon, ["u", "v"])
+    trace = everything(mission, plan)
     value = float(robustness(mission.goal, trace)[0])
     wheres = windows(mission.goal)
     used = settled(mission.goal, np.zeros(1, dtype=np.int64), margins(mission.goal, trace))

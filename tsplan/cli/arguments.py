@@ -78,14 +78,26 @@ def _parse(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
 
 
 def _show(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    show = commands.add_parser("show", help="draw a map, a mission or a plan")
+    show = commands.add_parser("show", help="draw a map, a mission or a plan; say why a plan holds")
     show.add_argument("file", type=Path, metavar="FILE", help="map, mission or plan file")
-    show.add_argument("-o", "--output", type=Path, metavar="PNG", help="picture to write")
+    show.add_argument(
+        "-o", "--output", type=Path, metavar="PICTURE", help="write .png, .svg or .pdf, no window"
+    )
     show.add_argument(
         "--mission",
         type=Path,
         metavar="MISSION",
         help="mission of a plan, to draw its paths on the map (default: looked for beside it)",
+    )
+    show.add_argument(
+        "--view",
+        choices=("page", "paths", "timeline", "requirements", "flow", "map"),
+        help="picture of a plan: everything on one page (default), or one view of it",
+    )
+    show.add_argument(
+        "--why",
+        action="store_true",
+        help="print why a plan satisfies its formula: where each part holds, and by whom",
     )
 
 

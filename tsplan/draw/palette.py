@@ -60,6 +60,11 @@ class Paint:
         return mixed(self.colour, "#ffffff", 0.72)
 
     @property
+    def soft(self) -> Paint:
+        """The same paint a little lighter, for areas with text on them."""
+        return Paint(mixed(self.colour, "#ffffff", 0.35), self.hatch)
+
+    @property
     def stroke(self) -> str:
         """The line style (matplotlib's letters) that stands for the hatch."""
         return STROKES[HATCHES.index(self.hatch) % len(STROKES)] if self.hatch in HATCHES else "-"

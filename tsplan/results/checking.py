@@ -17,12 +17,13 @@ from tsplan.errors import Finding, SolverError
 from tsplan.mission.data import OBJECTIVES, Mission
 from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
-from tsplan.results.occupancy import count_trace, interval_counts, state_counts
+from tsplan.results.occupancy import interval_counts, state_counts
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from tsplan.logic import Formula
     from tsplan.ts import TransitionSystem
 
 Journeys: TypeAlias = "list[tuple[Bundle, tuple[Leg, ...]]]"
@@ -132,11 +133,26 @@ def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
 def formula_robustness(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> float:
     """Counting robustness at step 0 of the mission's formula as written, on the agents' counts."""
     from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-    from tsplan.logic.evaluate import robustness  # noqa: PLC0415
+    from tsplan.logic.evaluate import CountTrace, robustness  # noqa: PLC0415
 
     formula = logic.translate(mission.formula, interval=mission.task_interval)
-    trace = count_trace(mission.system, bundles, horizon, logic.capabilities(formula))
-    return float(robustness(formula, trace)[0])
+    states = tuple(mission.system.states)
+    row = {state: number for number, state in enumerate(states)}
+    labels = {
+        label: np.array([row[state] for state in members], dtype=np.int64)
+        for label, members in mission.system.labels.items()
+    }
+    counts = {
+        name: state_counts(bundles, states, horizon, name)
+        for name in (None, *sorted(_counted(formula)))
+    }
+    return float(robustness(formula, CountTrace(counts, labels))[0])
+
+
+def _counted(formula: Formula) -> frozenset[str]:
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    return frozenset(logic.capabilities(formula))
 
 
 def _horizon(mission: Mission, plan: Plan) -> list[Finding]:

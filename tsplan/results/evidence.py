@@ -15,17 +15,14 @@ import numpy as np
 
 from tsplan.logic.atoms import Count, Limit, Task
 from tsplan.logic.evaluate import margins
-from tsplan.logic.naming import capabilities
 from tsplan.logic.nodes import And, Formula, Implies, Or
 from tsplan.logic.translation import resolve_percent, translate
 from tsplan.logic.walking import walk
 from tsplan.results.fitting import refuse_misfit
-from tsplan.results.occupancy import count_trace
 from tsplan.results.reasons import NO_STEPS, NONE, Steps, Values, reason_of, settled
-from tsplan.results.requirements import measured
+from tsplan.results.requirements import measured, trace_of
 
 if TYPE_CHECKING:
-    from tsplan.logic.traces import CountTrace
     from tsplan.mission import Mission
     from tsplan.results.plan import Plan
 
@@ -121,9 +118,7 @@ class _Explaining:
         self._meaning = meanings(mission)
         goal = self._meaning[mission.formula]
         self._root = mission.formula
-        self._trace: CountTrace = count_trace(
-            mission.system, plan.bundles, plan.horizon, capabilities(goal)
-        )
+        self._trace = trace_of(plan, mission, goal)
         self._margins = margins(goal, self._trace)
         self._carriers = mission.system.labels
 
@@ -195,22 +190,17 @@ class _Explaining:
         if not steps.size:
             return ()
         step = int(steps[int(np.argmin(values))])
-        there: dict[str, tuple[int, list[str]]] = {}
         states = self._carriers[atom.label]
-        wanted = frozenset(states)
+        counts = self._trace.at(atom.label, atom.capability)[:, step].astype(np.int64).tolist()
+        ids: dict[str | None, list[str]] = {state: [] for state in states}
         for bundle in self._plan.bundles:
-            if atom.capability is not None and atom.capability not in bundle.capabilities:
-                continue
-            first = self._plan.agents[bundle.agents[0]]
-            state = first.state_at(step)
-            if state in wanted:
-                count, ids = there.get(state, (0, []))
-                ids += (self._plan.agents[a].id for a in bundle.agents[: MOST_IDS - len(ids)])
-                there[state] = (count + len(bundle.agents), ids)
+            if atom.capability is None or atom.capability in bundle.capabilities:
+                agents = self._plan.agents
+                known = ids.get(agents[bundle.agents[0]].state_at(step), [])
+                known += (agents[place].id for place in bundle.agents[: MOST_IDS - len(known)])
         return tuple(
-            Presence(state, count, tuple(ids))
-            for state in states
-            for count, ids in [there.get(state, (0, []))]
+            Presence(state, count, tuple(ids[state]))
+            for state, count in zip(states, counts, strict=True)
         )
 
 

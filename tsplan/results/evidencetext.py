@@ -139,10 +139,12 @@ def _who(node: Evidence) -> list[str]:
 
 
 def _presence(presence: Presence) -> str:
-    listed = names(presence.ids) or "nobody"
+    if not presence.ids:
+        who = f"{presence.count:,} agents" if presence.count else "nobody"
+        return f"{who} at {presence.state}"
     more = presence.count - len(presence.ids)
     rest = f" and {more:,} more" if more else ""
-    return f"{listed}{rest} at {presence.state}"
+    return f"{names(presence.ids)}{rest} at {presence.state}"
 
 
 def _number(value: float | None) -> str:

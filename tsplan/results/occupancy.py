@@ -9,10 +9,8 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from tsplan.logic.traces import CountTrace
     from tsplan.milp.model import Ints
     from tsplan.results.plan import Bundle
-    from tsplan.ts import TransitionSystem
 
 
 def state_counts(
@@ -31,27 +29,6 @@ def state_counts(
                 change[place, min(first, horizon + 1)] += agents
                 change[place, min(last, horizon) + 1] -= agents
     return np.cumsum(change, axis=1)[:, : horizon + 1]
-
-
-def count_trace(
-    system: TransitionSystem,
-    bundles: Sequence[Bundle],
-    horizon: int,
-    capabilities: Iterable[str],
-) -> CountTrace:
-    """What formulas are judged on: the counts of all agents and of those with each capability."""
-    from tsplan.logic.traces import CountTrace  # noqa: PLC0415  (the parser is slow to import)
-
-    states = tuple(system.states)
-    row = {state: number for number, state in enumerate(states)}
-    labels = {
-        label: np.array([row[state] for state in members], dtype=np.int64)
-        for label, members in system.labels.items()
-    }
-    counts = {
-        name: state_counts(bundles, states, horizon, name) for name in (None, *sorted(capabilities))
-    }
-    return CountTrace(counts, labels)
 
 
 def interval_counts(intervals: Iterable[tuple[int, int, int]], horizon: int) -> Ints:

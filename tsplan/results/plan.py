@@ -13,11 +13,12 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from tsplan.errors import Finding, PlanError
+from tsplan.errors import Finding, InputError, PlanError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
+    from tsplan.draw.canvas import Picture
     from tsplan.milp.model import Ints
     from tsplan.mission import Mission
     from tsplan.results.evidence import Evidence
@@ -231,6 +232,25 @@ class Plan:
         from tsplan.results.evidence import explain  # noqa: PLC0415  (the parser is slow to import)
 
         return explain(self, mission)
+
+    def plot(self, mission: Mission | None = None, *, view: str = "", ax: Any = None) -> Picture:
+        """A picture of the plan: its matplotlib figure and axes.
+
+        `view` is one of `paths` (the default with a mission), `timeline` (the default, and all
+        that there is, without one), `requirements`, `flow` and `map`. Without `ax` there is a
+        figure of its own that pyplot does not know. Raises PlotUnavailableError without
+        matplotlib, InputError for an unknown view, and PlanError for a plan without paths or of
+        another mission.
+        """
+        from tsplan.draw.timeline import draw_timeline  # noqa: PLC0415  (draws this)
+        from tsplan.draw.views import draw_view  # noqa: PLC0415  (as above)
+
+        if mission is not None:
+            return draw_view(self, mission, view or "paths", ax)
+        if view not in ("", "timeline"):
+            remedy = "give the mission too: plan.plot(mission, ...)"
+            raise InputError([Finding(f"the view '{view}' needs the map of the mission", remedy)])
+        return draw_timeline(self, None, ax)
 
     def requirements(self, mission: Mission) -> tuple[Requirement, ...]:
         """What the formula's atoms ask of the counts and what the plan gives, over all steps.

@@ -15,11 +15,12 @@ from tsplan.logic.atoms import Count
 from tsplan.logic.evaluate import margins
 from tsplan.logic.naming import capabilities
 from tsplan.logic.walking import walk
+from tsplan.results.counting import count_trace
 from tsplan.results.fitting import refuse_misfit
-from tsplan.results.occupancy import count_trace
 from tsplan.results.reasons import Span, Steps, settled, windows
 
 if TYPE_CHECKING:
+    from tsplan.logic.nodes import Formula
     from tsplan.logic.traces import CountTrace
     from tsplan.mission import Mission
     from tsplan.results.plan import Plan
@@ -93,7 +94,7 @@ def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
     """
     refuse_misfit(plan, mission)
     goal = mission.goal
-    trace = count_trace(mission.system, plan.bundles, plan.horizon, capabilities(goal))
+    trace = trace_of(plan, mission, goal)
     values = margins(goal, trace)
     where = windows(goal)
     used = settled(goal, np.zeros(1, dtype=np.int64), values)
@@ -109,6 +110,13 @@ def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
         for atom in walk(goal)
         if isinstance(atom, Count)
     )
+
+
+def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
+    """The counts of a plan at all states of its mission's map, as far as a formula needs them."""
+    states = tuple(mission.system.states)
+    wanted = (None, *sorted(capabilities(formula)))
+    return count_trace(mission.system, {name: plan.counts(name, states=states) for name in wanted})
 
 
 def measured(atom: Count, trace: CountTrace) -> Ints:
