@@ -1,0 +1,118 @@
+"""What the page shows, as plain JSON data: numbers in lists, names once, places by number."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from tsplan.results.draw import places
+from tsplan.results.summary import objective_line, outcome
+from tsplan.viewer.movers import Mover, movers
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
+    from tsplan.ts import Edge, State, TransitionSystem
+
+Json: TypeAlias = dict[str, Any]
+
+MOST_IDS = 20_000
+"""Agents up to which each one's own name goes into the page; above, only their bundles' names."""
+
+COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a63c7", "#8c6d31")
+
+
+def page_data(mission: Mission, plan: Plan) -> Json:
+    """Everything the page needs to know; raises PlanError for a plan that does not fit the map."""
+    system = mission.system
+    lanes = movers(system, plan)
+    number = {state: place for place, state in enumerate(system.states)}
+    classes = _classes(mission, lanes)
+    kind = {entry["name"]: place for place, entry in enumerate(classes)}
+    named = sum(mover.count for mover in lanes) <= MOST_IDS
+    return {
+        "title": plan.mission.name or mission.name or system.name or "plan",
+        "outcome": outcome(plan),
+        "facts": [objective_line(item) for item in plan.objective],
+        "horizon": plan.horizon,
+        "map": map_data(system),
+        "classes": classes,
+        "movers": [
+            {
+                "class": kind[mover.class_name],
+                "count": mover.count,
+                "name": mover.name,
+                "ids": list(mover.ids) if named else [],
+                "end": mover.end,
+                "stops": [
+                    value
+                    for stop in mover.stops
+                    for value in (stop.first, stop.last, number[stop.state], stop.slot)
+                ],
+            }
+            for mover in lanes
+        ],
+        "formula": [],
+    }
+
+
+def map_data(system: TransitionSystem) -> Json:
+    """States with their places, and edges; those in both directions alike once."""
+    number = {state: place for place, state in enumerate(system.states)}
+    where = places(system)
+    labels = {label: place for place, label in enumerate(system.labels)}
+    states = [_state(state, where[name], labels) for name, state in system.states.items()]
+    edges = []
+    for (source, target), edge in system.edges.items():
+        back = system.edges.get((target, source))
+        alike = back is not None and back.duration == edge.duration
+        if source == target or (alike and number[target] < number[source]):
+            continue
+        edges.append(
+            {
+                "from": number[source],
+                "to": number[target],
+                "words": duration_words(edge),
+                "oneWay": back is None,
+            }
+        )
+    return {"name": system.name, "states": states, "edges": edges}
+
+
+def _state(state: State, at: tuple[float, float], labels: Mapping[str, int]) -> Json:
+    words = sorted(state.labels)
+    return {
+        "name": state.name,
+        "x": at[0],
+        "y": at[1],
+        "labels": words,
+        "shape": [list(point) for point in state.shape] if state.shape else None,
+        "colors": [word for word in (state.color, *words) if word],
+        "tone": min((labels[word] for word in words), default=-1),
+        "capacity": state.capacity,
+    }
+
+
+def duration_words(edge: Edge) -> str:
+    """What is written on an edge: nothing for one step, a range where classes differ."""
+    if not isinstance(edge.duration, Mapping):
+        return "" if edge.duration == 1 else str(edge.duration)
+    least, most = min(edge.duration.values()), max(edge.duration.values())
+    return str(least) if least == most else f"{least}\u2013{most}"
+
+
+def _classes(mission: Mission, lanes: tuple[Mover, ...]) -> list[Json]:
+    able = {group.class_name: sorted(group.capabilities) for group in mission.team}
+    agents = dict.fromkeys([*able, *(mover.class_name for mover in lanes)], 0)
+    for mover in lanes:
+        agents[mover.class_name] += mover.count
+    return [
+        {
+            "name": name,
+            "capabilities": able.get(name, []),
+            "agents": count,
+            "color": COLORS[place % len(COLORS)],
+            "mark": place,
+        }
+        for place, (name, count) in enumerate(agents.items())
+    ]

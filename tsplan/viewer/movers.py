@@ -1,0 +1,135 @@
+"""Who moves when: the plan as lanes that a picture can follow smoothly.
+
+A mover is one or more agents that share a path. At a state its agents take slots, small numbers
+that no other agent there has at the same time, so that a picture can give each one a place of its
+own and keep it there for the whole stay.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+from tsplan.errors import Finding, PlanError
+from tsplan.results.legs import read_path
+from tsplan.results.summary import names
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from tsplan.results.plan import Bundle, Plan
+    from tsplan.ts import TransitionSystem
+
+MOST_SLOTS = 127
+"""Agents at one state that get a place of their own; more are shown as a number anyway."""
+
+
+class Stop(NamedTuple):
+    """At a state at every step `first..last`, on the slots from `slot` on.
+
+    A stop beyond the horizon is where the mover is travelling to when the plan ends.
+    """
+
+    first: int
+    last: int
+    state: str
+    slot: int
+
+
+class Whereabouts(NamedTuple):
+    """At `source` (`share` is 0), or `share` of the way from `source` to `target`."""
+
+    source: Stop
+    target: Stop
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class Mover:
+    """`count` agents of one class on one path, there from the first stop's step up to `end`.
+
+    `ids` are the agents' names; none where agents have none.
+    """
+
+    class_name: str
+    count: int
+    name: str
+    ids: tuple[str, ...]
+    stops: tuple[Stop, ...]
+    end: int
+
+    def at(self, time: float) -> Whereabouts:
+        """Where the mover is at a time between 0 and the horizon, not only at whole steps."""
+        place = max(0, bisect_right(self.stops, time, key=lambda stop: stop.first) - 1)
+        here = self.stops[place]
+        if time <= here.last or place + 1 == len(self.stops):
+            return Whereabouts(here, here, 0.0)
+        there = self.stops[place + 1]
+        return Whereabouts(here, there, (time - here.last) / (there.first - here.last))
+
+
+def movers(system: TransitionSystem, plan: Plan) -> tuple[Mover, ...]:
+    """The movers of a plan: one for each of its distinct paths, in the order of the agents.
+
+    Raises PlanError with everything that the map does not allow about the paths.
+    """
+    stays: list[list[Stop]] = []
+    findings: list[Finding] = []
+    for bundle in plan.bundles:
+        path = read_path(system, bundle, plan.horizon)
+        first = plan.agents[bundle.agents[0]].id
+        findings += [
+            Finding(f"agent {first} {problem}", "name the mission that was planned")
+            for problem in path.problems
+        ]
+        made = [Stop(*stay, slot=0) for stay in bundle.stays]
+        if path.legs and path.legs[-1].left > plan.horizon:
+            leg = path.legs[-1]
+            made.append(Stop(leg.left, leg.left, leg.edge.target, 0))
+        stays.append(made)
+    if findings:
+        raise PlanError(findings)
+    counts = [len(bundle.agents) for bundle in plan.bundles]
+    placed = with_slots(stays, counts)
+    return tuple(
+        _mover(plan, bundle, stops) for bundle, stops in zip(plan.bundles, placed, strict=True)
+    )
+
+
+def _mover(plan: Plan, bundle: Bundle, stops: tuple[Stop, ...]) -> Mover:
+    ids = tuple(plan.agents[place].id for place in bundle.agents)
+    return Mover(bundle.class_name, len(ids), names(ids), ids, stops, plan.horizon)
+
+
+def with_slots(
+    paths: Iterable[Sequence[Stop]], counts: Sequence[int]
+) -> list[tuple[Stop, ...]]:
+    """The paths with slots: at each state the first free ones, in the order of arrival."""
+    placed = [list(path) for path in paths]
+    visits: defaultdict[str, list[tuple[int, int, int]]] = defaultdict(list)
+    for number, path in enumerate(placed):
+        for place, stop in enumerate(path):
+            visits[stop.state].append((stop.first, number, place))
+    for arrivals in visits.values():
+        taken: list[tuple[int, int, int]] = []  # slots from .. to (excluded), until this step
+        for first, number, place in sorted(arrivals):
+            taken = [entry for entry in taken if entry[2] >= first]
+            stop = placed[number][place]
+            slot = _free(taken, counts[number])
+            if slot + counts[number] <= MOST_SLOTS:
+                taken.append((slot, slot + counts[number], stop.last))
+                taken.sort()
+            placed[number][place] = stop._replace(slot=slot)
+    return [tuple(path) for path in placed]
+
+
+def _free(taken: Sequence[tuple[int, int, int]], wanted: int) -> int:
+    """The first of `wanted` free slots in a row."""
+    slot = 0
+    for begin, end, _ in taken:
+        if slot + wanted <= begin:
+            return slot
+        slot = max(slot, end)
+    return slot

@@ -1,0 +1,216 @@
+/* What does not move: shapes, states, edges, durations and names, painted once for each view. */
+
+const TONES = ["#7fb2dd", "#e8b04a", "#7cc29a", "#d68fb8", "#b59ae0", "#d98f6c", "#8fc7c4", "#c2b280"];
+
+class Ground {
+  constructor(data) {
+    this.states = data.states;
+    this.edges = data.edges;
+    this.colours = this.states.map((state) => this.colour(state));
+    this.bounds = this.extent();
+    this.gap = this.spacing();
+    this.canvas = document.createElement("canvas");
+  }
+
+  /* A state's own colour, a label that names one, or one that its label shares with others. */
+  colour(state) {
+    for (const word of state.colors) {
+      const colour = colourOf(word);
+      if (colour) return colour;
+    }
+    return state.tone < 0 ? null : TONES[state.tone % TONES.length];
+  }
+
+  extent() {
+    const xs = [];
+    const ys = [];
+    for (const state of this.states) {
+      for (const [x, y] of [[state.x, state.y], ...(state.shape || [])]) {
+        xs.push(x);
+        ys.push(y);
+      }
+    }
+    const least = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);
+    const most = (values) => values.reduce((a, b) => Math.max(a, b), -Infinity);
+    return { left: least(xs), right: most(xs), bottom: least(ys), top: most(ys) };
+  }
+
+  /* How far apart neighbouring states are: the length that three quarters of the edges exceed. */
+  spacing() {
+    const lengths = this.edges
+      .map(({ from, to }) => this.distance(from, to))
+      .filter((length) => length > 0)
+      .sort((a, b) => a - b);
+    const { left, right, bottom, top } = this.bounds;
+    const span = Math.max(right - left, top - bottom) || 1;
+    return lengths.length ? lengths[Math.floor(lengths.length / 4)] : span / Math.sqrt(this.states.length);
+  }
+
+  distance(a, b) {
+    return Math.hypot(this.states[a].x - this.states[b].x, this.states[a].y - this.states[b].y);
+  }
+
+  /* Dots of the screen that a state's circle and its agents' marks take at a scale. */
+  sizes(camera) {
+    const room = this.gap * camera.scale;
+    const mark = Math.min(8, Math.max(2.2, room * 0.062));
+    return { room, mark, circle: Math.min(46, Math.max(3, room * 0.3)) };
+  }
+
+  paint(camera, lit) {
+    const ratio = Math.min(3, window.devicePixelRatio || 1);
+    this.canvas.width = Math.round(camera.width * ratio);
+    this.canvas.height = Math.round(camera.height * ratio);
+    const context = this.canvas.getContext("2d");
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, camera.width, camera.height);
+    const sizes = this.sizes(camera);
+    this.paintShapes(context, camera, lit);
+    this.paintEdges(context, camera, sizes);
+    this.paintStates(context, camera, sizes, lit);
+    this.paintNames(context, camera, sizes);
+  }
+
+  paintShapes(context, camera, lit) {
+    this.states.forEach((state, s) => {
+      if (!state.shape) return;
+      context.beginPath();
+      for (const [x, y] of state.shape) context.lineTo(camera.x(x), camera.y(y));
+      context.closePath();
+      context.globalAlpha = Number(theme.tint);
+      context.fillStyle = this.colours[s] || theme.state;
+      context.fill();
+      context.globalAlpha = 1;
+      context.lineWidth = lit.has(s) ? 3 : 1;
+      context.strokeStyle = lit.has(s) ? theme.accent : theme.edge;
+      context.stroke();
+    });
+    // once more on top, where a neighbour's border would hide it
+    context.lineWidth = 3;
+    context.strokeStyle = theme.accent;
+    for (const s of lit) {
+      if (!this.states[s].shape) continue;
+      context.beginPath();
+      for (const [x, y] of this.states[s].shape) context.lineTo(camera.x(x), camera.y(y));
+      context.closePath();
+      context.stroke();
+    }
+  }
+
+  paintEdges(context, camera, sizes) {
+    context.strokeStyle = theme.edge;
+    context.fillStyle = theme.edge;
+    context.lineWidth = Math.min(1.4, Math.max(0.5, sizes.room / 60));
+    context.beginPath();
+    for (const edge of this.edges) {
+      const [ax, ay, bx, by] = this.ends(edge, camera);
+      context.moveTo(ax, ay);
+      context.lineTo(bx, by);
+    }
+    context.stroke();
+    for (const edge of this.edges) this.paintEdgeParts(context, camera, sizes, edge);
+  }
+
+  ends({ from, to }, camera) {
+    const a = this.states[from];
+    const b = this.states[to];
+    return [camera.x(a.x), camera.y(a.y), camera.x(b.x), camera.y(b.y)];
+  }
+
+  paintEdgeParts(context, camera, sizes, edge) {
+    const [ax, ay, bx, by] = this.ends(edge, camera);
+    const length = Math.hypot(bx - ax, by - ay);
+    if (edge.oneWay && length > 16) {
+      const [ux, uy] = [(bx - ax) / length, (by - ay) / length];
+      const size = Math.min(8, length / 6);
+      const [x, y] = [bx - ux * (sizes.circle + 2), by - uy * (sizes.circle + 2)];
+      context.fillStyle = theme.edge;
+      context.beginPath();
+      context.moveTo(x, y);
+      context.lineTo(x - ux * size - (uy * size) / 2, y - uy * size + (ux * size) / 2);
+      context.lineTo(x - ux * size + (uy * size) / 2, y - uy * size - (ux * size) / 2);
+      context.fill();
+    }
+    if (edge.words && length > 44) {
+      context.font = `11px ${theme.font}`;
+      context.textAlign = "center";
+      context.textBaseline = "middle";
+      haloText(context, edge.words, (ax + bx) / 2, (ay + by) / 2, theme.soft);
+    }
+  }
+
+  paintStates(context, camera, sizes, lit) {
+    this.states.forEach((state, s) => {
+      if (state.shape) return;
+      context.beginPath();
+      context.arc(camera.x(state.x), camera.y(state.y), sizes.circle, 0, 2 * Math.PI);
+      context.fillStyle = theme.ground;
+      context.fill();
+      context.globalAlpha = Math.min(1, 2 * Number(theme.tint));
+      context.fillStyle = this.colours[s] || theme.state;
+      context.fill();
+      context.globalAlpha = 1;
+      context.lineWidth = lit.has(s) ? 3 : 1;
+      context.strokeStyle = lit.has(s) ? theme.accent : theme.edge;
+      context.stroke();
+    });
+  }
+
+  /* Names where there is room: in the top of a shape, above a circle. */
+  paintNames(context, camera, sizes) {
+    context.textAlign = "center";
+    const words = (state) => state.labels.filter((label) => label !== state.name).join(", ");
+    for (const state of this.states) {
+      const x = camera.x(state.x);
+      if (x < -200 || x > camera.width + 200) continue;
+      const box = state.shape ? this.box(state.shape, camera) : null;
+      const width = box ? box.width - 8 : sizes.room * 0.92;
+      if (width < 26 || (box && box.height < 24)) continue;
+      const middle = box ? box.middle : x;
+      const y = box ? box.top + 5 : camera.y(state.y) - sizes.circle - (words(state) ? 30 : 17);
+      context.textBaseline = "top";
+      context.font = `600 12px ${theme.font}`;
+      haloText(context, fitted(context, state.name, width), middle, y, theme.ink);
+      if (!words(state) || (box && box.height < 58)) continue;
+      context.font = `11px ${theme.font}`;
+      haloText(context, fitted(context, words(state), width), middle, y + 14, theme.soft);
+    }
+  }
+
+  box(shape, camera) {
+    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (const [x, y] of shape) {
+      left = Math.min(left, camera.x(x));
+      right = Math.max(right, camera.x(x));
+      top = Math.min(top, camera.y(y));
+      bottom = Math.max(bottom, camera.y(y));
+    }
+    return { top, width: right - left, height: bottom - top, middle: (left + right) / 2 };
+  }
+
+  /* The state at a point of the screen, -1 for none. */
+  stateAt(px, py, camera) {
+    const reach = Math.max(9, this.sizes(camera).circle);
+    let best = -1;
+    let nearest = reach;
+    this.states.forEach((state, s) => {
+      const distance = Math.hypot(camera.x(state.x) - px, camera.y(state.y) - py);
+      if (distance < nearest) [best, nearest] = [s, distance];
+    });
+    if (best >= 0) return best;
+    const x = (px - camera.width / 2) / camera.scale + camera.middleX;
+    const y = camera.middleY - (py - camera.height / 2) / camera.scale;
+    return this.states.findIndex((state) => state.shape && inside(state.shape, x, y));
+  }
+}
+
+/* Whether a polygon holds a point: a ray from it crosses the border an odd number of times. */
+function inside(shape, x, y) {
+  let odd = false;
+  for (let i = 0, j = shape.length - 1; i < shape.length; j = i, i += 1) {
+    const [ax, ay] = shape[i];
+    const [bx, by] = shape[j];
+    if (ay > y !== by > y && x < ((bx - ax) * (y - ay)) / (by - ay) + ax) odd = !odd;
+  }
+  return odd;
+}
