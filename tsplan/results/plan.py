@@ -10,6 +10,7 @@ from bisect import bisect_right
 from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from functools import cached_property
+from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -260,6 +261,19 @@ class Plan:
         from tsplan.results.requirements import requirements  # noqa: PLC0415  (as above)
 
         return requirements(self, mission)
+
+    def view(self, mission: Mission, path: str | Path | None = None) -> Path:
+        """Show the plan in the browser: one page that plays it, whose path is returned.
+
+        With a `path` the page is written there and no browser is opened. Raises PlanError for a
+        plan without paths and for one that does not fit the mission's map.
+        """
+        from tsplan.viewer.opening import open_page, write_page  # noqa: PLC0415  (imports this)
+
+        written = write_page(mission, self, None if path is None else Path(path))
+        if path is None:
+            open_page(written)
+        return written
 
     def to_json(self) -> str:
         """The plan as a `tsplan-plan/1` document, one agent a line."""

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from tsplan.errors import Finding, PlanError
 from tsplan.results.draw import places
 from tsplan.results.summary import objective_line, outcome
 from tsplan.viewer.movers import Mover, movers
+from tsplan.viewer.parts import Part, formula_parts
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -24,6 +26,8 @@ COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a
 
 def page_data(mission: Mission, plan: Plan) -> Json:
     """Everything the page needs to know; raises PlanError for a plan that does not fit the map."""
+    if not plan.has_paths:
+        raise PlanError([Finding(f"a plan of status {plan.status} has no paths to show")])
     system = mission.system
     lanes = movers(system, plan)
     number = {state: place for place, state in enumerate(system.states)}
@@ -52,7 +56,7 @@ def page_data(mission: Mission, plan: Plan) -> Json:
             }
             for mover in lanes
         ],
-        "formula": [],
+        "formula": [_part(part, number) for part in formula_parts(mission, plan)],
     }
 
 
@@ -99,6 +103,44 @@ def duration_words(edge: Edge) -> str:
         return "" if edge.duration == 1 else str(edge.duration)
     least, most = min(edge.duration.values()), max(edge.duration.values())
     return str(least) if least == most else f"{least}\u2013{most}"
+
+
+def _part(part: Part, number: Mapping[str, int]) -> Json:
+    return {
+        "text": part.text,
+        "depth": part.depth,
+        "when": span_words(part.needed),
+        "duties": part.duties,
+        "settled": part.settled,
+        "failed": part.failed,
+        "needed": part.needed,
+        "states": [number[state] for state in part.states],
+        "hidden": part.hidden,
+        "charts": [
+            {
+                "text": chart.text,
+                "bound": chart.bound,
+                "counts": chart.counts,
+                "needed": chart.needed,
+                "windows": chart.possible,
+            }
+            for chart in part.charts
+        ],
+    }
+
+
+def span_words(spans: tuple[tuple[int, int], ...]) -> str:
+    """Steps in words: the span, or the first and the last step where there are several.
+
+    >>> span_words(((3, 5), (9, 9))), span_words(((4, 4),)), span_words(())
+    ('3…9', '4', '')
+    """
+    if not spans:
+        return ""
+    first, last = spans[0][0], spans[-1][1]
+    if first == last:
+        return str(first)
+    return f"{first}\u2013{last}" if len(spans) == 1 else f"{first}\u2026{last}"
 
 
 def _classes(mission: Mission, lanes: tuple[Mover, ...]) -> list[Json]:

@@ -36,14 +36,29 @@ function colourOf(word) {
   return /^#[0-9a-f]{6}$/.test(probe.fillStyle) ? probe.fillStyle : null;
 }
 
-/* Black or white, whichever is easier to read on a colour. */
-function inkOn(colour) {
+/* A colour between two, `share` of the way to the second. */
+function mixed(one, other, share) {
+  const part = (colour, i) => parseInt(colour.slice(i, i + 2), 16);
+  const between = [1, 3, 5].map((i) => Math.round(part(one, i) * (1 - share) + part(other, i) * share));
+  return `#${between.map((value) => value.toString(16).padStart(2, "0")).join("")}`;
+}
+
+/* How light a colour is, from 0 to 1 (the relative luminance of WCAG 2). */
+function lightness(colour) {
   const parts = [1, 3, 5].map((i) => {
     const value = parseInt(colour.slice(i, i + 2), 16) / 255;
     return value <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
   });
-  const light = 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2];
-  return light > 0.3 ? "#10161e" : "#ffffff";
+  return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2];
+}
+
+/* Black or white, whichever is easier to read on a colour. */
+function inkOn(colour) { return lightness(colour) > 0.3 ? "#10161e" : "#ffffff"; }
+
+/* A class's colour on the present ground: dark ones are lifted from a dark ground. */
+function lifted(colour) {
+  const dark = lightness(theme.ground) < 0.2;
+  return dark && lightness(colour) < 0.22 ? mixed(colour, "#ffffff", 0.35) : colour;
 }
 
 /* Add a class's mark to a path: classes differ by shape as well as by colour. */

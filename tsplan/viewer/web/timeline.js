@@ -14,8 +14,8 @@ class Timeline {
     this.axis = document.getElementById("axis-canvas");
     this.playhead = document.getElementById("playhead");
     this.asked = false;
-    document.getElementById("rows-height").style.height = `${model.movers.length * ROW}px`;
-    this.rows.style.height = `${Math.min(172, Math.max(3, model.movers.length) * ROW + 4)}px`;
+    document.getElementById("rows-height").style.height = `${model.movers.length * ROW + 4}px`;
+    this.rows.style.height = `${Math.min(172, Math.max(3, model.movers.length) * ROW + 8)}px`;
     this.rows.addEventListener("scroll", () => this.refresh());
     this.follow(this.rows, true);
     this.follow(this.axis, false);
@@ -125,7 +125,7 @@ class Timeline {
     }
     if (model.first[i] > model.horizon) return;
     const state = model.state[i];
-    const colour = this.colours[state] || theme.state;
+    const colour = mixed(this.colours[state] || theme.state, theme.paper, 0.42);
     const left = this.x(model.first[i]) - 1.5;
     const wide = Math.max(3, this.x(model.last[i]) + 1.5 - left);
     context.fillStyle = colour;

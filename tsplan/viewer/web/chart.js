@@ -18,7 +18,7 @@ class Charts {
     if (this.place.hidden) return;
     for (const chart of node.charts) this.add(chart);
     if (node.hidden) this.place.append(element("p", "key", `and ${node.hidden} more counts`));
-    this.place.append(element("p", "key", "shaded: the window; green: the steps that were chosen; dashed: the need"));
+    this.place.append(element("p", "key", "blue: the window \u00b7 green: the steps chosen \u00b7 dashed: the need"));
     this.paint();
     this.move(this.player.shown);
   }

@@ -70,7 +70,7 @@ def embedded(data: Mapping[str, object]) -> str:
 
 @cache
 def _source(name: str) -> str:
-    return (files("tsplan.viewer") / "page" / name).read_text(encoding="utf-8")
+    return (files("tsplan.viewer") / "web" / name).read_text(encoding="utf-8")
 
 
 @cache
