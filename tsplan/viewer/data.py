@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.errors import Finding, PlanError
@@ -107,7 +108,8 @@ def duration_words(edge: Edge) -> str:
 
 def _part(part: Part, number: Mapping[str, int]) -> Json:
     return {
-        "text": part.text,
+        "text": part.heading,
+        "whole": part.text,
         "depth": part.depth,
         "when": span_words(part.needed),
         "duties": part.duties,
@@ -145,16 +147,23 @@ def span_words(spans: tuple[tuple[int, int], ...]) -> str:
 
 def _classes(mission: Mission, lanes: tuple[Mover, ...]) -> list[Json]:
     able = {group.class_name: sorted(group.capabilities) for group in mission.team}
-    agents = dict.fromkeys([*able, *(mover.class_name for mover in lanes)], 0)
+    agents: Counter[str] = Counter()
     for mover in lanes:
         agents[mover.class_name] += mover.count
     return [
         {
             "name": name,
             "capabilities": able.get(name, []),
-            "agents": count,
-            "color": COLORS[place % len(COLORS)],
+            "agents": agents[name],
+            "color": color,
             "mark": place,
         }
-        for place, (name, count) in enumerate(agents.items())
+        for place, (name, color) in enumerate(class_colors(mission, lanes).items())
     ]
+
+
+def class_colors(mission: Mission, lanes: Iterable[Mover]) -> dict[str, str]:
+    """A colour for every class of the team, in its order, and of the plan."""
+    team = [group.class_name for group in mission.team]
+    known = dict.fromkeys([*team, *(mover.class_name for mover in lanes)])
+    return {name: COLORS[place % len(COLORS)] for place, name in enumerate(known)}

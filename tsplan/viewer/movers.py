@@ -48,7 +48,7 @@ class Whereabouts(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Mover:
-    """`count` agents of one class on one path, there from the first stop's step up to `end`.
+    """`count` agents of one class on one path, from its first step on, and gone from `end` on.
 
     `ids` are the agents' names; none where agents have none.
     """
@@ -59,6 +59,10 @@ class Mover:
     ids: tuple[str, ...]
     stops: tuple[Stop, ...]
     end: int
+
+    def present(self, time: float) -> bool:
+        """Whether the mover is there: agents always are, parts of a swarm while they last."""
+        return self.stops[0].first <= time < self.end
 
     def at(self, time: float) -> Whereabouts:
         """Where the mover is at a time between 0 and the horizon, not only at whole steps."""
@@ -100,7 +104,7 @@ def movers(system: TransitionSystem, plan: Plan) -> tuple[Mover, ...]:
 
 def _mover(plan: Plan, bundle: Bundle, stops: tuple[Stop, ...]) -> Mover:
     ids = tuple(plan.agents[place].id for place in bundle.agents)
-    return Mover(bundle.class_name, len(ids), names(ids), ids, stops, plan.horizon)
+    return Mover(bundle.class_name, len(ids), names(ids), ids, stops, plan.horizon + 1)
 
 
 def with_slots(

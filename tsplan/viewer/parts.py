@@ -66,11 +66,13 @@ class Chart:
 class Part:
     """One row: a part of the formula, what it has to fulfil, and when that is done.
 
+    `heading` says what joins the rows below, where there are some; else it is the `text`.
     A duty is one count at one step. `settled` has pairs of a step and the duties fulfilled at it.
     `failed` is the step at which it is certain that the part fails although it is needed.
     """
 
     text: str
+    heading: str
     depth: int
     settled: tuple[tuple[int, int], ...]
     failed: int | None
@@ -87,7 +89,7 @@ class Part:
     def share(self, time: float) -> float:
         """The share of the duties that are fulfilled at a time; 1 where there are none.
 
-        >>> Part("a", 0, ((2, 1), (3, 1)), None, (), (), ()).share(2.5)
+        >>> Part("a", "a", 0, ((2, 1), (3, 1)), None, (), (), ()).share(2.5)
         0.5
         """
         done = sum(number for step, number in self.settled if step <= time)
@@ -178,8 +180,10 @@ def _row(judged: _Judged, formula: Formula, duty: Duty, depth: int, *, opened: b
     settled = sum((one.needed.astype(np.int64) for one in counts), np.zeros(duty.needed.size, int))
     labels = {one.formula.label for one in counts if isinstance(one.formula, Count)}
     charts = [_chart(judged, one) for one in _merged(counts)[:MOST_CHARTS]]
+    text = text_of(formula, _LONGEST)
     return Part(
-        text=heading(formula) if opened else text_of(formula, _LONGEST),
+        text=text,
+        heading=heading(formula) if opened else text,
         depth=depth,
         settled=tuple((int(step), int(settled[step])) for step in np.flatnonzero(settled)),
         failed=_failed(duty, judged.times),

@@ -39,7 +39,8 @@ class Page {
   constructor(data) {
     readTheme();
     this.data = data;
-    for (const kind of data.classes) kind.ink = inkOn(kind.color);
+    for (const kind of data.classes) kind.given = kind.color;
+    this.paintClasses();
     this.model = new Model(data);
     this.choice = new Choice(data.formula);
     this.player = new Player(data.horizon);
@@ -65,8 +66,21 @@ class Page {
     document.getElementById("title").textContent = data.title;
     document.getElementById("outcome").textContent = data.outcome;
     for (const fact of data.facts) document.getElementById("facts").append(element("li", "", fact));
+    this.fillLegend();
+  }
+
+  /* The classes' colours on the present ground. */
+  paintClasses() {
+    for (const kind of this.data.classes) {
+      kind.color = lifted(kind.given);
+      kind.ink = inkOn(kind.color);
+    }
+  }
+
+  fillLegend() {
     const legend = document.getElementById("legend");
-    for (const kind of data.classes) {
+    legend.replaceChildren();
+    for (const kind of this.data.classes) {
       const entry = element("span");
       entry.append(swatch(kind), document.createTextNode(`${kind.agents} ${kind.name}`));
       legend.append(entry);
@@ -121,6 +135,9 @@ class Page {
   setTheme(name) {
     document.documentElement.dataset.theme = name;
     readTheme();
+    this.paintClasses();
+    this.fillLegend();
+    this.agents.fill();
     this.map.refresh();
     this.timeline.refresh();
     this.charts.paint();

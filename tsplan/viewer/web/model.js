@@ -20,6 +20,7 @@ class Model {
     this.slot = new Int32Array(stops);
     this.kind = new Int32Array(movers);
     this.count = new Int32Array(movers);
+    this.end = new Int32Array(movers);
     this.source = new Int32Array(movers);
     this.target = new Int32Array(movers);
     this.share = new Float64Array(movers);
@@ -36,6 +37,7 @@ class Model {
       this.begin[m] = next;
       this.kind[m] = mover.class;
       this.count[m] = mover.count;
+      this.end[m] = mover.end;
       this.agents += mover.count;
       for (let i = 0; i < mover.stops.length; i += 4) {
         this.first[next] = mover.stops[i];
@@ -85,9 +87,7 @@ class Model {
   seek(time) {
     this.time = time;
     for (let m = 0; m < this.movers.length; m += 1) {
-      const born = this.first[this.begin[m]];
-      const end = this.movers[m].end;
-      this.present[m] = born <= time && (time < end || end >= this.horizon) ? 1 : 0;
+      this.present[m] = this.first[this.begin[m]] <= time && time < this.end[m] ? 1 : 0;
       const i = this.stopAt(m, time);
       this.source[m] = i;
       if (time <= this.last[i] || i + 1 === this.begin[m + 1]) {
