@@ -209,7 +209,11 @@ class Keys {
   }
 
   press(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey || this.page.help.open) return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (this.page.help.open) {
+      if (event.key === "Escape") this.page.help.close();
+      return;
+    }
     const action = this.actions[event.key];
     if (!action || this.typing(event)) return;
     event.preventDefault();
