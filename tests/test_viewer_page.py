@@ -101,9 +101,10 @@ def test_agents_are_drawn_at_their_states(shown, planned):
     centres = {name: shown.run(f"tsplanViewer.stateAt({name!r})") for name in NAMES}
     for entry in shown.run("tsplanViewer.places()"):
         x, y = entry["at"]
-        if entry["state"] is not None:
-            middle = centres[entry["state"]]
-            assert abs(middle[0] - x) + abs(middle[1] - y) < 60
+        if entry["state"] is None:
+            continue  # on the way, marks may pass each other
+        middle = centres[entry["state"]]
+        assert abs(middle[0] - x) + abs(middle[1] - y) < 60
         colour = picture.getpixel((round(box[0] + x), round(box[1] + y)))
         wanted = colours[entry["name"].partition("-")[0]]
         assert colour == tuple(bytes.fromhex(wanted[1:]))

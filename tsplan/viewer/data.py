@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.errors import Finding, PlanError
 from tsplan.results.draw import places
-from tsplan.results.summary import objective_line, outcome
+from tsplan.results.plan import ObjectiveValue
+from tsplan.results.summary import number, objective_line, outcome
 from tsplan.viewer.movers import Mover, movers
 from tsplan.viewer.parts import Part, formula_parts
 
@@ -31,14 +33,16 @@ def page_data(mission: Mission, plan: Plan) -> Json:
         raise PlanError([Finding(f"a plan of status {plan.status} has no paths to show")])
     system = mission.system
     lanes = movers(system, plan)
-    number = {state: place for place, state in enumerate(system.states)}
+    places_of = {state: place for place, state in enumerate(system.states)}
     classes = _classes(mission, lanes)
     kind = {entry["name"]: place for place, entry in enumerate(classes)}
     named = sum(mover.count for mover in lanes) <= MOST_IDS
     return {
         "title": plan.mission.name or mission.name or system.name or "plan",
         "outcome": outcome(plan),
-        "facts": [objective_line(item) for item in plan.objective],
+        "facts": [
+            {"text": fact_words(item), "about": objective_line(item)} for item in plan.objective
+        ],
         "horizon": plan.horizon,
         "map": map_data(system),
         "classes": classes,
@@ -52,13 +56,26 @@ def page_data(mission: Mission, plan: Plan) -> Json:
                 "stops": [
                     value
                     for stop in mover.stops
-                    for value in (stop.first, stop.last, number[stop.state], stop.slot)
+                    for value in (stop.first, stop.last, places_of[stop.state], stop.slot)
                 ],
             }
             for mover in lanes
         ],
-        "formula": [_part(part, number) for part in formula_parts(mission, plan)],
+        "formula": [_part(part, places_of) for part in formula_parts(mission, plan)],
     }
+
+
+def fact_words(item: ObjectiveValue) -> str:
+    """An objective's value, and in one word whether it is proven.
+
+    >>> fact_words(ObjectiveValue("travel", 12.0, 12.0)), fact_words(ObjectiveValue("cost", 8, 6))
+    ('travel 12 · proven', 'cost 8 · bound 6')
+    """
+    words = f"{item.name} {number(item.value, infinite='unbounded')}"
+    if item.value is None or item.bound is None:
+        return words
+    same = math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9)
+    return f"{words} \u00b7 proven" if same else f"{words} \u00b7 bound {number(item.bound)}"
 
 
 def map_data(system: TransitionSystem) -> Json:

@@ -65,7 +65,11 @@ class Page {
     document.title = data.title;
     document.getElementById("title").textContent = data.title;
     document.getElementById("outcome").textContent = data.outcome;
-    for (const fact of data.facts) document.getElementById("facts").append(element("li", "", fact));
+    for (const { text, about } of data.facts) {
+      const fact = element("li", "", text);
+      fact.title = about;
+      document.getElementById("facts").append(fact);
+    }
     this.fillLegend();
   }
 

@@ -2,6 +2,9 @@
 
 const TONES = ["#7fb2dd", "#e8b04a", "#7cc29a", "#d68fb8", "#b59ae0", "#d98f6c", "#8fc7c4", "#c2b280"];
 
+const ROOM_FOR_NAMES = 44; // dots between neighbouring states
+const MOST_REGIONS = 300;
+
 class Ground {
   constructor(data) {
     this.states = data.states;
@@ -9,6 +12,7 @@ class Ground {
     this.colours = this.states.map((state) => this.colour(state));
     this.bounds = this.extent();
     this.gap = this.spacing();
+    this.regions = this.gather();
     this.canvas = document.createElement("canvas");
   }
 
@@ -46,6 +50,33 @@ class Ground {
     return lengths.length ? lengths[Math.floor(lengths.length / 4)] : span / Math.sqrt(this.states.length);
   }
 
+  /* Neighbouring states that share a label, as regions: the label and where its middle is. */
+  gather() {
+    const root = new Map(); // "label state" to what stands for its region
+    const find = (key) => {
+      while (root.get(key) !== key) key = root.get(key);
+      return key;
+    };
+    this.states.forEach((state, s) => state.labels.forEach((_, l) => root.set(`${l} ${s}`, `${l} ${s}`)));
+    for (const { from, to } of this.edges) {
+      this.states[from].labels.forEach((label, l) => {
+        const other = this.states[to].labels.indexOf(label);
+        if (other >= 0) root.set(find(`${l} ${from}`), find(`${other} ${to}`));
+      });
+    }
+    const regions = new Map();
+    for (const key of root.keys()) {
+      const [l, s] = key.split(" ").map(Number);
+      const state = this.states[s];
+      const region = regions.get(find(key)) || { label: state.labels[l], x: 0, y: 0, size: 0 };
+      region.x += state.x;
+      region.y += state.y;
+      region.size += 1;
+      regions.set(find(key), region);
+    }
+    return [...regions.values()].map(({ label, x, y, size }) => ({ label, x: x / size, y: y / size }));
+  }
+
   distance(a, b) {
     return Math.hypot(this.states[a].x - this.states[b].x, this.states[a].y - this.states[b].y);
   }
@@ -53,7 +84,7 @@ class Ground {
   /* Dots of the screen that a state's circle and its agents' marks take at a scale. */
   sizes(camera) {
     const room = this.gap * camera.scale;
-    const mark = Math.min(8, Math.max(2.2, room * 0.062));
+    const mark = Math.min(8, Math.max(2.4, room * 0.09));
     return { room, mark, circle: Math.min(46, Math.max(3, room * 0.3)) };
   }
 
@@ -156,9 +187,13 @@ class Ground {
     });
   }
 
-  /* Names where there is room: in the top of a shape, above a circle. */
+  /* Names where there is room: in the top of a shape, above a circle. Else only regions. */
   paintNames(context, camera, sizes) {
     context.textAlign = "center";
+    if (sizes.room < ROOM_FOR_NAMES) {
+      this.paintRegions(context, camera);
+      return;
+    }
     const words = (state) => state.labels.filter((label) => label !== state.name).join(", ");
     for (const state of this.states) {
       const x = camera.x(state.x);
@@ -174,6 +209,21 @@ class Ground {
       if (!words(state) || (box && box.height < 58)) continue;
       context.font = `11px ${theme.font}`;
       haloText(context, fitted(context, words(state), width), middle, y + 14, theme.soft);
+    }
+  }
+
+  /* The labels of regions, none on top of another. */
+  paintRegions(context, camera) {
+    context.font = `600 11.5px ${theme.font}`;
+    context.textBaseline = "middle";
+    const taken = [];
+    for (const { label, x, y } of this.regions.slice(0, MOST_REGIONS)) {
+      const half = context.measureText(label).width / 2 + 3;
+      const [px, py] = [camera.x(x), camera.y(y) - Math.min(16, 0.5 * this.gap * camera.scale)];
+      const free = taken.every((other) => Math.abs(other.px - px) > other.half + half || Math.abs(other.py - py) > 14);
+      if (!free) continue;
+      taken.push({ px, py, half });
+      haloText(context, label, px, py, theme.ink);
     }
   }
 

@@ -15,7 +15,7 @@ class Timeline {
     this.playhead = document.getElementById("playhead");
     this.asked = false;
     document.getElementById("rows-height").style.height = `${model.movers.length * ROW + 4}px`;
-    this.rows.style.height = `${Math.min(172, Math.max(3, model.movers.length) * ROW + 8)}px`;
+    this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.movers.length) * ROW + 8)}px`;
     this.rows.addEventListener("scroll", () => this.refresh());
     this.follow(this.rows, true);
     this.follow(this.axis, false);
