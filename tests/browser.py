@@ -54,7 +54,7 @@ class Browser:
             ],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
-            preexec_fn=wire,
+            preexec_fn=wire,  # noqa: PLW1509  (the browser wants its pipe at 3 and 4)
             close_fds=False,
         )
         os.close(to_browser)
@@ -120,8 +120,8 @@ class Browser:
     def frames(self, number=2):
         """Wait until so many frames have been painted."""
         self.run(
-            "new Promise(done => { let left = %d;"
-            " const next = () => left-- ? requestAnimationFrame(next) : done(); next(); })" % number
+            f"new Promise(done => {{ let left = {number};"
+            " const next = () => left-- ? requestAnimationFrame(next) : done(); next(); })"
         )
 
     def press(self, key, modifiers=0):
@@ -136,9 +136,7 @@ class Browser:
         """Move to a place of the page and click there."""
         self.ask("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
         for kind in ("mousePressed", "mouseReleased"):
-            self.ask(
-                "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1
-            )
+            self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
         self.frames()
 
     def click_on(self, selector, place=0):

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import io
 import time
+from itertools import pairwise
 
 import pytest
-
 from browser import Browser, browser_path
+from viewing import HOSTILE, mission_on, plan_of, system, wandering
+
 from tsplan.viewer import page
 from tsplan.viewer.data import page_data
-from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
 pytestmark = pytest.mark.skipif(
     browser_path() is None,
@@ -96,7 +97,9 @@ def test_every_agent_is_where_the_plan_says_at_every_step(shown, planned):
 def test_agents_are_drawn_at_their_states(shown, planned):
     shown.press("End")
     picture = pixels(shown)
-    box = shown.run("(b => [b.left, b.top])(document.getElementById('map').getBoundingClientRect())")
+    box = shown.run(
+        "(b => [b.left, b.top])(document.getElementById('map').getBoundingClientRect())"
+    )
     colours = {kind["name"]: kind["color"] for kind in page_data(*planned)["classes"]}
     centres = {name: shown.run(f"tsplanViewer.stateAt({name!r})") for name in NAMES}
     for entry in shown.run("tsplanViewer.places()"):
@@ -131,7 +134,7 @@ def test_it_moves_smoothly_between_states(shown, planned):
     lane, leave, arrive = next(
         (number, a[1], b[0])
         for number, bundle in enumerate(planned[1].bundles)
-        for a, b in zip(bundle.stays, bundle.stays[1:], strict=False)
+        for a, b in pairwise(bundle.stays)
         if b[0] - a[1] == 3
     )
     at = []
@@ -140,10 +143,7 @@ def test_it_moves_smoothly_between_states(shown, planned):
         for _ in range(step):
             shown.press("ArrowRight")
         at.append(shown.run(f"tsplanViewer.places()[{lane}].at"))
-    steps = [
-        ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
-        for (x0, y0), (x1, y1) in zip(at, at[1:], strict=False)
-    ]
+    steps = [((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5 for (x0, y0), (x1, y1) in pairwise(at)]
     assert min(steps) > 0.5 * max(steps) > 5
 
 
@@ -175,7 +175,9 @@ def test_clicking_the_scrub_bar_goes_to_a_whole_step(shown, planned):
 
 
 def test_clicking_the_timeline_seeks_and_chooses(shown):
-    box = shown.run("(b => [b.left, b.top, b.width])(document.getElementById('rows').getBoundingClientRect())")
+    box = shown.run(
+        "(b => [b.left, b.top, b.width])(document.getElementById('rows').getBoundingClientRect())"
+    )
     shown.click(box[0] + 150 + (box[2] - 164) * 4 / HORIZON, box[1] + 30)
     assert abs(now(shown) - 4) <= 1
     assert chosen(shown)["mover"] == 1
@@ -183,7 +185,9 @@ def test_clicking_the_timeline_seeks_and_chooses(shown):
 
 def test_clicking_an_agent_shows_its_path(shown, planned):
     _, plan = planned
-    box = shown.run("(b => [b.left, b.top])(document.getElementById('map').getBoundingClientRect())")
+    box = shown.run(
+        "(b => [b.left, b.top])(document.getElementById('map').getBoundingClientRect())"
+    )
     first = shown.run("tsplanViewer.places()[0]")
     before = shown.screenshot()
     shown.click(box[0] + first["at"][0], box[1] + first["at"][1])
@@ -192,7 +196,7 @@ def test_clicking_an_agent_shows_its_path(shown, planned):
     assert text(shown, "#chosen h3") == first["name"]
     listed = shown.run("[...document.querySelectorAll('#chosen li')].map(item => item.textContent)")
     stays = plan.agent[first["ids"][0]].stays
-    words = [f"{state} {a}" if a == b else f"{state} {a}–{b}" for a, b, state in stays]
+    words = [f"{state} {a}" if a == b else f"{state} {a}\u2013{b}" for a, b, state in stays]
     assert listed[: len(words)] == words
     shown.click_on("#chosen li button", len(words) - 1)
     assert now(shown) == stays[-1][0]
@@ -202,7 +206,9 @@ def test_clicking_an_agent_shows_its_path(shown, planned):
 
 
 def test_clicking_a_state_lists_who_is_there(shown, planned):
-    box = shown.run("(b => [b.left, b.top])(document.getElementById('map').getBoundingClientRect())")
+    box = shown.run(
+        "(b => [b.left, b.top])(document.getElementById('map').getBoundingClientRect())"
+    )
     x, y = shown.run("tsplanViewer.stateAt('s')")
     shown.click(box[0] + x, box[1] + y)
     assert chosen(shown)["state"] == NAMES.index("s")

@@ -6,7 +6,8 @@ import sys
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_for, plan_with_paths
+from tsplan.cli.inputs import mission_for
+from tsplan.results.planfile import load_plan
 from tsplan.viewer.opening import open_page, write_page
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the page; without a file to write it to, also open it."""
-    plan = plan_with_paths(asked.plan)
+    plan = load_plan(asked.plan)
     mission = mission_for(asked.plan, plan, asked.mission)
     path = write_page(mission, plan, asked.output)
     if asked.output is None:

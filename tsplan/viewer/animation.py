@@ -65,7 +65,7 @@ class Pace:
         (0.0, 0.5, 1.0, 1.5, 2.0)
         """
         pictures = max(1, round(horizon * self.seconds_per_step * self.fps)) if horizon else 0
-        return tuple(horizon * number / pictures for number in range(pictures)) + (float(horizon),)
+        return (*(horizon * number / pictures for number in range(pictures)), float(horizon))
 
 
 def animate(mission: Mission, plan: Plan, path: Path, pace: Pace | None = None) -> None:

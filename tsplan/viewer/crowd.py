@@ -114,9 +114,7 @@ def point(where: Whereabouts, ground: Ground) -> Point:
     return x + (by - ay) * aside, y - (bx - ax) * aside
 
 
-def _stacked(
-    classes: Counter[str], at: Point, ground: Ground
-) -> list[tuple[str, int, Point]]:
+def _stacked(classes: Counter[str], at: Point, ground: Ground) -> list[tuple[str, int, Point]]:
     """One number for each class, one below the other."""
     height = 4.2 * ground.radius
     top = at[1] + (len(classes) - 1) * height / 2

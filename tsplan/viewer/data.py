@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from tsplan.errors import Finding, PlanError
-from tsplan.results.draw import places
+from tsplan.draw.layout import places
+from tsplan.draw.palette import PLAIN, Paint, Palette
+from tsplan.results.fitting import refuse_misfit
 from tsplan.results.plan import ObjectiveValue
 from tsplan.results.summary import number, objective_line, outcome
 from tsplan.viewer.movers import Mover, movers
@@ -24,13 +25,10 @@ Json: TypeAlias = dict[str, Any]
 MOST_IDS = 20_000
 """Agents up to which each one's own name goes into the page; above, only their bundles' names."""
 
-COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a63c7", "#8c6d31")
-
 
 def page_data(mission: Mission, plan: Plan) -> Json:
     """Everything the page needs to know; raises PlanError for a plan that does not fit the map."""
-    if not plan.has_paths:
-        raise PlanError([Finding(f"a plan of status {plan.status} has no paths to show")])
+    refuse_misfit(plan, mission)
     system = mission.system
     lanes = movers(system, plan)
     places_of = {state: place for place, state in enumerate(system.states)}
@@ -82,8 +80,8 @@ def map_data(system: TransitionSystem) -> Json:
     """States with their places, and edges; those in both directions alike once."""
     number = {state: place for place, state in enumerate(system.states)}
     where = places(system)
-    labels = {label: place for place, label in enumerate(system.labels)}
-    states = [_state(state, where[name], labels) for name, state in system.states.items()]
+    paints = Palette(system).states
+    states = [_state(state, where[name], paints[name]) for name, state in system.states.items()]
     edges = []
     for (source, target), edge in system.edges.items():
         back = system.edges.get((target, source))
@@ -101,16 +99,14 @@ def map_data(system: TransitionSystem) -> Json:
     return {"name": system.name, "states": states, "edges": edges}
 
 
-def _state(state: State, at: tuple[float, float], labels: Mapping[str, int]) -> Json:
-    words = sorted(state.labels)
+def _state(state: State, at: tuple[float, float], paint: Paint) -> Json:
     return {
         "name": state.name,
         "x": at[0],
         "y": at[1],
-        "labels": words,
+        "labels": sorted(state.labels),
         "shape": [list(point) for point in state.shape] if state.shape else None,
-        "colors": [word for word in (state.color, *words) if word],
-        "tone": min((labels[word] for word in words), default=-1),
+        "color": None if paint == PLAIN else paint.colour,
         "capacity": state.capacity,
     }
 
@@ -175,12 +171,10 @@ def _classes(mission: Mission, lanes: tuple[Mover, ...]) -> list[Json]:
             "color": color,
             "mark": place,
         }
-        for place, (name, color) in enumerate(class_colors(mission, lanes).items())
+        for place, (name, color) in enumerate(class_colors(mission).items())
     ]
 
 
-def class_colors(mission: Mission, lanes: Iterable[Mover]) -> dict[str, str]:
-    """A colour for every class of the team, in its order, and of the plan."""
-    team = [group.class_name for group in mission.team]
-    known = dict.fromkeys([*team, *(mover.class_name for mover in lanes)])
-    return {name: COLORS[place % len(COLORS)] for place, name in enumerate(known)}
+def class_colors(mission: Mission) -> dict[str, str]:
+    """A colour for every class of the team, in its order."""
+    return {name: paint.colour for name, paint in Palette.of(mission).classes.items()}

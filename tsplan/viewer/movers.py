@@ -107,9 +107,7 @@ def _mover(plan: Plan, bundle: Bundle, stops: tuple[Stop, ...]) -> Mover:
     return Mover(bundle.class_name, len(ids), names(ids), ids, stops, plan.horizon + 1)
 
 
-def with_slots(
-    paths: Iterable[Sequence[Stop]], counts: Sequence[int]
-) -> list[tuple[Stop, ...]]:
+def with_slots(paths: Iterable[Sequence[Stop]], counts: Sequence[int]) -> list[tuple[Stop, ...]]:
     """The paths with slots: at each state the first free ones, in the order of arrival."""
     placed = [list(path) for path in paths]
     visits: defaultdict[str, list[tuple[int, int, int]]] = defaultdict(list)

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, TypeAlias
+from types import MappingProxyType
+from typing import TYPE_CHECKING, TypeAlias, cast
 
 import numpy as np
 
-from tsplan import logic
-from tsplan.logic.atoms import OPPOSITE, Count, Limit, Task
-from tsplan.logic.deciding import decided
-from tsplan.logic.evaluate import CountTrace
+from tsplan.logic.atoms import OPPOSITE, Count
+from tsplan.logic.deciding import decided_at, earliness
+from tsplan.logic.naming import capabilities
 from tsplan.logic.nodes import (
     Always,
     And,
-    Constant,
     Eventually,
     Formula,
     Iff,
@@ -26,12 +26,14 @@ from tsplan.logic.nodes import (
     Until,
 )
 from tsplan.logic.printing import text_of
-from tsplan.logic.translation import counted
-from tsplan.logic.walking import walk
-from tsplan.results.occupancy import state_counts
-from tsplan.viewer.duties import Duty, Steps, Times, atoms, parts, root_duty
+from tsplan.results.evidence import meanings
+from tsplan.results.fitting import refuse_misfit
+from tsplan.results.occupancy import count_trace
+from tsplan.results.requirements import measured, runs
+from tsplan.viewer.asking import START, Ask, Early, atoms, below
 
 if TYPE_CHECKING:
+    from tsplan.logic.traces import CountTrace
     from tsplan.mission import Mission
     from tsplan.results.plan import Plan
 
@@ -98,170 +100,133 @@ class Part:
 
 @dataclass(frozen=True)
 class _Judged:
-    """The mission's formula on the plan's counts."""
+    """The mission's formula on the plan's counts: what each part means, how early it is certain."""
 
     mission: Mission
     trace: CountTrace
-    plain: Mapping[Formula, Formula]
-    times: Times
+    meaning: Mapping[Formula, Formula]
+    early: Early
 
 
 def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
-    """The rows of a mission's formula for a plan, from the outside in."""
+    """The rows of a mission's formula for a plan, from the outside in.
+
+    Raises PlanError for a plan without paths or of another mission.
+    """
+    refuse_misfit(plan, mission)
     judged = _judged(mission, plan)
-    root = _without_percent(mission)
     rows: list[Part] = []
-    waiting = [(root, root_duty(judged.plain[root], plan.horizon + 1), 0)]
+    waiting = [(mission.formula, START, 0)]
     while waiting:
-        formula, duty, depth = waiting.pop()
-        open_ = len(rows) < MOST_PARTS and _opens(formula)
-        rows.append(_row(judged, formula, duty, depth, opened=open_))
-        if open_:
-            below = _below(formula, duty, judged.times)
-            waiting += [(child, part, depth + 1) for child, part in reversed(below)]
+        formula, ask, depth = waiting.pop()
+        opened = len(rows) < MOST_PARTS and _opens(formula)
+        rows.append(_row(judged, (formula, ask), depth, opened=opened))
+        if opened:
+            found = reversed(_below(judged, formula, ask))
+            waiting += [(child, more, depth + 1) for child, more in found]
     return tuple(rows)
 
 
-def _without_percent(mission: Mission) -> Formula:
-    """The formula as written, with numbers of agents for percentages."""
-    return logic.resolve_percent(mission.formula, mission.having)
-
-
 def _judged(mission: Mission, plan: Plan) -> _Judged:
-    formula = _without_percent(mission)
-    plain: dict[Formula, Formula] = {}
-    for node in walk(formula):
-        below = tuple(plain[child] for child in node.children)
-        plain[node] = counted(node, below, mission.task_interval)
-    trace = _trace(mission, plan, plain[formula])
-    return _Judged(mission, trace, plain, decided(plain[formula], trace))
-
-
-def _trace(mission: Mission, plan: Plan, formula: Formula) -> CountTrace:
-    states = tuple(mission.system.states)
-    row = {state: number for number, state in enumerate(states)}
-    labels = {
-        label: np.array([row[state] for state in members], dtype=np.int64)
-        for label, members in mission.system.labels.items()
-    }
-    counts = {
-        name: state_counts(plan.bundles, states, plan.horizon, name)
-        for name in (None, *sorted(logic.capabilities(formula)))
-    }
-    return CountTrace(counts, labels)
+    meaning = meanings(mission)
+    goal = meaning[mission.formula]
+    trace = count_trace(mission.system, plan.bundles, plan.horizon, capabilities(goal))
+    return _Judged(mission, trace, meaning, earliness(goal, trace))
 
 
 def _opens(formula: Formula) -> bool:
     """Whether a row has rows below: where several atoms are joined somewhere inside."""
+    return bool(_joint(formula).children)
+
+
+def _joint(formula: Formula) -> Formula:
+    """The first node below that joins several others, or the atom that there is instead."""
     while len(formula.children) == 1:
         formula = formula.children[0]
-    return bool(formula.children)
+    return formula
 
 
-def _below(formula: Formula, duty: Duty, times: Times) -> list[tuple[Formula, Duty]]:
-    """The parts that a row joins with their duties, in the order of the text."""
+def _below(judged: _Judged, formula: Formula, ask: Ask) -> list[tuple[Formula, Ask]]:
+    """The parts that a row joins with what it asks of them, in the order of the text."""
     while len(formula.children) == 1:
-        formula, duty = formula.children[0], parts(duty.formula, duty, times)[0]
-    made = parts(duty.formula, duty, times)
-    if isinstance(formula, Iff):
-        made = [_side(duty, made, side) for side in duty.formula.children]
-    return list(zip(formula.children, made, strict=True))
+        (ask,) = below(judged.meaning[formula], ask, judged.early)
+        formula = formula.children[0]
+    asked = below(judged.meaning[formula], ask, judged.early)
+    return list(zip(formula.children, asked, strict=True))
 
 
-def _side(duty: Duty, made: Iterable[Duty], side: Formula) -> Duty:
-    """One side of `iff`, as it is read at most steps; its other reading has charts of its own."""
-    nowhere = duty.to(side, np.zeros_like(duty.needed), duty.possible)
-    own = [one for one in made if one.formula is side]
-    return max([*own, nowhere], key=lambda one: int(one.needed.sum()))
-
-
-def _row(judged: _Judged, formula: Formula, duty: Duty, depth: int, *, opened: bool) -> Part:
-    counts = [one for one in atoms(duty, judged.times) if one.needed.any()]
-    settled = sum((one.needed.astype(np.int64) for one in counts), np.zeros(duty.needed.size, int))
-    labels = {one.formula.label for one in counts if isinstance(one.formula, Count)}
-    charts = [_chart(judged, one) for one in _merged(counts)[:MOST_CHARTS]]
+def _row(judged: _Judged, asked: tuple[Formula, Ask], depth: int, *, opened: bool) -> Part:
+    formula, ask = asked
+    meaning = judged.meaning[formula]
+    every = atoms(meaning, ask, judged.early)
+    counts = {key: one for key, one in every.items() if one.steps.size}
+    charts = [_chart(judged, key, one) for key, one in list(counts.items())[:MOST_CHARTS]]
+    settled = Counter(step for one in counts.values() for step in one.steps.tolist())
+    labels = dict.fromkeys(count.label for count, _ in every)
     text = text_of(formula, _LONGEST)
     return Part(
         text=text,
         heading=heading(formula) if opened else text,
         depth=depth,
-        settled=tuple((int(step), int(settled[step])) for step in np.flatnonzero(settled)),
-        failed=_failed(duty, judged.times),
-        needed=spans(settled > 0),
-        states=tuple(
-            state for label in sorted(labels) for state in judged.mission.system.labels[label]
-        ),
+        settled=tuple(sorted(settled.items())),
+        failed=_failed(judged, meaning, ask),
+        needed=runs(np.array(sorted(settled), dtype=np.int64)),
+        states=tuple(state for label in labels for state in judged.mission.system.labels[label]),
         charts=tuple(charts),
-        hidden=max(0, len(_merged(counts)) - MOST_CHARTS),
+        hidden=max(0, len(counts) - MOST_CHARTS),
     )
 
 
+_JOINTS: Mapping[type[Formula], str] = MappingProxyType(
+    {
+        And: "all of",
+        Or: "any of",
+        Implies: "the first implies the second",
+        Iff: "both or neither of",
+        Not: "not",
+        Eventually: "at some step of [{0},{1}]",
+        Always: "at each step of [{0},{1}]",
+        Until: "the first until the second, in [{0},{1}]",
+        Release: "the second, in [{0},{1}] or up to the first",
+    }
+)
+
+
 def heading(formula: Formula) -> str:
-    """What a row with rows below says of them."""
-    match formula:
-        case And():
-            return "all of"
-        case Or():
-            return "any of"
-        case Implies():
-            return "the first implies the second"
-        case Iff():
-            return "both or neither of"
-        case Not():
-            return f"not {heading(formula.child)}"
-        case Eventually():
-            return f"at some step of [{formula.low},{formula.high}] {heading(formula.child)}"
-        case Always():
-            return f"at each step of [{formula.low},{formula.high}] {heading(formula.child)}"
-        case Until():
-            return f"the first until the second, in [{formula.low},{formula.high}]"
-        case Release():
-            return f"the second, in [{formula.low},{formula.high}] or up to the first"
-    return text_of(formula, _LONGEST)
+    """What a row with rows below says of them.
+
+    >>> from tsplan.logic import parse
+    >>> heading(parse("F[0,3] !(a && b)", language="mtl"))
+    'at some step of [0,3] not all of'
+    """
+    words = [_JOINTS[type(formula)].format(*formula.parameters)]
+    while len(formula.children) == 1:
+        formula = formula.children[0]
+        words.append(_JOINTS[type(formula)].format(*formula.parameters))
+    return " ".join(words)
 
 
-def _merged(counts: Iterable[Duty]) -> list[Duty]:
-    """One duty for each count and reading, with the steps of all of them."""
-    found: dict[tuple[Formula, bool], Duty] = {}
-    for one in counts:
-        key = (one.formula, one.holds)
-        former = found.get(key, one)
-        found[key] = one._replace(
-            needed=former.needed | one.needed, possible=former.possible | one.possible
-        )
-    return list(found.values())
-
-
-def _chart(judged: _Judged, duty: Duty) -> Chart:
-    count = duty.formula
-    assert isinstance(count, Count)
-    assert isinstance(count.bound, int)
-    shown = count if duty.holds else replace(count, relation=OPPOSITE[count.relation])
-    at_states = judged.trace.at(count.label, count.capability)
-    values = getattr(at_states, count.function)(axis=-2).astype(np.int64)
+def _chart(judged: _Judged, key: tuple[Count, bool | None], ask: Ask) -> Chart:
+    count, holds = key
+    shown = replace(count, relation=OPPOSITE[count.relation]) if holds is False else count
+    values = measured(count, judged.trace)
     changes = np.flatnonzero(np.diff(values, prepend=values[0] - 1))
     return Chart(
         text=text_of(shown),
         relation=shown.relation,
-        bound=count.bound,
+        bound=cast("int", count.bound),  # a meaning has no percentages
         counts=tuple((int(step), int(values[step])) for step in changes),
-        needed=spans(duty.needed),
-        possible=spans(duty.possible),
+        needed=runs(ask.steps),
+        possible=tuple(sorted(ask.windows)),
     )
 
 
-def _failed(duty: Duty, times: Times) -> int | None:
-    """The first step at which it is certain that a duty is not fulfilled."""
-    opposite = duty._replace(holds=not duty.holds).certain(times)[duty.needed]
-    finite = opposite[np.isfinite(opposite)]
-    return int(finite.min()) if finite.size else None
-
-
-def spans(steps: Steps) -> tuple[Span, ...]:
-    """Runs of true steps, with both ends.
-
-    >>> spans(np.array([True, True, False, True]))
-    ((0, 1), (3, 3))
-    """
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], steps, [False]]).astype(np.int8)))
-    return tuple((int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True))
+def _failed(judged: _Judged, meaning: Formula, ask: Ask) -> int | None:
+    """The first step at which it is certain that a part is not what it has to be."""
+    if ask.holds is None:
+        return None
+    early = judged.early[meaning][ask.steps]
+    wrong = early[(early >= 0) != ask.holds]
+    if not wrong.size:
+        return None
+    return int(decided_at(wrong, judged.trace.steps - 1).min())

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from tsplan.errors import Finding, PlanError
-from tsplan.results.draw import draw_map, places, pyplot
+from tsplan.draw.layout import places
+from tsplan.draw.map import draw_map, pyplot
+from tsplan.results.fitting import refuse_misfit
 from tsplan.viewer.crowd import Ground, Picture, picture
 from tsplan.viewer.data import class_colors
 from tsplan.viewer.movers import movers
@@ -57,12 +58,11 @@ class Scene:
         from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415  (an extra)
         from matplotlib.figure import Figure  # noqa: PLC0415  (an extra, slow to import)
 
-        if not plan.has_paths:
-            raise PlanError([Finding(f"a plan of status {plan.status} has no paths to show")])
+        refuse_misfit(plan, mission)
         self._figure = Figure(figsize=(size[0] / DOTS, size[1] / DOTS), dpi=DOTS)
         self._canvas = FigureCanvasAgg(self._figure)
         self._movers = movers(mission.system, plan)
-        self._colors = class_colors(mission, self._movers)
+        self._colors = class_colors(mission)
         self._axes = self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
         draw_map(mission.system, self._axes)
         self._axes.set_title("")
@@ -101,7 +101,7 @@ class Scene:
             if (length := math.dist(at[source], at[target])) > 0
         )
         room = lengths[len(lengths) // 4] if lengths else min(self.size) / 2
-        radius = min(7.0, max(2.2, room * 0.062))
+        radius = min(7.0, max(2.4, room * 0.09))
         return Ground(at, radius, slots_within(room * 0.42 / (2.35 * radius)))
 
     def _legend(self) -> list[tuple[str, str, str]]:

@@ -8,6 +8,7 @@ class Camera {
     this.whole = true; // follows the size of the canvas until the reader moves it
     this.pointers = new Map();
     this.dragged = 0;
+    this.measure();
     this.fit();
     canvas.addEventListener("wheel", (event) => this.onWheel(event), { passive: false });
     canvas.addEventListener("pointerdown", (event) => this.onDown(event));
@@ -17,10 +18,14 @@ class Camera {
     }
   }
 
-  get width() { return Math.max(1, this.canvas.clientWidth); }
-  get height() { return Math.max(1, this.canvas.clientHeight); }
   x(x) { return (x - this.middleX) * this.scale + this.width / 2; }
   y(y) { return (this.middleY - y) * this.scale + this.height / 2; }
+
+  /* The canvas's size; asked for only when it changes, because asking makes the browser lay out. */
+  measure() {
+    this.width = Math.max(1, this.canvas.clientWidth);
+    this.height = Math.max(1, this.canvas.clientHeight);
+  }
 
   fit() {
     const { left, right, bottom, top } = this.bounds;
@@ -37,6 +42,7 @@ class Camera {
   }
 
   resized() {
+    this.measure();
     if (this.whole) this.fit();
     else this.changed();
   }

@@ -1,5 +1,7 @@
 /* Counts against needs of the chosen part of the formula, in step with the time. */
 
+const LEFT = 26; // for the numbers beside a chart
+
 class Charts {
   constructor(horizon, player) {
     this.horizon = horizon;
@@ -37,17 +39,17 @@ class Charts {
     canvas.setAttribute("aria-label", `${chart.text}: count over time`);
     plot.addEventListener("pointerdown", (event) => {
       this.player.pause();
-      this.player.seek(Math.round(this.step(event.offsetX, canvas)));
+      this.player.seek(Math.round(this.step(event.offsetX)));
     });
     this.place.append(figure);
     this.plots.push({ chart, canvas, line, now, shown: -1 });
   }
 
-  left() { return 26; }
-  x(step, canvas) { return this.left() + (step * (canvas.clientWidth - this.left() - 8)) / Math.max(1, this.horizon); }
-  step(x, canvas) { return ((x - this.left()) * Math.max(1, this.horizon)) / (canvas.clientWidth - this.left() - 8); }
+  x(step) { return LEFT + (step * (this.width - LEFT - 8)) / Math.max(1, this.horizon); }
+  step(x) { return ((x - LEFT) * Math.max(1, this.horizon)) / (this.width - LEFT - 8); }
 
   paint() {
+    this.width = this.plots.length ? this.plots[0].canvas.clientWidth : 1;
     for (const plot of this.plots) this.paintPlot(plot);
     if (this.plots.length) this.move(this.player.shown);
   }
@@ -58,29 +60,29 @@ class Charts {
     const most = Math.max(chart.bound, ...chart.counts.map(([, count]) => count), 1);
     const [top, bottom] = [6, height - 16];
     const y = (count) => bottom - (count * (bottom - top)) / most;
-    this.paintSpans(context, canvas, chart.windows, theme.shade, [top, bottom]);
-    this.paintSpans(context, canvas, chart.needed, theme.witness, [top, bottom]);
-    this.paintAxes(context, canvas, most, [y, bottom]);
-    this.paintCounts(context, canvas, chart.counts, y);
+    this.paintSpans(context, chart.windows, theme.shade, [top, bottom]);
+    this.paintSpans(context, chart.needed, theme.witness, [top, bottom]);
+    this.paintAxes(context, most, [y, bottom]);
+    this.paintCounts(context, chart.counts, y);
     context.strokeStyle = theme.good;
     context.lineWidth = 1.6;
     context.setLineDash([5, 4]);
     context.beginPath();
-    context.moveTo(this.x(0, canvas), y(chart.bound));
-    context.lineTo(this.x(this.horizon, canvas), y(chart.bound));
+    context.moveTo(this.x(0), y(chart.bound));
+    context.lineTo(this.x(this.horizon), y(chart.bound));
     context.stroke();
     context.setLineDash([]);
   }
 
-  paintSpans(context, canvas, spans, colour, [top, bottom]) {
+  paintSpans(context, spans, colour, [top, bottom]) {
     context.fillStyle = colour;
     for (const [first, last] of spans) {
-      const left = this.x(Math.max(0, first - 0.5), canvas);
-      context.fillRect(left, top, this.x(Math.min(this.horizon, last + 0.5), canvas) - left, bottom - top);
+      const left = this.x(Math.max(0, first - 0.5));
+      context.fillRect(left, top, this.x(Math.min(this.horizon, last + 0.5)) - left, bottom - top);
     }
   }
 
-  paintAxes(context, canvas, most, [y, bottom]) {
+  paintAxes(context, most, [y, bottom]) {
     context.font = `10.5px ${theme.font}`;
     context.fillStyle = theme.soft;
     context.strokeStyle = theme.line;
@@ -88,21 +90,21 @@ class Charts {
     context.textBaseline = "middle";
     context.textAlign = "right";
     for (let count = 0, every = tickStep(most, 3); count <= most; count += every) {
-      context.fillText(String(count), this.left() - 5, y(count));
+      context.fillText(String(count), LEFT - 5, y(count));
       context.beginPath();
-      context.moveTo(this.left(), y(count));
-      context.lineTo(canvas.clientWidth - 8, y(count));
+      context.moveTo(LEFT, y(count));
+      context.lineTo(this.width - 8, y(count));
       context.stroke();
     }
     context.textAlign = "center";
     context.textBaseline = "top";
     for (let step = 0, every = tickStep(this.horizon, 7); step <= this.horizon; step += every) {
-      context.fillText(String(step), this.x(step, canvas), bottom + 4);
+      context.fillText(String(step), this.x(step), bottom + 4);
     }
   }
 
   /* `counts` are [step, count] from each change on. */
-  paintCounts(context, canvas, counts, y) {
+  paintCounts(context, counts, y) {
     context.strokeStyle = theme.accent;
     context.lineWidth = 1.8;
     context.lineJoin = "round";
@@ -110,8 +112,8 @@ class Charts {
     counts.forEach(([step, count], i) => {
       const begin = Math.max(0, step - 0.5);
       const end = i + 1 < counts.length ? counts[i + 1][0] - 0.5 : this.horizon;
-      context.lineTo(this.x(begin, canvas), y(count));
-      context.lineTo(this.x(end, canvas), y(count));
+      context.lineTo(this.x(begin), y(count));
+      context.lineTo(this.x(end), y(count));
     });
     context.stroke();
   }
@@ -119,7 +121,7 @@ class Charts {
   move(time) {
     const step = Math.round(time);
     for (const plot of this.plots) {
-      plot.line.style.transform = `translateX(${this.x(time, plot.canvas)}px)`;
+      plot.line.style.transform = `translateX(${this.x(time)}px)`;
       if (plot.shown === step) continue;
       plot.shown = step;
       plot.now.textContent = `${countAt(plot.chart.counts, step)} at step ${step}`;

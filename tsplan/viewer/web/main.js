@@ -156,14 +156,24 @@ class Page {
     this.formula.update(time);
     this.charts.move(time);
     this.agents.update(time);
-    document.body.classList.toggle("playing", player.playing);
-    document.getElementById("play").setAttribute("aria-label", player.playing ? "Pause" : "Play");
-    this.speed.value = String(player.speed);
-    this.loop.checked = player.loop;
+    this.showSettings();
     this.scrub.value = String(time);
     const words = `step ${Number.isInteger(time) ? time : time.toFixed(1)} of ${player.horizon}`;
+    if (this.clock.textContent === words) return;
     this.clock.textContent = words;
     this.scrub.setAttribute("aria-valuetext", words);
+  }
+
+  /* Whether it plays, how fast, and whether it starts again: only when that has changed. */
+  showSettings() {
+    const { playing, speed, loop } = this.player;
+    const now = `${playing} ${speed} ${loop}`;
+    if (this.settings === now) return;
+    this.settings = now;
+    document.body.classList.toggle("playing", playing);
+    document.getElementById("play").setAttribute("aria-label", playing ? "Pause" : "Play");
+    this.speed.value = String(speed);
+    this.loop.checked = loop;
   }
 
   onChoice(changed) {

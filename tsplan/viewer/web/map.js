@@ -1,28 +1,18 @@
 /* What does not move: shapes, states, edges, durations and names, painted once for each view. */
 
-const TONES = ["#7fb2dd", "#e8b04a", "#7cc29a", "#d68fb8", "#b59ae0", "#d98f6c", "#8fc7c4", "#c2b280"];
-
-const ROOM_FOR_NAMES = 44; // dots between neighbouring states
+const ROOM_FOR_NAMES = 56; // dots between neighbouring states
+const ROOM_FOR_LABELS = 84;
 const MOST_REGIONS = 300;
 
 class Ground {
   constructor(data) {
     this.states = data.states;
     this.edges = data.edges;
-    this.colours = this.states.map((state) => this.colour(state));
+    this.colours = this.states.map((state) => state.color);
     this.bounds = this.extent();
     this.gap = this.spacing();
     this.regions = this.gather();
     this.canvas = document.createElement("canvas");
-  }
-
-  /* A state's own colour, a label that names one, or one that its label shares with others. */
-  colour(state) {
-    for (const word of state.colors) {
-      const colour = colourOf(word);
-      if (colour) return colour;
-    }
-    return state.tone < 0 ? null : TONES[state.tone % TONES.length];
   }
 
   extent() {
@@ -89,11 +79,7 @@ class Ground {
   }
 
   paint(camera, lit) {
-    const ratio = Math.min(3, window.devicePixelRatio || 1);
-    this.canvas.width = Math.round(camera.width * ratio);
-    this.canvas.height = Math.round(camera.height * ratio);
-    const context = this.canvas.getContext("2d");
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const { context } = sizeCanvas(this.canvas, camera.width, camera.height);
     context.clearRect(0, 0, camera.width, camera.height);
     const sizes = this.sizes(camera);
     this.paintShapes(context, camera, lit);
@@ -199,14 +185,15 @@ class Ground {
       const x = camera.x(state.x);
       if (x < -200 || x > camera.width + 200) continue;
       const box = state.shape ? this.box(state.shape, camera) : null;
+      const both = words(state) !== "" && (box ? box.height >= 58 : sizes.room >= ROOM_FOR_LABELS);
       const width = box ? box.width - 8 : sizes.room * 0.92;
       if (width < 26 || (box && box.height < 24)) continue;
       const middle = box ? box.middle : x;
-      const y = box ? box.top + 5 : camera.y(state.y) - sizes.circle - (words(state) ? 30 : 17);
+      const y = box ? box.top + 5 : camera.y(state.y) - sizes.circle - (both ? 30 : 17);
       context.textBaseline = "top";
       context.font = `600 12px ${theme.font}`;
       haloText(context, fitted(context, state.name, width), middle, y, theme.ink);
-      if (!words(state) || (box && box.height < 58)) continue;
+      if (!both) continue;
       context.font = `11px ${theme.font}`;
       haloText(context, fitted(context, words(state), width), middle, y + 14, theme.soft);
     }

@@ -28,7 +28,8 @@ class MapView {
   paint() {
     if (!this.camera) return;
     this.asked = false;
-    const { context, width, height } = fitCanvas(this.canvas);
+    const { width, height } = this.camera;
+    const { context } = sizeCanvas(this.canvas, width, height);
     if (this.stale) {
       this.stale = false;
       this.ground.paint(this.camera, this.choice.states);

@@ -1,7 +1,5 @@
 /* Colours, marks and canvases that all pictures of the page share. */
 
-const NEUTRAL = ["#8d99a8", "#5b6879"];
-
 /* Values of the style sheet's variables, read again when the theme changes. */
 const theme = {};
 
@@ -15,9 +13,11 @@ function readTheme() {
 
 /* Make a canvas as large as its place on the page, in the screen's own dots. */
 function fitCanvas(canvas) {
+  return sizeCanvas(canvas, Math.max(1, canvas.clientWidth), Math.max(1, canvas.clientHeight));
+}
+
+function sizeCanvas(canvas, width, height) {
   const ratio = Math.min(3, window.devicePixelRatio || 1);
-  const width = Math.max(1, canvas.clientWidth);
-  const height = Math.max(1, canvas.clientHeight);
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
@@ -25,15 +25,6 @@ function fitCanvas(canvas) {
   const context = canvas.getContext("2d");
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   return { context, width, height };
-}
-
-/* A colour as "#rrggbb", or null for words that are no colour. */
-const probe = document.createElement("canvas").getContext("2d");
-function colourOf(word) {
-  if (typeof word !== "string" || !CSS.supports("color", word)) return null;
-  probe.fillStyle = "#000000";
-  probe.fillStyle = word;
-  return /^#[0-9a-f]{6}$/.test(probe.fillStyle) ? probe.fillStyle : null;
 }
 
 /* A colour between two, `share` of the way to the second. */

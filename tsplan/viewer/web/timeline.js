@@ -14,6 +14,7 @@ class Timeline {
     this.axis = document.getElementById("axis-canvas");
     this.playhead = document.getElementById("playhead");
     this.asked = false;
+    this.measure();
     document.getElementById("rows-height").style.height = `${model.movers.length * ROW + 4}px`;
     this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.movers.length) * ROW + 8)}px`;
     this.rows.addEventListener("scroll", () => this.refresh());
@@ -22,8 +23,12 @@ class Timeline {
     new ResizeObserver(() => this.refresh()).observe(this.rows);
   }
 
-  get names() { return this.canvas.clientWidth < 560 ? 84 : 150; }
-  get width() { return Math.max(1, this.canvas.clientWidth - this.names - 14); }
+  measure() {
+    this.whole = this.canvas.clientWidth;
+    this.names = this.whole < 560 ? 84 : 150;
+    this.width = Math.max(1, this.whole - this.names - 14);
+  }
+
   x(step) { return this.names + (step * this.width) / Math.max(1, this.model.horizon); }
   step(x) { return ((x - this.names) * Math.max(1, this.model.horizon)) / this.width; }
 
@@ -31,7 +36,7 @@ class Timeline {
   follow(place, choosing) {
     const seek = (event) => this.player.seek(Math.round(this.step(event.clientX - this.rows.getBoundingClientRect().left)));
     place.addEventListener("pointerdown", (event) => {
-      if (event.offsetX > this.canvas.clientWidth) return; // the scroll bar
+      if (event.offsetX > this.whole) return; // the scroll bar
       if (choosing) {
         const row = Math.floor((event.clientY - this.canvas.getBoundingClientRect().top + this.rows.scrollTop) / ROW);
         if (row >= 0 && row < this.model.movers.length) this.choice.chooseMover(row);
@@ -54,6 +59,7 @@ class Timeline {
 
   paint() {
     this.asked = false;
+    this.measure();
     this.paintAxis();
     const { context, width, height } = fitCanvas(this.canvas);
     context.clearRect(0, 0, width, height);
@@ -99,7 +105,7 @@ class Timeline {
     const chosen = m === this.choice.mover;
     if (chosen) {
       context.fillStyle = theme.shade;
-      context.fillRect(0, top, this.canvas.clientWidth, ROW);
+      context.fillRect(0, top, this.whole, ROW);
     }
     const kind = model.classes[model.kind[m]];
     context.beginPath();
