@@ -46,7 +46,7 @@ def places(data, step):
 def test_everybody_is_where_the_plan_says(mission, seed):
     plan = wandering(mission, seed)
     data = json.loads(json.dumps(page_data(mission, plan)))
-    lanes = movers(mission.system, plan)
+    lanes = movers(mission, plan)
     for step in range(plan.horizon + 1):
         said = plan.state_at(step)
         assert places(data, step) == said
@@ -64,7 +64,7 @@ def test_between_two_steps_an_agent_is_on_its_edge(mission):
         mission,
         [(path, None) for path in stays[:2]] + [(stays[2], "q")] + [(p, None) for p in rest],
     )
-    walker, idle, leaving, *_ = movers(mission.system, plan)
+    walker, idle, leaving, *_ = movers(mission, plan)
     assert walker.at(2).share == 0
     assert (walker.at(3.5).source.state, walker.at(3.5).target.state) == ("p", "q")
     assert walker.at(3.5).share == pytest.approx(0.5)
@@ -78,7 +78,7 @@ def test_between_two_steps_an_agent_is_on_its_edge(mission):
 def test_no_two_agents_share_a_slot(mission, seed):
     plan = wandering(mission, seed)
     taken = set()
-    for lane in movers(mission.system, plan):
+    for lane in movers(mission, plan):
         for stop in lane.stops:
             for step in range(stop.first, stop.last + 1):
                 for slot in range(stop.slot, stop.slot + lane.count):

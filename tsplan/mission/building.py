@@ -43,9 +43,11 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
         "map": map_to_yaml(system) if system is not None else str(given),
         "team": [_member(group) for group in values["team"]],
     }
-    text = _PAIR.sub(_whole, json.dumps(written, default=_plain))
+    text = json.dumps(written, default=_plain)
     try:
-        return mission_from_document(parse_document(text, _SOURCE), Path(), system)
+        return mission_from_document(
+            parse_document(_PAIR.sub(_whole, text), _SOURCE), Path(), system
+        )
     except InputError as error:
         raise MissionError(_without_lines(finding) for finding in error.findings) from None
 

@@ -30,7 +30,7 @@ def page_data(mission: Mission, plan: Plan) -> Json:
     """Everything the page needs to know; raises PlanError for a plan that does not fit the map."""
     refuse_misfit(plan, mission)
     system = mission.system
-    lanes = movers(system, plan)
+    lanes = movers(mission, plan)
     places_of = {state: place for place, state in enumerate(system.states)}
     classes = _classes(mission, lanes)
     kind = {entry["name"]: place for place, entry in enumerate(classes)}

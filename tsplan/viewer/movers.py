@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import Finding, PlanError
@@ -19,7 +19,8 @@ from tsplan.results.summary import names
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from tsplan.results.plan import Bundle, Plan
+    from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
     from tsplan.ts import TransitionSystem
 
 MOST_SLOTS = 127
@@ -74,37 +75,37 @@ class Mover:
         return Whereabouts(here, there, (time - here.last) / (there.first - here.last))
 
 
-def movers(system: TransitionSystem, plan: Plan) -> tuple[Mover, ...]:
+def movers(mission: Mission, plan: Plan) -> tuple[Mover, ...]:
     """The movers of a plan: one for each of its distinct paths, in the order of the agents.
 
     Raises PlanError with everything that the map does not allow about the paths.
     """
-    stays: list[list[Stop]] = []
+    made = _of_agents(mission.system, plan)
+    slots = with_slots([mover.stops for mover in made], [mover.count for mover in made])
+    return tuple(replace(mover, stops=stops) for mover, stops in zip(made, slots, strict=True))
+
+
+def _of_agents(system: TransitionSystem, plan: Plan) -> list[Mover]:
+    """One mover for each bundle of agents, all of them at slot 0."""
+    made: list[Mover] = []
     findings: list[Finding] = []
     for bundle in plan.bundles:
+        ids = tuple(plan.agents[place].id for place in bundle.agents)
         path = read_path(system, bundle, plan.horizon)
-        first = plan.agents[bundle.agents[0]].id
         findings += [
-            Finding(f"agent {first} {problem}", "name the mission that was planned")
+            Finding(f"agent {ids[0]} {problem}", "name the mission that was planned")
             for problem in path.problems
         ]
-        made = [Stop(*stay, slot=0) for stay in bundle.stays]
+        stops = [Stop(*stay, slot=0) for stay in bundle.stays]
         if path.legs and path.legs[-1].left > plan.horizon:
             leg = path.legs[-1]
-            made.append(Stop(leg.left, leg.left, leg.edge.target, 0))
-        stays.append(made)
+            stops.append(Stop(leg.left, leg.left, leg.edge.target, 0))
+        made.append(
+            Mover(bundle.class_name, len(ids), names(ids), ids, tuple(stops), end=plan.horizon + 1)
+        )
     if findings:
         raise PlanError(findings)
-    counts = [len(bundle.agents) for bundle in plan.bundles]
-    placed = with_slots(stays, counts)
-    return tuple(
-        _mover(plan, bundle, stops) for bundle, stops in zip(plan.bundles, placed, strict=True)
-    )
-
-
-def _mover(plan: Plan, bundle: Bundle, stops: tuple[Stop, ...]) -> Mover:
-    ids = tuple(plan.agents[place].id for place in bundle.agents)
-    return Mover(bundle.class_name, len(ids), names(ids), ids, stops, plan.horizon + 1)
+    return made
 
 
 def with_slots(paths: Iterable[Sequence[Stop]], counts: Sequence[int]) -> list[tuple[Stop, ...]]:

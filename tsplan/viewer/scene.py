@@ -6,6 +6,9 @@ What stays the same is painted once; for each picture the rest is painted on a c
 from __future__ import annotations
 
 import math
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -61,7 +64,7 @@ class Scene:
         refuse_misfit(plan, mission)
         self._figure = Figure(figsize=(size[0] / DOTS, size[1] / DOTS), dpi=DOTS)
         self._canvas = FigureCanvasAgg(self._figure)
-        self._movers = movers(mission.system, plan)
+        self._movers = movers(mission, plan)
         self._colors = class_colors(mission)
         self._axes = self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
         draw_map(mission.system, self._axes)
@@ -70,7 +73,8 @@ class Scene:
         self._panel = StatusPanel(self._figure, (title, plan.horizon), _SHARE)
         self._panel.show(formula_parts(mission, plan))
         self._panel.legend(self._legend())
-        self._canvas.draw()
+        with _quietly():
+            self._canvas.draw()
         self.ground = self._ground(mission)
         self._artists = self._made(mission)
         self._still = self._canvas.copy_from_bbox(self._figure.bbox)
@@ -85,9 +89,10 @@ class Scene:
         """The picture at a time between 0 and the horizon: (height, width, 3)."""
         self._canvas.restore_region(self._still)
         shown = picture(self._movers, self.ground, time)
-        for artist in [*self._marks(shown), *self._counts(shown), *self._numbers(shown)]:
-            self._axes.draw_artist(artist)
-        self._panel.paint(time)
+        with _quietly():
+            for artist in [*self._marks(shown), *self._counts(shown), *self._numbers(shown)]:
+                self._axes.draw_artist(artist)
+            self._panel.paint(time)
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
     def _ground(self, mission: Mission) -> Ground:
@@ -186,3 +191,11 @@ class Scene:
                 {"boxstyle": "round,pad=0.25", "color": self._colors[name], "linewidth": 0}
             )
         return kept[: len(shown.numbers)]
+
+
+@contextmanager
+def _quietly() -> Iterator[None]:
+    """Letters that the font lacks are drawn as boxes; there is no need to say so each time."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
+        yield
