@@ -64,7 +64,9 @@ class Ground {
       region.size += 1;
       regions.set(find(key), region);
     }
-    return [...regions.values()].map(({ label, x, y, size }) => ({ label, x: x / size, y: y / size }));
+    return [...regions.values()]
+      .sort((a, b) => a.size - b.size) // a small region is harder to guess than a large one
+      .map(({ label, x, y, size }) => ({ label, x: x / size, y: y / size }));
   }
 
   distance(a, b) {
