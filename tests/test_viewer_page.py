@@ -10,6 +10,7 @@ import pytest
 from browser import Browser, browser_path
 from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
+from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer import page
 from tsplan.viewer.data import page_data
 
@@ -365,4 +366,20 @@ def test_a_thousand_agents_are_counted_where_they_crowd(browser, tmp_path):
         assert places(browser) == plan.state_at(step)
     drawn = browser.run("tsplanViewer.places().filter(entry => entry.at !== null).length")
     assert drawn < len(plan.bundles)
+    assert browser.errors() == []
+
+
+def test_the_smallest_plan_there_can_be(browser, tmp_path):
+    alone = TransitionSystem.build([State("here", frozenset({"here"}))], [Edge("here", "here")])
+    mission = mission_on(alone, [{"class": "a", "at": "here"}], "here", 0)
+    path = tmp_path / "alone.html"
+    path.write_text(page(mission, plan_of(mission, [(((0, 0, "here"),), None)])), encoding="utf-8")
+    browser.resize(1280, 800)
+    browser.open(path)
+    assert places(browser) == {"a-1": "here"}
+    assert [part["status"] for part in browser.run("tsplanViewer.parts()")] == ["done"]
+    for key in (" ", "ArrowRight", "End", "l", " ", "ArrowDown", "n"):
+        browser.press(key)
+    assert now(browser) == 0
+    assert text(browser, "#chosen h3") == "a-1"
     assert browser.errors() == []

@@ -154,10 +154,8 @@ class Crowd {
   }
 
   stamp(kind, ratio) {
-    const canvas = document.createElement("canvas");
     const side = Math.ceil((2 * this.radius * 1.22 + 4) * ratio);
-    canvas.width = side;
-    canvas.height = side;
+    const canvas = new OffscreenCanvas(side, side);
     const context = canvas.getContext("2d");
     context.scale(ratio, ratio);
     context.beginPath();
@@ -169,7 +167,7 @@ class Crowd {
       context.strokeStyle = theme.halo;
       context.stroke();
     }
-    return canvas;
+    return canvas.transferToImageBitmap();
   }
 
   paintBlobs(context) {

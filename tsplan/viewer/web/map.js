@@ -36,7 +36,7 @@ class Ground {
       .filter((length) => length > 0)
       .sort((a, b) => a - b);
     const { left, right, bottom, top } = this.bounds;
-    const span = Math.max(right - left, top - bottom) || 1;
+    const span = Math.max(right - left, top - bottom) || 120; // a single state, at a scale of 1
     return lengths.length ? lengths[Math.floor(lengths.length / 4)] : span / Math.sqrt(this.states.length);
   }
 
