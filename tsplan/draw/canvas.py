@@ -84,6 +84,8 @@ def _advance(letter: str) -> float:
     from matplotlib.font_manager import FontProperties, findfont, get_font  # noqa: PLC0415  (extra)
 
     font = get_font(findfont(FontProperties()))
+    if not font.get_char_index(ord(letter)):
+        return 1.0  # a letter that the font lacks, mostly a wide one
     font.set_size(_LARGE, POINTS)
     return float(font.load_char(ord(letter)).linearHoriAdvance) / _FIXED / _LARGE
 

@@ -39,9 +39,11 @@ Early = Mapping[Formula, Floats]
 
 def below(node: Formula, ask: Ask, early: Early) -> tuple[Ask, ...]:
     """What a node asks of each of its children."""
-    wanted = tuple(ask.steps for _ in node.children)
-    joined = And if ask.holds else Or
-    if not isinstance(node, joined):
+    if (isinstance(node, And) and ask.holds is True) or (
+        isinstance(node, Or) and ask.holds is False
+    ):
+        wanted = tuple(ask.steps for _ in node.children)
+    else:
         wanted = reason_of(node, ask.steps, early).below
     windows: list[set[Span]] = [set() for _ in node.children]
     for span in ask.windows:

@@ -12,7 +12,7 @@ from tsplan.draw.palette import PLAIN, Paint, Palette
 from tsplan.results.fitting import refuse_misfit
 from tsplan.results.plan import ObjectiveValue
 from tsplan.results.summary import number, objective_line, outcome
-from tsplan.viewer.movers import Mover, movers
+from tsplan.viewer.movers import movers
 from tsplan.viewer.parts import Part, formula_parts
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def page_data(mission: Mission, plan: Plan) -> Json:
     system = mission.system
     lanes = movers(mission, plan)
     places_of = {state: place for place, state in enumerate(system.states)}
-    classes = _classes(mission, lanes)
+    classes = _classes(mission)
     kind = {entry["name"]: place for place, entry in enumerate(classes)}
     named = sum(mover.count for mover in lanes) <= MOST_IDS
     return {
@@ -158,11 +158,11 @@ def span_words(spans: tuple[tuple[int, int], ...]) -> str:
     return f"{first}\u2013{last}" if len(spans) == 1 else f"{first}\u2026{last}"
 
 
-def _classes(mission: Mission, lanes: tuple[Mover, ...]) -> list[Json]:
+def _classes(mission: Mission) -> list[Json]:
     able = {group.class_name: sorted(group.capabilities) for group in mission.team}
     agents: Counter[str] = Counter()
-    for mover in lanes:
-        agents[mover.class_name] += mover.count
+    for group in mission.team:
+        agents[group.class_name] += group.count
     return [
         {
             "name": name,

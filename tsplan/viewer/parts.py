@@ -12,7 +12,6 @@ import numpy as np
 
 from tsplan.logic.atoms import OPPOSITE, Count
 from tsplan.logic.deciding import decided_at, earliness
-from tsplan.logic.naming import capabilities
 from tsplan.logic.nodes import (
     Always,
     And,
@@ -28,8 +27,7 @@ from tsplan.logic.nodes import (
 from tsplan.logic.printing import text_of
 from tsplan.results.evidence import meanings
 from tsplan.results.fitting import refuse_misfit
-from tsplan.results.occupancy import count_trace
-from tsplan.results.requirements import measured, runs
+from tsplan.results.requirements import measured, runs, trace_of
 from tsplan.viewer.asking import START, Ask, Early, atoms, below
 
 if TYPE_CHECKING:
@@ -130,7 +128,7 @@ def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
 def _judged(mission: Mission, plan: Plan) -> _Judged:
     meaning = meanings(mission)
     goal = meaning[mission.formula]
-    trace = count_trace(mission.system, plan.bundles, plan.horizon, capabilities(goal))
+    trace = trace_of(plan, mission, goal)
     return _Judged(mission, trace, meaning, earliness(goal, trace))
 
 

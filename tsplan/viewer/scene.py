@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -15,8 +15,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from tsplan.draw.layout import places
-from tsplan.draw.map import draw_map, pyplot
+from tsplan.draw.canvas import POINTS, figure_class
+from tsplan.draw.map import Scene as MapScene
+from tsplan.draw.map import base, finish
+from tsplan.draw.palette import Palette
 from tsplan.results.fitting import refuse_misfit
 from tsplan.viewer.crowd import Ground, Picture, picture
 from tsplan.viewer.data import class_colors
@@ -57,25 +59,24 @@ class Scene:
     """
 
     def __init__(self, mission: Mission, plan: Plan, size: Size) -> None:
-        pyplot()  # says what to install where matplotlib is missing
-        from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415  (an extra)
-        from matplotlib.figure import Figure  # noqa: PLC0415  (an extra, slow to import)
-
         refuse_misfit(plan, mission)
-        self._figure = Figure(figsize=(size[0] / DOTS, size[1] / DOTS), dpi=DOTS)
+        figure = figure_class()  # says what to install where matplotlib is missing
+        from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415  (an extra)
+
+        self._figure = figure(figsize=(size[0] / DOTS, size[1] / DOTS), dpi=DOTS)
         self._canvas = FigureCanvasAgg(self._figure)
         self._movers = movers(mission, plan)
         self._colors = class_colors(mission)
         self._axes = self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
-        draw_map(mission.system, self._axes)
-        self._axes.set_title("")
+        ground = base(Palette(mission.system), self._axes, ())
+        finish(ground)
         title = plan.mission.name or mission.system.name
         self._panel = StatusPanel(self._figure, (title, plan.horizon), _SHARE)
         self._panel.show(formula_parts(mission, plan))
-        self._panel.legend(self._legend())
+        self._panel.legend([*self._legend(mission), *self._map_legend()])
         with _quietly():
             self._canvas.draw()
-        self.ground = self._ground(mission)
+        self.ground = self._ground(mission, ground)
         self._artists = self._made(mission)
         self._still = self._canvas.copy_from_bbox(self._figure.bbox)
 
@@ -95,11 +96,11 @@ class Scene:
             self._panel.paint(time)
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
-    def _ground(self, mission: Mission) -> Ground:
+    def _ground(self, mission: Mission, drawn: MapScene) -> Ground:
         """The states in dots of the figure, and how large marks may be there."""
-        where = places(mission.system)
-        points = self._axes.transData.transform(list(where.values()))
-        at = {name: (float(x), float(y)) for name, (x, y) in zip(where, points, strict=True)}
+        names = list(drawn.where)
+        points = self._axes.transData.transform([drawn.where[name] for name in names])
+        at = {name: (float(x), float(y)) for name, (x, y) in zip(names, points, strict=True)}
         lengths = sorted(
             length
             for source, target in mission.system.edges
@@ -107,16 +108,43 @@ class Scene:
         )
         room = lengths[len(lengths) // 4] if lengths else min(self.size) / 2
         radius = min(7.0, max(2.4, room * 0.09))
+        for name, sign in drawn.signs.items():
+            if sign.parts:  # agents stand below what is written on their state, but in its shape
+                written = (sign.centre[1] - sign.box.bottom) * DOTS / POINTS
+                floor = self._floor(mission.system.states[name].shape) + 1.3 * radius
+                below = max(floor, at[name][1] - written - 1.6 * radius)
+                at[name] = at[name][0], min(at[name][1], below)
         return Ground(at, radius, slots_within(room * 0.42 / (2.35 * radius)))
 
-    def _legend(self) -> list[tuple[str, str, str]]:
+    def _floor(self, shape: Sequence[tuple[float, float]] | None) -> float:
+        """The lowest dot of a shape; without one there is no floor."""
+        if not shape:
+            return -math.inf
+        return float(self._axes.transData.transform(list(shape))[:, 1].min())
+
+    def _legend(self, mission: Mission) -> list[tuple[str, str, str]]:
         agents = dict.fromkeys(self._colors, 0)
-        for mover in self._movers:
-            agents[mover.class_name] += mover.count
+        for group in mission.team:
+            agents[group.class_name] += group.count
         return [
-            (f"{agents[name]} {name}", color, _MARKERS[place % len(_MARKERS)])
+            (f"{agents[name]:,} {name}", color, _MARKERS[place % len(_MARKERS)])
             for place, (name, color) in enumerate(self._colors.items())
         ]
+
+    def _map_legend(self) -> list[tuple[str, str, str]]:
+        """What stands beside the map otherwise: the panel has that place here."""
+        from matplotlib.colors import to_hex  # noqa: PLC0415  (an extra, slow to import)
+
+        legend = self._axes.get_legend()
+        if legend is None:
+            return []
+        legend.remove()
+        found = []
+        for handle, text in zip(legend.legend_handles, legend.get_texts(), strict=True):
+            area = hasattr(handle, "get_facecolor")
+            color = handle.get_facecolor() if area else handle.get_color()
+            found.append((text.get_text(), to_hex(color), "s" if area else "_"))
+        return found
 
     def _made(self, mission: Mission) -> _Artists:
         from matplotlib.transforms import IdentityTransform  # noqa: PLC0415  (an extra)

@@ -56,8 +56,7 @@ class AgentList {
     button.type = "button";
     button.setAttribute("aria-pressed", "false");
     const where = element("span", "where", this.model.whereabouts(m));
-    const name = mover.count > 1 && !mover.ids.length ? `${mover.name} (${mover.count})` : mover.name;
-    button.append(swatch(this.model.classes[mover.class]), element("span", "name", name), where);
+    button.append(swatch(this.model.classes[mover.class]), element("span", "name", mover.name), where);
     button.addEventListener("click", () => this.choice.chooseMover(m));
     this.rows.set(m, { button, where });
     return button;

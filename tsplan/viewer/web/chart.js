@@ -1,7 +1,5 @@
 /* Counts against needs of the chosen part of the formula, in step with the time. */
 
-const LEFT = 26; // for the numbers beside a chart
-
 class Charts {
   constructor(horizon, player) {
     this.horizon = horizon;
@@ -45,11 +43,13 @@ class Charts {
     this.plots.push({ chart, canvas, line, now, shown: -1 });
   }
 
-  x(step) { return LEFT + (step * (this.width - LEFT - 8)) / Math.max(1, this.horizon); }
-  step(x) { return ((x - LEFT) * Math.max(1, this.horizon)) / (this.width - LEFT - 8); }
+  x(step) { return this.left + (step * (this.width - this.left - 8)) / Math.max(1, this.horizon); }
+  step(x) { return ((x - this.left) * Math.max(1, this.horizon)) / (this.width - this.left - 8); }
 
   paint() {
     this.width = this.plots.length ? this.plots[0].canvas.clientWidth : 1;
+    const most = this.plots.reduce((most, { chart }) => Math.max(most, mostOf(chart)), 1);
+    this.left = 14 + 6.5 * String(Math.floor(most)).length; // for the numbers beside the charts
     for (const plot of this.plots) this.paintPlot(plot);
     if (this.plots.length) this.move(this.player.shown);
   }
@@ -57,7 +57,7 @@ class Charts {
   paintPlot({ chart, canvas }) {
     const { context, width, height } = fitCanvas(canvas);
     context.clearRect(0, 0, width, height);
-    const most = Math.max(chart.bound, ...chart.counts.map(([, count]) => count), 1);
+    const most = mostOf(chart);
     const [top, bottom] = [6, height - 16];
     const y = (count) => bottom - (count * (bottom - top)) / most;
     this.paintSpans(context, chart.windows, theme.shade, [top, bottom]);
@@ -90,9 +90,9 @@ class Charts {
     context.textBaseline = "middle";
     context.textAlign = "right";
     for (let count = 0, every = tickStep(most, 3); count <= most; count += every) {
-      context.fillText(String(count), LEFT - 5, y(count));
+      context.fillText(String(count), this.left - 5, y(count));
       context.beginPath();
-      context.moveTo(LEFT, y(count));
+      context.moveTo(this.left, y(count));
       context.lineTo(this.width - 8, y(count));
       context.stroke();
     }
@@ -127,6 +127,11 @@ class Charts {
       plot.now.textContent = `${countAt(plot.chart.counts, step)} at step ${step}`;
     }
   }
+}
+
+/* The largest number that a chart shows. */
+function mostOf(chart) {
+  return chart.counts.reduce((most, [, count]) => Math.max(most, count), Math.max(1, chart.bound));
 }
 
 function countAt(counts, step) {

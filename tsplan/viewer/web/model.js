@@ -107,7 +107,10 @@ class Model {
 
   /* Where a mover is, in words. */
   whereabouts(mover) {
-    if (!this.present[mover]) return "not there";
+    if (!this.present[mover]) {
+      const born = this.first[this.begin[mover]];
+      return this.time < born ? `from step ${born}` : `until step ${this.end[mover]}`;
+    }
     const from = this.states[this.state[this.source[mover]]].name;
     if (this.share[mover] === 0) return from;
     return `${from} \u2192 ${this.states[this.state[this.target[mover]]].name}`;
