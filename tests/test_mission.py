@@ -240,12 +240,6 @@ def test_a_file_that_is_no_mapping(folder, text):
     assert findings(folder, text)
 
 
-def test_swarms_are_refused_by_name(folder):
-    start, stop = MISSION.index("team:"), MISSION.index("spec:")
-    text = MISSION[:start] + "swarm: {size: 9, at: {dock: 9}}\n" + MISSION[stop:]
-    only(folder, text, "4:1", "swarm")
-
-
 @pytest.mark.parametrize(
     ("old", "new", "place", "words"),
     [

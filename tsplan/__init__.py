@@ -28,7 +28,9 @@ if TYPE_CHECKING:
     from tsplan.logic import parse
     from tsplan.mission import Group, Mission, SolverChoice, load_mission
     from tsplan.planner import plan
-    from tsplan.results import AgentPlan, Plan, check, load_plan, save_plan
+    from tsplan.results import AgentPlan, Move, Plan, SubSwarm, assign, check, load_plan, save_plan
+    from tsplan.results.headroom import margin_for
+    from tsplan.results.simulation import Simulation, simulate
     from tsplan.ts import Edge, State, TransitionSystem
     from tsplan.ts.read import load_map
 
@@ -48,7 +50,18 @@ _HOMES = {
     "tsplan.logic": ("parse",),
     "tsplan.mission": ("Group", "Mission", "SolverChoice", "load_mission"),
     "tsplan.planner": ("plan",),
-    "tsplan.results": ("AgentPlan", "Plan", "check", "load_plan", "save_plan"),
+    "tsplan.results": (
+        "AgentPlan",
+        "Move",
+        "Plan",
+        "SubSwarm",
+        "assign",
+        "check",
+        "load_plan",
+        "save_plan",
+    ),
+    "tsplan.results.headroom": ("margin_for",),
+    "tsplan.results.simulation": ("Simulation", "simulate"),
     "tsplan.ts": ("Edge", "State", "TransitionSystem"),
     "tsplan.ts.read": ("load_map",),
 }
@@ -65,22 +78,28 @@ __all__ = [
     "MapError",
     "Mission",
     "MissionError",
+    "Move",
     "Plan",
     "PlanError",
     "Problem",
+    "Simulation",
     "SolverChoice",
     "SolverError",
     "SolverUnavailableError",
     "State",
+    "SubSwarm",
     "TransitionSystem",
     "TsplanError",
+    "assign",
     "check",
     "load_map",
     "load_mission",
     "load_plan",
+    "margin_for",
     "parse",
     "plan",
     "save_plan",
+    "simulate",
 ]
 
 

@@ -40,6 +40,7 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _plan(commands)
     _check(commands)
+    _simulate(commands)
     _parse(commands)
     _show(commands)
     _view(commands)
@@ -64,6 +65,16 @@ def _plan(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         default="tight",
         help="tight (default), or the slow plain one to compare with",
     )
+    plan.add_argument(
+        "--without",
+        action="append",
+        default=[],
+        metavar="IDEA",
+        help="switch an idea of the tight encoding off, to find a culprit; may be repeated",
+    )
+    plan.add_argument(
+        "--agents", action="store_true", help="a path for every agent of a swarm, however many"
+    )
     plan.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
     plan.add_argument("--json", action="store_true", help="print the JSON alone")
     plan.add_argument("--quiet", action="store_true", help="no progress and no summary")
@@ -74,6 +85,23 @@ def _check(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
     check.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
     check.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
     check.add_argument("--quiet", action="store_true", help="print only what is wrong")
+
+
+def _simulate(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    simulate = commands.add_parser(
+        "simulate", help="let the agents of a swarm follow their plan's shares by chance"
+    )
+    simulate.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
+    simulate.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
+    simulate.add_argument("--runs", type=_count, default=1000, metavar="N", help="default 1000")
+    simulate.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the chances")
+    simulate.add_argument(
+        "--probability",
+        type=_chance,
+        default=0.95,
+        metavar="P",
+        help="say which margin makes the formula hold so often (default 0.95)",
+    )
 
 
 def _parse(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -165,6 +193,13 @@ def _positive(text: str) -> float:
     value = _number(text)
     if value <= 0:
         raise argparse.ArgumentTypeError(f"'{text}' is not above 0")
+    return value
+
+
+def _chance(text: str) -> float:
+    value = _number(text)
+    if not 0 < value < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is not between 0 and 1")
     return value
 
 

@@ -6,22 +6,16 @@ import sys
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_of
-from tsplan.errors import InputError
+from tsplan.cli.inputs import mission_and_plan
 from tsplan.results.checking import check
-from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     import argparse
 
-    from tsplan.errors import Finding
-    from tsplan.mission import Mission
-    from tsplan.results.plan import Plan
-
 
 def run(asked: argparse.Namespace) -> Exit:
     """Print what holds of a plan, or what does not."""
-    mission, plan = _both(asked)
+    mission, plan = mission_and_plan(asked.mission, asked.plan)
     report = check(mission, plan)
     for finding in report.findings:
         sys.stdout.write(f"{asked.plan}: {finding.message}\n")
@@ -34,19 +28,3 @@ def run(asked: argparse.Namespace) -> Exit:
             sys.stdout.write("the mission file has changed since the plan was made\n")
         sys.stdout.write("the plan is accepted\n")
     return Exit.DONE
-
-
-def _both(asked: argparse.Namespace) -> tuple[Mission, Plan]:
-    """The mission and the plan, or the findings of both."""
-    findings: list[Finding] = []
-    try:
-        mission = mission_of(asked.mission)
-    except InputError as error:
-        findings += error.findings
-    try:
-        plan = load_plan(asked.plan)
-    except InputError as error:
-        findings += error.findings
-    if findings:
-        raise InputError(findings)
-    return mission, plan

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from tsplan.errors import Finding, InputError, PlanError
 from tsplan.mission import load_mission
 from tsplan.results.fitting import refuse_misfit, refuse_pathless
+from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -23,6 +24,22 @@ def mission_of(path: Path) -> Mission:
     mission = load_mission(path)
     warn(mission.warnings)
     return mission
+
+
+def mission_and_plan(mission_path: Path, plan_path: Path) -> tuple[Mission, Plan]:
+    """The mission and the plan of two files, or the findings of both."""
+    findings: list[Finding] = []
+    try:
+        mission = mission_of(mission_path)
+    except InputError as error:
+        findings += error.findings
+    try:
+        plan = load_plan(plan_path)
+    except InputError as error:
+        findings += error.findings
+    if findings:
+        raise InputError(findings)
+    return mission, plan
 
 
 def warn(findings: Iterable[Finding]) -> None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_of
 from tsplan.errors import Finding, InputError, SolverError, nearest
+from tsplan.results.assigning import assign
 from tsplan.results.plan import Plan, Status
 from tsplan.results.planfile import save_plan
 
@@ -44,6 +45,8 @@ def run(asked: argparse.Namespace) -> Exit:
         return Exit.NO_PLAN
     if plan.has_paths and not plan.verified:
         raise SolverError("the plan that was found has not been checked; it is not shown")
+    if asked.agents and plan.moves and not plan.agents:
+        plan = assign(mission, plan, seed=asked.seed)
     if asked.output is not None:
         save_plan(plan, asked.output)
     if asked.json:
@@ -64,6 +67,7 @@ def _planned(asked: argparse.Namespace, mission: Mission) -> Plan:
         threads=asked.threads,
         seed=asked.seed,
         encoding=asked.encoding,
+        without=tuple(asked.without),
     )
     with Progress(quiet=asked.quiet) as progress:
         return planned(mission, order, progress)

@@ -18,6 +18,7 @@ class Idea(StrEnum):
     CHAINS = "chains"  # F under G: a first plan with the fewest witnesses (encode.witness)
     FAMILIES = "families"  # one row for demands that exclude each other (encode.staffing)
     VISITS = "visits"  # visit cuts over windows (encode.staffing)
+    TOGETHER = "together"  # needs of one witness at several places at once (encode.together)
     LAZY = "lazy"  # more visit cuts where the LP violates them (encode.separation)
     CONTINUOUS = "continuous"  # flows continuous at first, repaired to whole agents (encode.search)
     DIVE = "dive"  # LP-guided dive for the first plan (encode.dive)

@@ -8,7 +8,9 @@ descend from different options of one choice.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
+from collections.abc import Set as AbstractSet
 from typing import TypeAlias
 
 import numpy as np
@@ -30,11 +32,16 @@ class Choices:
         self._free: set[int] = set()
         self._count = 0
         self.columns: list[int] = []
+        self.steps: list[int] = []
         self.groups: list[Ints] = []
         self.refuted = False
 
-    def choose(self, parent: Literal, options: int, kind: str) -> Ints:
-        """Columns of which exactly one is 1 where `parent` is 1, and none elsewhere."""
+    def choose(self, parent: Literal, steps: Sequence[int], kind: str) -> Ints:
+        """Columns of which exactly one is 1 where `parent` is 1, and none elsewhere.
+
+        There is one for each of `steps`: when what the option stands for begins.
+        """
+        options = len(steps)
         columns = self._draft.columns(options, upper=1.0, integer=True)
         index = np.zeros(options + len(parent), dtype=np.int64)
         values = np.concatenate([np.ones(options), -np.ones(len(parent))])
@@ -52,17 +59,19 @@ class Choices:
             self._lineage[column] = {**above, self._count: frozenset((column,))}
         self._count += 1
         self.columns += columns.tolist()
+        self.steps += steps
         self.groups.append(columns)
         return columns
 
-    def free(self, count: int) -> Ints:
+    def free(self, steps: Sequence[int]) -> Ints:
         """Columns that exclude nothing: each may be 1 whenever its own sub-formula holds."""
-        columns = self._draft.columns(count, upper=1.0, integer=True)
+        columns = self._draft.columns(len(steps), upper=1.0, integer=True)
         for column in columns.tolist():
             self._lineage[column] = {self._count: frozenset((column,))}
             self._free.add(column)
             self._count += 1
         self.columns += columns.tolist()
+        self.steps += steps
         return columns
 
     def cover(self, columns: Ints, parent: Literal, kind: str) -> None:
@@ -112,30 +121,28 @@ class Choices:
             common = {key: common[key] | other[key] for key in common.keys() & other.keys()}
         return common
 
-    def exclusive(self, first: Lineage, second: Lineage) -> bool:
-        """Whether two lineages diverge at some choice."""
-        return any(not (first[key] & second[key]) for key in first.keys() & second.keys())
+    def ancestors(self, column: int) -> set[int]:
+        """Other columns that are 1 wherever `column` is."""
+        above = self._lineage[column].values()
+        return {option for options in above if len(options) == 1 for option in options} - {column}
 
     def families(self, columns: Iterable[int]) -> list[list[int]]:
         """Partition columns, greedily and in order, into families that exclude each other."""
-        families: list[tuple[list[int], Lineage]] = []
+        families: list[_Family] = []
         alone: list[list[int]] = []
         for column in sorted(set(columns)):
             lineage = self._lineage[column]
             if column in self._free:  # excludes nothing, so it is a family of its own
                 alone.append([column])
                 continue
-            for place, (members, shared) in enumerate(families):
-                if self.exclusive(shared, lineage) or all(
-                    self.exclusive(self._lineage[member], lineage) for member in members
-                ):
-                    members.append(column)
-                    joined = {k: shared[k] | lineage[k] for k in shared.keys() & lineage.keys()}
-                    families[place] = (members, joined)
+            for family in families:
+                near = family.near(lineage)
+                if all(exclusive(self._lineage[member], lineage) for member in near):
+                    family.add(column, lineage)
                     break
             else:
-                families.append(([column], dict(lineage)))
-        return [members for members, _ in families] + alone
+                families.append(_Family(column, lineage))
+        return [family.members for family in families] + alone
 
     def merged(self, literals: Iterable[Literal]) -> list[Literal]:
         """Fewer literals that say the same: exclusive ones are added up.
@@ -153,3 +160,39 @@ class Choices:
 
 def _array(literal: Literal) -> Ints:
     return np.array(literal, dtype=np.int64)
+
+
+def exclusive(first: Lineage, second: Lineage) -> bool:
+    """Whether two lineages diverge at some choice."""
+    return any(first[key].isdisjoint(second[key]) for key in first.keys() & second.keys())
+
+
+class _Family:
+    """Columns that exclude each other, found again by the options they descend from."""
+
+    def __init__(self, column: int, lineage: Lineage) -> None:
+        self.members: list[int] = []
+        self._shared: AbstractSet[int] = lineage.keys()
+        self._by_option: dict[int, dict[int, list[int]]] = defaultdict(lambda: defaultdict(list))
+        self.add(column, lineage)
+
+    def add(self, column: int, lineage: Lineage) -> None:
+        """Take in a column that all members exclude."""
+        self.members.append(column)
+        self._shared = self._shared & lineage.keys()
+        for key, options in lineage.items():
+            for option in options:
+                self._by_option[key][option].append(column)
+
+    def near(self, lineage: Lineage) -> Sequence[int]:
+        """Members among which all are that `lineage` may not exclude: the fewest found at once.
+
+        Members that went another way at a choice which all of them came by are excluded for sure.
+        """
+        fewest: Sequence[int] = self.members
+        for key in self._shared & lineage.keys():
+            found = self._by_option[key]
+            members = [member for option in lineage[key] for member in found.get(option, ())]
+            if len(members) < len(fewest):
+                fewest = members
+        return fewest

@@ -83,16 +83,24 @@ class ClassColumns:
         edges = _members(self.by_tail, states)
         return self._at(edges, np.broadcast_to(steps, (len(edges), len(steps))))
 
-    def arriving(self, states: Ints, steps: Ints, *, moves: bool = False) -> tuple[Ints, Ints]:
-        """Edges that end in `states`: positions in `steps`, and the column that ends then.
-
-        With `moves` unit waits are left out.
-        """
+    def arriving(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Edges that end in `states`: positions in `steps`, and the column that ends then."""
         edges = _members(self.by_head, states)
-        if moves:
-            graph = self.graph
-            edges = edges[~graph.wait[edges] | (graph.duration[edges] > 1)]
         return self._at(edges, steps - self.graph.duration[edges][:, None])
+
+    def entering(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Edges that end in `states` and begin elsewhere, as `arriving`."""
+        edges = _members(self.by_head, states)
+        edges = edges[~np.isin(self.graph.tail[edges], states)]
+        return self._at(edges, steps - self.graph.duration[edges][:, None])
+
+    def between(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Edges from `states` to `states`: the columns that have begun and not ended then."""
+        edges = _members(self.by_head, states)
+        edges = edges[np.isin(self.graph.tail[edges], states)]
+        spans = self.graph.duration[edges] - 1
+        since = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans) + 1
+        return self._at(np.repeat(edges, spans), steps - since[:, None])
 
     def _at(self, edges: Ints, entered: Ints) -> tuple[Ints, Ints]:
         first, last = self.first[edges][:, None], self.last[edges][:, None]
@@ -124,6 +132,10 @@ class Network:
             if capability is None or capability in item.graph.capabilities
         ]
 
+    def agents(self, capability: str | None) -> int:
+        """How many agents have a capability."""
+        return sum(item.graph.agents for item in self.having(capability))
+
     def present(self, states: Ints, capability: str | None, step: int) -> tuple[Ints, int]:
         """Columns whose sum, with the returned constant, is n(states, capability, step)."""
         _, columns, constant = self.present_at(states, capability, np.array([step]))
@@ -149,10 +161,13 @@ class Network:
                 ended.append((position + last, column))
         return *_joined([*begun, *ended]), 0
 
-    def moved_in(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
-        """Positions in `steps` and columns of the arrivals at `states` by moves."""
-        able = self.having(capability)
-        return _joined([item.arriving(states, steps, moves=True) for item in able])
+    def entering(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
+        """Positions in `steps` and columns of the arrivals at `states` from elsewhere."""
+        return _joined([item.entering(states, steps) for item in self.having(capability)])
+
+    def between(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
+        """Positions in `steps` and columns of the agents on their way inside `states`."""
+        return _joined([item.between(states, steps) for item in self.having(capability)])
 
     def most(self, states: Ints, capability: str | None) -> Ints:
         """How many agents with a capability can be at `states` at most, for every step."""
@@ -177,27 +192,33 @@ def unroll(
     """
     classes = []
     for number, graph in enumerate(graphs):
-        arrival = graph.earliest(horizon)
-        last = np.full(len(graph.tail), horizon - 1)
-        if finish is not None:
-            last = np.where(finish[number], horizon - graph.duration, last)
-        first = arrival[graph.tail]
-        spans = np.maximum(last - first + 1, 0)
-        columns = draft.columns(int(spans.sum()), upper=float(graph.agents), integer=True)
-        base = int(columns[0]) if len(columns) else 0
-        classes.append(
-            ClassColumns(
-                graph=graph,
-                arrival=arrival,
-                first=first,
-                last=last,
-                offset=base + np.cumsum(spans) - spans,
-                by_tail=_grouped(graph.tail, len(graph.start)),
-                by_head=_grouped(graph.head, len(graph.start)),
-            )
-        )
+        late = None if finish is None else finish[number]
+        classes.append(laid_out(graph, horizon, draft, upper=float(graph.agents), finish=late))
         _conserve(classes[-1], horizon, draft)
     return Network(tuple(classes), horizon, len(graphs[0].start) if graphs else 0)
+
+
+def laid_out(
+    graph: ClassGraph, horizon: int, draft: Draft, *, upper: float, finish: Bools | None = None
+) -> ClassColumns:
+    """Integer columns up to `upper` for every edge and step at which it may be entered."""
+    arrival = graph.earliest(horizon)
+    last = np.full(len(graph.tail), horizon - 1)
+    if finish is not None:
+        last = np.where(finish, horizon - graph.duration, last)
+    first = arrival[graph.tail]
+    spans = np.maximum(last - first + 1, 0)
+    columns = draft.columns(int(spans.sum()), upper=upper, integer=True)
+    base = int(columns[0]) if len(columns) else 0
+    return ClassColumns(
+        graph=graph,
+        arrival=arrival,
+        first=first,
+        last=last,
+        offset=base + np.cumsum(spans) - spans,
+        by_tail=_grouped(graph.tail, len(graph.start)),
+        by_head=_grouped(graph.head, len(graph.start)),
+    )
 
 
 def _conserve(columns: ClassColumns, horizon: int, draft: Draft) -> None:

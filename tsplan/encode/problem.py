@@ -49,7 +49,9 @@ class Tuning:
 
 
 class Problem:
-    """A mission with a user's own constraints and objective terms.
+    """The mission of a team with a user's own constraints and objective terms.
+
+    Raises MissionError for the mission of a swarm.
 
     >>> problem = Problem(mission)                                      # doctest: +SKIP
     >>> problem.add(problem.count("dock", step=5) >= 2)                 # doctest: +SKIP
@@ -57,6 +59,9 @@ class Problem:
     """
 
     def __init__(self, mission: Mission, tuning: Tuning = Tuning()) -> None:
+        if mission.swarm is not None:
+            what = "a swarm mission is not the problem of a team"
+            raise MissionError([Finding(what, "plan the mission itself")])
         self.mission = mission
         self.tuning = tuning
         self._constraints: list[Constraint] = []

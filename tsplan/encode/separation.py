@@ -32,7 +32,7 @@ def violated(
             need = family.amount[low : high + 1].max(axis=0)
             asked = np.flatnonzero(need)
             begin, end = family.steps[low] - site.first, family.steps[high] - site.first
-            three = [site.present[begin], site.arrived[end], site.arrived[begin]]
+            three = [site.inside[begin], site.arrived[end], site.arrived[begin]]
             members.append(np.concatenate([three, family.columns[asked]]))
             coefficients.append(np.concatenate([[1.0, 1.0, -1.0], -need[asked]]))
             rows.append(np.full(3 + len(asked), count))
@@ -58,7 +58,7 @@ def _worst_windows(site: SiteColumns, family: Family, values: Floats) -> list[tu
     ended = np.where(last[None, :] < steps[:, None], weight, 0.0).sum(axis=1)
     place = family.steps - site.first
     come = values[site.arrived[place]]
-    here = values[site.present[place]]
+    here = values[site.inside[place]]
     lack = (begun - come)[None, :] - (ended + here - come)[:, None]
     lack[np.tril_indices(len(steps))] = -np.inf
     worst = lack.argmax(axis=1)

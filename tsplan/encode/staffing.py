@@ -13,7 +13,7 @@ In a fractional solution one waiting agent can no longer be counted again at eve
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,8 +21,11 @@ import numpy as np
 from tsplan.encode.atoms import Site
 from tsplan.encode.literals import Choices
 from tsplan.encode.network import Network
+from tsplan.encode.together import Region, Together
 from tsplan.encode.witness import Cover, Demand, Witnesses
 from tsplan.milp.model import Block, Draft, Floats, Ints
+
+_SEVERAL = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,10 +49,15 @@ class Family:
 
 @dataclass(frozen=True, eq=False)
 class SiteColumns:
-    """Count and cumulative arrival columns of a site; step k is at position k - first."""
+    """Count and cumulative arrival columns of a site; step k is at position k - first.
+
+    `inside` counts the agents that are there or on their way from one of its states to another,
+    `arrived` those that have come from elsewhere.
+    """
 
     first: int
     present: Ints
+    inside: Ints
     arrived: Ints
 
 
@@ -64,13 +72,15 @@ class Staffing:
         self._visits = Block("visit")
         self.families: list[tuple[SiteColumns, Family]] = []
 
-    def write(self, witnesses: Witnesses, *, cuts: bool) -> None:
-        """Rows for every demand; with `cuts` also visit cuts of windows and their parts."""
+    def write(self, witnesses: Witnesses, *, cuts: bool, together: bool) -> None:
+        """Rows for every demand; with `cuts` also visit cuts of windows and their parts.
+
+        `together` adds what the demands of one witness at several places ask for as a whole.
+        """
         lower: dict[tuple[Site, str | None], list[Demand]] = defaultdict(list)
         for demand in witnesses.demands:
-            if demand.bound.upper:
-                continue
-            lower[demand.bound.states, demand.bound.capability].append(demand)
+            if not demand.bound.upper:
+                lower[demand.bound.states, demand.bound.capability].append(demand)
         sites = {}
         for (states, capability), demands in lower.items():
             steps = [demand.step for demand in demands]
@@ -79,14 +89,49 @@ class Staffing:
             for family in self._families(demands, witnesses.choices):
                 self.families.append((site, family))
                 self._demand_rows(site, family)
-                if cuts and len(family.columns):
+                if cuts:
                     self._window_rows(site, family)
         if cuts:
             for key, demands in lower.items():
-                self._cover_rows(sites[key], demands, witnesses.covers)
+                self._cover_rows(sites[key], _asked(demands), witnesses.covers)
+        if together:
+            self._together(lower, witnesses, cuts=cuts)
         self._needs.write(self._draft)
         self._visits.write(self._draft)
         self._limits([d for d in witnesses.demands if d.bound.upper], witnesses.choices)
+
+    def _together(
+        self,
+        lower: Mapping[tuple[Site, str | None], list[Demand]],
+        witnesses: Witnesses,
+        *,
+        cuts: bool,
+    ) -> None:
+        """Rule out witnesses that need too many agents at once; visit cuts of whole regions."""
+        able: dict[str | None, list[Demand]] = defaultdict(list)
+        for (_, capability), demands in lower.items():
+            able[capability] += demands
+        for capability, demands in able.items():
+            joint = Together(demands, witnesses.choices)
+            joint.rule_out(self._network.agents(capability))
+            for region in joint.regions() if cuts else ():
+                self._region_rows(region, capability, witnesses)
+
+    def _region_rows(self, region: Region, capability: str | None, witnesses: Witnesses) -> None:
+        steps = {step for need in region.columns.values() for step in need}
+        if len(steps) < _SEVERAL or self._network.horizon == 0:
+            return
+        site = self._site(np.array(region.states), capability, min(steps), max(steps), cuts=True)
+        base = {step: float(n) for step, n in region.always.items() if step in steps}
+        asked = {
+            column: {step: float(n) for step, n in need.items()}
+            for column, need in region.columns.items()
+        }
+        for columns in witnesses.choices.families(asked):
+            family = _family(columns, asked, base)
+            self.families.append((site, family))
+            self._window_rows(site, family)
+        self._cover_rows(site, asked, witnesses.covers)
 
     def _site(
         self, states: Ints, capability: str | None, first: int, last: int, *, cuts: bool
@@ -97,14 +142,21 @@ class Staffing:
         index, columns, constant = self._network.present_at(states, capability, steps)
         self._define(present, (index, columns), float(constant))
         if not cuts:
-            return SiteColumns(first, present, present[:0])
+            return SiteColumns(first, present, present, present[:0])
+        inside = present
+        index, columns = self._network.between(states, capability, steps)
+        if len(index):
+            inside = self._draft.columns(len(steps))
+            every = np.arange(len(steps))
+            index = np.concatenate([index, every])
+            self._define(inside, (index, np.concatenate([columns, present])), 0.0)
         arrived = self._draft.columns(len(steps))
-        index, columns = self._network.moved_in(states, capability, steps)
+        index, columns = self._network.entering(states, capability, steps)
         later = index > 0  # arrivals are counted from the first step on
         every = np.arange(1, len(steps))
         index = np.concatenate([index[later], every])
         self._define(arrived, (index, np.concatenate([columns[later], arrived[:-1]])), 0.0)
-        return SiteColumns(first, present, arrived)
+        return SiteColumns(first, present, inside, arrived)
 
     def _define(self, columns: Ints, parts: tuple[Ints, Ints], constant: float) -> None:
         """`columns[i]` = the columns that `parts` puts at position i, summed, + `constant`."""
@@ -132,7 +184,7 @@ class Staffing:
         """Visit cuts of the family's whole window, of its beginnings and of its ends."""
         place = family.steps - site.first
         count = len(place) - 1
-        if count < 1:
+        if count < 1 or len(family.columns) < _SEVERAL:  # the demand itself says as much
             return
         begun = np.maximum.accumulate(family.amount)[1:]
         ending = np.maximum.accumulate(family.amount[::-1])[::-1][1:-1]
@@ -141,7 +193,7 @@ class Staffing:
         need = np.concatenate([begun, ending])
         row, column = np.nonzero(need)
         every = np.arange(len(low))
-        ends = [site.present[low], site.arrived[high], site.arrived[low]]
+        ends = [site.inside[low], site.arrived[high], site.arrived[low]]
         self._visits.add(
             np.concatenate([every, every, every, row]),
             np.concatenate([*ends, family.columns[column]]),
@@ -150,14 +202,9 @@ class Staffing:
         )
 
     def _cover_rows(
-        self, site: SiteColumns, demands: Sequence[Demand], covers: Sequence[Cover]
+        self, site: SiteColumns, asked: Mapping[int, Mapping[int, float]], covers: Sequence[Cover]
     ) -> None:
         """Visit cuts of shared windows: if every witness asks for agents here, some must come."""
-        asked: dict[int, dict[int, int]] = defaultdict(dict)
-        for demand in demands:
-            for column in demand.literal:
-                mine = asked[column]
-                mine[demand.step] = max(mine.get(demand.step, 0), demand.bound.amount)
         for cover in covers:
             if not all(column in asked for column in cover.columns):
                 continue
@@ -170,7 +217,7 @@ class Staffing:
         self, site: SiteColumns, window: tuple[int, int], need: float, literal: tuple[int, ...]
     ) -> None:
         low, high = (step - site.first for step in window)
-        ends = [site.present[low], site.arrived[high], site.arrived[low]]
+        ends = [site.inside[low], site.arrived[high], site.arrived[low]]
         self._visits.add(
             np.zeros(3 + len(literal), dtype=np.int64),
             [*ends, *literal],
@@ -217,6 +264,16 @@ class Staffing:
                 mine[demand.step] = max(mine.get(demand.step, 0.0), amount)
         groups = choices.families(asked) if self._joint else [[column] for column in asked]
         return [_family(columns, asked, base) for columns in groups or ([[]] if base else [])]
+
+
+def _asked(demands: Sequence[Demand]) -> dict[int, dict[int, float]]:
+    """What each column asks for, by step."""
+    asked: dict[int, dict[int, float]] = defaultdict(dict)
+    for demand in demands:
+        for column in demand.literal:
+            mine = asked[column]
+            mine[demand.step] = max(mine.get(demand.step, 0.0), float(demand.bound.amount))
+    return asked
 
 
 def _family(

@@ -49,6 +49,7 @@ from tsplan.logic.nodes import (
 from tsplan.logic.normal import negation, positive
 from tsplan.logic.parsing import LANGUAGES, Language, parse, parse_with_places
 from tsplan.logic.simplifying import simplify
+from tsplan.logic.tightening import tighten
 from tsplan.logic.timing import horizon
 from tsplan.logic.translation import resolve_percent, translate
 from tsplan.logic.walking import fold, substitute, walk
@@ -107,6 +108,7 @@ __all__ = [
     "simplify",
     "substitute",
     "task",
+    "tighten",
     "translate",
     "variables",
     "walk",

@@ -3,22 +3,30 @@
 from tsplan.mission.data import (
     LANGUAGES,
     OBJECTIVES,
+    SENSES,
+    SWARM_OBJECTIVES,
     TASK_INTERVALS,
     Agent,
     Group,
     Mission,
     SolverChoice,
+    SwarmBounds,
+    SwarmRules,
 )
 from tsplan.mission.reading import load_mission, mission_from_text
 
 __all__ = [
     "LANGUAGES",
     "OBJECTIVES",
+    "SENSES",
+    "SWARM_OBJECTIVES",
     "TASK_INTERVALS",
     "Agent",
     "Group",
     "Mission",
     "SolverChoice",
+    "SwarmBounds",
+    "SwarmRules",
     "load_mission",
     "mission_from_text",
 ]

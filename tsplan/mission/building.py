@@ -41,8 +41,9 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
         "format": "tsplan-mission/1",
         **{key: value for key, value in values.items() if value is not None},
         "map": map_to_yaml(system) if system is not None else str(given),
-        "team": [_member(group) for group in values["team"]],
     }
+    if values.get("team") is not None:
+        written["team"] = [_member(group) for group in values["team"]]
     text = json.dumps(written, default=_plain)
     try:
         return mission_from_document(

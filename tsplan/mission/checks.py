@@ -8,94 +8,95 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
-from tsplan.errors import Finding, FormulaError, nearest
-from tsplan.mission.data import MOST_ROBOTS, MOST_STEPS, OBJECTIVES, TaskInterval
+from tsplan.errors import FormulaError, nearest
+from tsplan.mission.data import (
+    MOST_ROBOTS,
+    MOST_STEPS,
+    OBJECTIVES,
+    SENSES,
+    SWARM_OBJECTIVES,
+    SwarmRules,
+    TaskInterval,
+)
+from tsplan.mission.problem import FORMULA, Place, Problem
+from tsplan.mission.swarms import swarm_problems
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
     from tsplan.mission.data import Group, Mission
     from tsplan.ts import TransitionSystem
 
-Place: TypeAlias = "tuple[str | int, ...]"
-FORMULA: Place = ("spec", "formula")
-
-
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """Something that does not fit: where it is in the mission, and whether it forbids planning.
-
-    For a part of the formula, `node` is the part and `word` the word in it that is wrong.
-    """
-
-    path: Place
-    message: str
-    remedy: str = ""
-    serious: bool = True
-    node: Formula | None = None
-    word: str = ""
-
-    def finding(self) -> Finding:
-        """The problem of a mission that was not read from a file."""
-        where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in self.path)
-        return Finding(f"{where.lstrip('.')}: {self.message}", self.remedy)
-
 
 def problems_of(mission: Mission) -> list[Problem]:
     """Everything that does not fit together in a mission."""
     return [
-        *objective_problems(mission.objective),
-        *team_problems(mission.team, mission.system),
+        *objective_problems(mission.objective, mission.swarm),
+        *team_problems(mission.team, mission.system, mission.swarm),
         *map_problems(mission.system, mission.team),
-        *formula_problems(mission.formula, mission.system, mission.team),
+        *formula_problems(mission.formula, mission.system, mission.team, mission.swarm),
         *horizon_problems(mission.formula, mission.task_interval, mission.horizon),
     ]
 
 
-def objective_problems(objective: Sequence[str]) -> list[Problem]:
-    """Unknown and repeated objectives."""
+def objective_problems(objective: Sequence[str], swarm: SwarmRules | None) -> list[Problem]:
+    """Unknown and repeated objectives, and those of swarms for a team or the other way round."""
+    known = OBJECTIVES if swarm is None else SWARM_OBJECTIVES
     problems = []
     for place, name in enumerate(objective):
         path = ("objective", place)
-        if name not in OBJECTIVES:
-            remedy = nearest(name, OBJECTIVES)
-            problems.append(Problem(path, f"unknown objective '{name}'", remedy))
+        if name in SENSES and name not in known:
+            kinds = ("swarms", "a team") if swarm is None else ("teams", "a swarm")
+            what = f"objective '{name}' is for {kinds[0]}, and this mission is for {kinds[1]}"
+            problems.append(Problem(path, what, f"use {', '.join(known)}"))
+        elif name not in known:
+            problems.append(Problem(path, f"unknown objective '{name}'", nearest(name, known)))
         elif name in objective[:place]:
             problems.append(Problem(path, f"objective '{name}' is named twice", "remove one"))
     return problems
 
 
-def team_problems(team: Sequence[Group], system: TransitionSystem | None) -> list[Problem]:
+def team_problems(
+    team: Sequence[Group], system: TransitionSystem | None, swarm: SwarmRules | None
+) -> list[Problem]:
     """Counts, classes and start states; without a map, only what does not need it."""
     problems: list[Problem] = []
     if not team:
         problems.append(Problem(("team",), "the team is empty", "add at least one robot"))
-    for place, group in enumerate(team):
+    places = [entry_place(number, team, swarm) for number in range(len(team))]
+    for place, group in zip(places, team, strict=True):
         if not group.starts:
-            problems.append(
-                Problem(("team", place, "at"), "no start state", "say where the robots start")
-            )
+            problems.append(Problem((*place, "at"), "no start state", "say where the robots start"))
         for state, count in group.starts:
             if count < 1:
                 problems.append(
                     Problem(
-                        ("team", place, "at", state),
+                        (*place, "at", state),
                         f"{count} robots at '{state}'",
                         "a count is a whole number of at least 1",
                     )
                 )
             if system is not None:
-                problems += _start_problems(system, group, ("team", place, "at", state))
+                problems += _start_problems(system, group, (*place, "at", state))
     size = sum(group.count for group in team)
     if size > MOST_ROBOTS:
         problems.append(
-            Problem(("team",), f"a team of {size:,} robots", f"at most {MOST_ROBOTS:,} are planned")
+            Problem(
+                places[0][:1], f"a team of {size:,} robots", f"at most {MOST_ROBOTS:,} are planned"
+            )
         )
     if system is not None:
-        problems += _crowds(team, system)
-    return problems + _differing(team)
+        problems += _crowds(team, places, system)
+    return problems + (_differing(team) if swarm is None else swarm_problems(team, places, swarm))
+
+
+def entry_place(number: int, team: Sequence[Group], swarm: SwarmRules | None) -> Place:
+    """Where the entry of a group stands in a mission file."""
+    if swarm is None:
+        return ("team", number)
+    single = len(team) == 1 and not team[0].capabilities
+    return ("swarm",) if single else ("swarms", number)
 
 
 def _start_problems(system: TransitionSystem, group: Group, path: Place) -> list[Problem]:
@@ -111,19 +112,22 @@ def _start_problems(system: TransitionSystem, group: Group, path: Place) -> list
         Problem(
             path,
             f"class '{group.class_name}' may not be at '{state}', which needs {needed}",
-            f"start elsewhere or give the class the capability {needed}",
+            "start elsewhere"
+            + (f" or give the class the capability {needed}" if path[0] == "team" else ""),
         )
     ]
 
 
-def _crowds(team: Sequence[Group], system: TransitionSystem) -> list[Problem]:
+def _crowds(
+    team: Sequence[Group], places: Sequence[Place], system: TransitionSystem
+) -> list[Problem]:
     """States at which more robots start than fit."""
     starting: Counter[str] = Counter()
     last: dict[str, Place] = {}
-    for place, group in enumerate(team):
+    for place, group in zip(places, team, strict=True):
         for state, count in group.starts:
             starting[state] += count
-            last[state] = ("team", place, "at", state)
+            last[state] = (*place, "at", state)
     problems = []
     for state, count in starting.items():
         capacity = system.states[state].capacity if state in system.states else None
@@ -178,7 +182,10 @@ def map_problems(system: TransitionSystem, team: Sequence[Group]) -> list[Proble
 
 
 def formula_problems(
-    formula: Formula, system: TransitionSystem | None, team: Iterable[Group]
+    formula: Formula,
+    system: TransitionSystem | None,
+    team: Iterable[Group],
+    swarm: SwarmRules | None,
 ) -> list[Problem]:
     """Labels, capabilities and kinds of atoms; without a map, labels are not judged."""
     from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
@@ -187,6 +194,7 @@ def formula_problems(
     problems: list[Problem] = []
     for node in logic.walk(formula):
         problems += _refused(node)
+        problems += _percentages(node) if swarm is None else []
         if isinstance(node, logic.Count | logic.Task | logic.Limit):
             if system is not None and node.label not in system.labels:
                 problems.append(
@@ -199,18 +207,20 @@ def formula_problems(
                     )
                 )
             problems += [
-                Problem(
-                    FORMULA,
-                    f"no robot has the capability '{name}', so it always counts 0",
-                    nearest(name, known),
-                    serious=False,
-                    node=node,
-                    word=name,
-                )
+                _stranger(node, name, known, swarm)
                 for name in _capabilities(node)
                 if name not in known
             ]
     return problems
+
+
+def _stranger(node: Formula, name: str, known: frozenset[str], swarm: SwarmRules | None) -> Problem:
+    """A capability that nobody has, which a share of a swarm cannot be taken of."""
+    if swarm is None:
+        what = f"no robot has the capability '{name}', so it always counts 0"
+        return Problem(FORMULA, what, nearest(name, known), serious=False, node=node, word=name)
+    remedy = nearest(name, known) if known else f"leave '{name}' out: the one swarm has no name"
+    return Problem(FORMULA, f"there is no swarm '{name}'", remedy, node=node, word=name)
 
 
 def _capabilities(node: Formula) -> tuple[str, ...]:
@@ -246,6 +256,13 @@ def _refused(node: Formula) -> list[Problem]:
                 node=node,
             )
         ]
+    return []
+
+
+def _percentages(node: Formula) -> list[Problem]:
+    """Shares of a team, which has none."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
     if isinstance(node, logic.Count) and isinstance(node.bound, logic.Percent):
         return [
             Problem(

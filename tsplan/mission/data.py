@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
+from math import ceil
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, cast
 
@@ -49,6 +50,8 @@ SWARM_OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
     }
 )
 DEFAULT_SWARM_OBJECTIVE = ("splits", "travel")
+SENSES: Mapping[str, Sense] = MappingProxyType({**OBJECTIVES, **SWARM_OBJECTIVES})
+"""Every objective, of teams and of swarms; those with the same name mean the same."""
 
 MOST_ROBOTS = 10_000_000
 """Robots in a team; each one gets a path of its own, so a misprint must not fill the memory."""
@@ -108,13 +111,22 @@ class SwarmRules:
     """What makes the team a team of swarms: each of its classes is one swarm.
 
     `each` has the bounds of every swarm by its class name, `together` bounds the sub-swarms of
-    all swarms at one step, and `margin` is the head-room by which the shares of a plan are kept
-    away from what the formula needs, as a fraction of the swarm.
+    all swarms at one step, and `margin` is the head-room by which the counts of a plan are kept
+    away from what the formula needs: a Fraction is one of the swarm, a whole number is of
+    agents. `Mission.goal` is tightened by it already.
     """
 
-    each: Mapping[str, SwarmBounds]
+    each: Mapping[str, SwarmBounds] = field(hash=False)
     together: int | None = None
-    margin: Fraction = Fraction(0)
+    margin: Fraction | int = Fraction(0)
+
+    def spare(self, agents: int) -> int:
+        """The head-room, in agents, of a demand on a swarm of so many `agents`.
+
+        >>> SwarmRules({}, margin=Fraction(1, 20)).spare(130)
+        7
+        """
+        return self.margin if isinstance(self.margin, int) else ceil(self.margin * agents)
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,12 +176,25 @@ class Mission:
             raise MissionError(problem.finding() for problem in errors)
 
     @cached_property
-    def goal(self) -> Formula:
-        """The formula that is encoded: translated to counts, in positive normal form, simple."""
+    def counted(self) -> Formula:
+        """The formula as written, over numbers of agents: tasks translated, percentages resolved.
+
+        A percentage is one of the swarm that its atom names, or of all swarms together.
+        """
         from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
 
         plain = logic.translate(self.formula, interval=self.task_interval)
-        return logic.simplify(logic.positive(plain))
+        return plain if self.swarm is None else logic.resolve_percent(plain, self.having)
+
+    @cached_property
+    def goal(self) -> Formula:
+        """The formula that is encoded: over counts, in positive normal form, with its margin."""
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+        formula = logic.positive(self.counted)
+        if self.swarm is not None and self.swarm.margin:
+            formula = logic.tighten(formula, self.having, self.swarm.spare)
+        return logic.simplify(formula)
 
     @cached_property
     def agents(self) -> tuple[Agent, ...]:
@@ -219,10 +244,14 @@ class Mission:
         cls,
         *,
         map: TransitionSystem | str | Path,  # noqa: A002  (the word of the mission file)
-        team: Iterable[Group | Mapping[str, Any]],
+        team: Iterable[Group | Mapping[str, Any]] | None = None,
+        swarm: Mapping[str, Any] | None = None,
+        swarms: Iterable[Mapping[str, Any]] | None = None,
+        max_subswarms: int | None = None,
+        margin: str | int | None = None,
         formula: str | bool | Formula | Sequence[str | bool],
-        language: Language = "catl",
-        objective: Sequence[str] = DEFAULT_OBJECTIVE,
+        language: Language | None = None,
+        objective: Sequence[str] | None = None,
         task_interval: TaskInterval = "closed",
         horizon: int | None = None,
         solver: SolverChoice | Mapping[str, Any] | None = None,
@@ -231,17 +260,24 @@ class Mission:
         """A mission from Python values, with the same checks as a file.
 
         `map` is a transition system or the path of a map file. Each member of `team` is a Group
-        or a mapping with the keys of a mission file. `formula` is a text, several texts (their
-        conjunction) or a parsed formula. Raises MissionError with all findings.
+        or a mapping with the keys of a mission file; instead of a team there may be one `swarm`
+        or several `swarms`, mappings with those keys, and for them `max_subswarms` and `margin`.
+        `formula` is a text, several texts (their conjunction) or a parsed formula. Without a
+        `language`, that of teams is "catl" and that of swarms "mtl". Raises MissionError with
+        all findings.
         """
         from tsplan.mission.building import mission_from_values  # noqa: PLC0415  (imports this)
 
         values = {
             "name": name,
             "map": map,
-            "team": list(team),
-            "spec": {"language": language, "formula": formula},
-            "objective": list(objective),
+            "team": None if team is None else list(team),
+            "swarm": swarm,
+            "swarms": None if swarms is None else list(swarms),
+            "max_subswarms": max_subswarms,
+            "margin": margin,
+            "spec": {"language": language or ("catl" if team else "mtl"), "formula": formula},
+            "objective": None if objective is None else list(objective),
             "task_interval": task_interval,
             "horizon": horizon,
             "solver": solver,

@@ -11,9 +11,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tsplan.errors import Finding, InputError, MissionError
 from tsplan.mission.checks import (
-    FORMULA,
-    Place,
-    Problem,
     formula_horizon,
     formula_problems,
     horizon_problems,
@@ -21,14 +18,24 @@ from tsplan.mission.checks import (
     objective_problems,
     team_problems,
 )
-from tsplan.mission.data import LANGUAGES, Group, Mission, SolverChoice
+from tsplan.mission.data import (
+    DEFAULT_OBJECTIVE,
+    DEFAULT_SWARM_OBJECTIVE,
+    LANGUAGES,
+    Group,
+    Mission,
+    SolverChoice,
+    SwarmRules,
+)
+from tsplan.mission.problem import FORMULA, Place, Problem
+from tsplan.mission.swarms import kind_problems, swarm_rules, total_problems
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from tsplan.document import Document
     from tsplan.logic import Formula
-    from tsplan.mission.schema import Member, MissionFile
+    from tsplan.mission.schema import Member, MissionFile, Swarm
     from tsplan.ts import TransitionSystem
 
 
@@ -66,17 +73,15 @@ def mission_from_document(
     from tsplan.document.schema import validated  # noqa: PLC0415  (pydantic is slow to import)
     from tsplan.mission.schema import MissionFile  # noqa: PLC0415  (needs pydantic)
 
-    if isinstance(document.data, dict) and "swarm" in document.data:
-        what = "missions of a swarm are not planned by this version"
-        raise MissionError([document.key_finding(("swarm",), what, "describe a team instead")])
     file, findings = validated(document, MissionFile)
     draft = _Draft(document, list(findings))
+    draft.judge_kind()
     draft.system = system if system is not None else draft.read_map(folder)
     began = time.perf_counter()
     draft.read_formula()
     draft.seconds = time.perf_counter() - began
     if file is not None:
-        draft.team = draft.read_team(file.team)
+        draft.read_agents(file)
         draft.judge(file)
     serious = [finding for finding in draft.findings if finding not in draft.warnings]
     if serious or file is None or draft.system is None or draft.formula is None:
@@ -117,6 +122,7 @@ class _Draft:
     system: TransitionSystem | None = None
     formula: Formula | None = None
     team: tuple[Group, ...] = ()
+    swarm: SwarmRules | None = None
     text: str = ""
     seconds: float = 0.0
     places: dict[Formula, Span] = field(default_factory=dict)
@@ -199,6 +205,41 @@ class _Draft:
                 self.places.setdefault(node, Span(path, text, found[0]))
         return formula
 
+    def judge_kind(self) -> None:
+        """Report what a mission file says of teams and swarms that it cannot be for at once."""
+        for problem in kind_problems(self.document.data):
+            line, column = self.document.key_place(problem.path)
+            self.findings.append(
+                Finding(problem.message, problem.remedy, self.document.source, line, column)
+            )
+
+    def read_agents(self, file: MissionFile) -> None:
+        """The groups of the team or of the swarms, and the rules of swarms."""
+        if file.swarm is not None:
+            self.team = (self._swarm(file.swarm, "swarm", ("swarm",)),)
+        elif file.swarms:
+            self.team = tuple(
+                self._swarm(entry, self._word(entry.name, ("swarms", n, "name")), ("swarms", n))
+                for n, entry in enumerate(file.swarms)
+            )
+        else:
+            self.team = self.read_team(file.team)
+            return
+        entries = [file.swarm] if file.swarm is not None else file.swarms
+        names = [group.class_name for group in self.team]
+        self.swarm = swarm_rules(names, entries, file.max_subswarms, file.margin)
+
+    def _swarm(self, entry: Swarm, name: str, path: Place) -> Group:
+        """A swarm as one group; of several, each has its name as capability."""
+        if isinstance(self.document.at((*path, "at")), dict):
+            starts = tuple(entry.at.items())
+            for problem in total_problems(entry.size, starts, path):
+                self._file(problem)
+        else:
+            (state,) = entry.at
+            starts = ((self._word(state, (*path, "at")), entry.size),)
+        return Group(name, frozenset() if path == ("swarm",) else frozenset({name}), starts)
+
     def read_team(self, members: Iterable[Member]) -> tuple[Group, ...]:
         """The groups of the team; names as they are written."""
         return tuple(self._group(member, ("team", n)) for n, member in enumerate(members))
@@ -225,15 +266,22 @@ class _Draft:
 
     def judge(self, file: MissionFile) -> None:
         """Report what does not fit together, as far as the parts are known."""
-        problems = objective_problems(file.objective) + team_problems(self.team, self.system)
+        problems = objective_problems(self.objective(file), self.swarm)
+        problems += team_problems(self.team, self.system, self.swarm)
         if self.system is not None:
             problems += map_problems(self.system, self.team)
         if self.formula is not None:
-            problems += formula_problems(self.formula, self.system, self.team)
+            problems += formula_problems(self.formula, self.system, self.team, self.swarm)
             _, empty = formula_horizon(self.formula, file.task_interval)
             problems += empty or horizon_problems(self.formula, file.task_interval, file.horizon)
         for problem in problems:
             self._file(problem)
+
+    def objective(self, file: MissionFile) -> tuple[str, ...]:
+        """The objectives, by default those of the mission's kind."""
+        if file.objective is not None:
+            return tuple(file.objective)
+        return DEFAULT_OBJECTIVE if self.swarm is None else DEFAULT_SWARM_OBJECTIVE
 
     def _report(self, path: Place, message: str, remedy: str) -> None:
         self._file(Problem(path, message, remedy))
@@ -267,9 +315,10 @@ class _Draft:
             text=self.text,
             formula=formula,
             horizon=file.horizon if file.horizon is not None else own or 0,
-            objective=tuple(file.objective),
+            objective=self.objective(file),
             task_interval=file.task_interval,
             solver=SolverChoice(**solver),
+            swarm=self.swarm,
             digest=self.document.digest,
             warnings=tuple(self.warnings),
             parse_seconds=self.seconds,

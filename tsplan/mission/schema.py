@@ -2,16 +2,34 @@
 
 from __future__ import annotations
 
+import re
+from fractions import Fraction
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
 
+from tsplan.document.fields import complaint, shown
+
 FORMAT = "tsplan-mission/1"
+_SHARE = re.compile(r"([0-9]+(?:\.[0-9]+)?)\s*%")
 
 
 def _name(value: Any) -> Any:
     """A name may look like a whole number in YAML."""
     return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def _margin(value: Any) -> Any:
+    """Head-room: `5%` is a fraction of the swarm, a whole number is one of agents."""
+    if isinstance(value, int) and not isinstance(value, bool) and value >= 0:
+        return value
+    match = _SHARE.fullmatch(value.strip()) if isinstance(value, str) else None
+    share = Fraction(match[1]) / 100 if match else None
+    if share is None or share > 1:
+        raise complaint(
+            f"{shown(value)} is no head-room", "write a percentage, as in 5%, or a number of agents"
+        )
+    return share
 
 
 def _starts(value: Any) -> Any:
@@ -38,6 +56,21 @@ class Member(_Part):
     capabilities: list[Name] = []
 
 
+class Swarm(_Part):
+    """A swarm: how many agents, where they start, and how far they may divide."""
+
+    size: Count
+    at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
+    max_subswarms: Count | None = None
+    min_subswarm: Count = 1
+
+
+class NamedSwarm(Swarm):
+    """One of several swarms; atoms take its name as a capability."""
+
+    name: Name
+
+
 class Spec(_Part):
     """The formula and its language. The formula itself is read elsewhere, with its places."""
 
@@ -61,9 +94,14 @@ class MissionFile(_Part):
     format: Literal["tsplan-mission/1"]
     name: Annotated[str, BeforeValidator(_name)] = ""
     map: Any
-    team: Annotated[list[Member], Field(min_length=1)]
+    team: Annotated[list[Member], Field(min_length=1)] = []
+    swarm: Swarm | None = None
+    swarms: Annotated[list[NamedSwarm], Field(min_length=1)] = []
+    max_subswarms: Count | None = None
+    min_subswarm: Any = None  # belongs into a swarm, which the reader says
+    margin: Annotated[Any, BeforeValidator(_margin)] = 0
     spec: Spec
-    objective: list[Name] = ["travel"]
+    objective: list[Name] | None = None
     task_interval: Literal["closed", "half-open"] = "closed"
     horizon: Whole | None = None
     solver: Solver | None = None

@@ -2,7 +2,8 @@
 
 It reads nothing but the map, the team, the formula and the agents' stays: it walks every path
 over the map, counts who is where, and evaluates the formula as written on those counts. Nothing
-of the model, the encoding or the solver enters, so a mistake there cannot hide here.
+of the model, the encoding or the solver enters, so a mistake there cannot hide here. A plan of
+swarms is judged by its moves where it has no agents.
 """
 
 from __future__ import annotations
@@ -14,16 +15,17 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from tsplan.errors import Finding, SolverError
-from tsplan.mission.data import OBJECTIVES, Mission
+from tsplan.mission.data import SENSES, Mission
+from tsplan.results.counting import counts_robustness
 from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
 from tsplan.results.occupancy import interval_counts, state_counts
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status
+from tsplan.results.swarmjudge import judged_swarms, swarm_completed, swarm_facts
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from tsplan.logic import Formula
     from tsplan.ts import TransitionSystem
 
 Journeys: TypeAlias = "list[tuple[Bundle, tuple[Leg, ...]]]"
@@ -82,6 +84,8 @@ def certify(mission: Mission, plan: Plan) -> Plan:
     findings, values = _judged(mission, plan)
     if values is not None:
         plan = _completed(mission, plan, values)
+        if mission.swarm is not None:
+            plan = swarm_completed(mission, plan, _journeys(mission, plan)[0])
         findings += _claims(mission, plan, values)
     if findings:
         listed = "\n".join(str(finding) for finding in _shortened(findings))
@@ -91,11 +95,19 @@ def certify(mission: Mission, plan: Plan) -> Plan:
 
 def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], dict[str, float] | None]:
     """What is wrong with the paths, and every objective's value unless a path is impossible."""
-    findings = _horizon(mission, plan) + _team(mission, plan)
+    findings = _horizon(mission, plan)
+    if plan.agents or mission.swarm is None:
+        findings += _team(mission, plan)
+    if plan.moves and mission.swarm is None:
+        findings.append(_finding("the plan moves swarms, and the mission has a team"))
     journeys, broken = _journeys(mission, plan)
     findings += broken
     if findings:
         return findings, None
+    if mission.swarm is not None:
+        verdict = judged_swarms(mission, plan, journeys)
+        findings = [_finding(problem) for problem in verdict.problems]
+        return findings, None if verdict.values is None else dict(verdict.values)
     findings += _crowded_states(mission.system, plan)
     findings += _crowded_edges(mission.system, plan, journeys)
     availability = formula_robustness(mission, plan.bundles, plan.horizon)
@@ -126,6 +138,11 @@ def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
     journeys, broken = _journeys(mission, plan)
     if broken:
         raise SolverError("\n".join(str(finding) for finding in broken))
+    if mission.swarm is not None:
+        verdict = judged_swarms(mission, plan, journeys)
+        if verdict.values is None:
+            raise SolverError("\n".join(verdict.problems))
+        return dict(verdict.values)
     values = {name: float(measure(journeys)) for name, measure in MEASURES.items()}
     return values | {"availability": formula_robustness(mission, plan.bundles, plan.horizon)}
 
@@ -133,26 +150,14 @@ def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
 def formula_robustness(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> float:
     """Counting robustness at step 0 of the mission's formula as written, on the agents' counts."""
     from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-    from tsplan.logic.evaluate import CountTrace, robustness  # noqa: PLC0415
 
-    formula = logic.translate(mission.formula, interval=mission.task_interval)
+    formula = mission.counted
     states = tuple(mission.system.states)
-    row = {state: number for number, state in enumerate(states)}
-    labels = {
-        label: np.array([row[state] for state in members], dtype=np.int64)
-        for label, members in mission.system.labels.items()
-    }
     counts = {
         name: state_counts(bundles, states, horizon, name)
-        for name in (None, *sorted(_counted(formula)))
+        for name in (None, *sorted(logic.capabilities(formula)))
     }
-    return float(robustness(formula, CountTrace(counts, labels))[0])
-
-
-def _counted(formula: Formula) -> frozenset[str]:
-    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-
-    return frozenset(logic.capabilities(formula))
+    return counts_robustness(mission.system, formula, counts)
 
 
 def _horizon(mission: Mission, plan: Plan) -> list[Finding]:
@@ -292,7 +297,7 @@ def _bound(item: ObjectiveValue, actual: float, status: Status) -> list[Finding]
     if math.isclose(item.bound, actual, rel_tol=TOLERANCE, abs_tol=TOLERANCE):
         return []
     over = actual > item.bound
-    if over == (OBJECTIVES[item.name] == "maximise"):
+    if over == (SENSES[item.name] == "maximise"):
         return [_finding(f"{item.name} {actual:g} is better than its bound {item.bound:g}")]
     if status is Status.OPTIMAL:
         return [
@@ -305,14 +310,19 @@ def _facts(mission: Mission, plan: Plan, values: Mapping[str, float]) -> tuple[s
     def number(value: float) -> str:
         return f"{value:g}" if math.isfinite(value) else "unbounded"
 
+    values_found = (
+        f"the formula holds, with availability {number(values['availability'])}",
+        *(f"{name} is {number(values[name])}" for name in mission.objective),
+    )
+    if mission.swarm is not None:
+        return (*swarm_facts(mission, plan, values), *values_found)
     capacities = any(state.capacity is not None for state in mission.system.states.values())
     fits = ["every capacity is kept"] if capacities or mission.system.capacity_groups else []
     return (
         f"the team is the mission's: {len(plan.agents)} agents, each with one path from its start",
         f"every path follows the map's edges at their durations up to step {plan.horizon}",
         *fits,
-        f"the formula holds, with availability {number(values['availability'])}",
-        *(f"{name} is {number(values[name])}" for name in mission.objective),
+        *values_found,
     )
 
 

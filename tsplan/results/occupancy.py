@@ -1,4 +1,4 @@
-"""Who is where when, counted from the agents' stays alone."""
+"""Who is where when, counted from the agents' stays, or from the sub-swarms."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from tsplan.milp.model import Ints
+    from tsplan.results.groups import SubSwarm
     from tsplan.results.plan import Bundle
 
 
@@ -28,6 +29,19 @@ def state_counts(
             if place is not None:
                 change[place, min(first, horizon + 1)] += agents
                 change[place, min(last, horizon) + 1] -= agents
+    return np.cumsum(change, axis=1)[:, : horizon + 1]
+
+
+def group_counts(
+    groups: Iterable[SubSwarm], states: Sequence[str], horizon: int, swarm: str | None = None
+) -> Ints:
+    """Agents of a swarm (all for None) at each of `states` and step; (states, horizon+1)."""
+    row = {state: number for number, state in enumerate(states)}
+    change = np.zeros((len(row), horizon + 2), dtype=np.int64)
+    for group in groups:
+        if group.state in row and swarm in (None, group.swarm):
+            change[row[group.state], group.first] += group.size
+            change[row[group.state], group.last + 1] -= group.size
     return np.cumsum(change, axis=1)[:, : horizon + 1]
 
 

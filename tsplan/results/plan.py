@@ -9,6 +9,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
+from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -23,7 +24,10 @@ if TYPE_CHECKING:
     from tsplan.milp.model import Ints
     from tsplan.mission import Mission
     from tsplan.results.evidence import Evidence
+    from tsplan.results.groups import SubSwarm
+    from tsplan.results.moves import Move, Node
     from tsplan.results.requirements import Requirement
+    from tsplan.results.simulation import Simulation
 
 Stay: TypeAlias = tuple[int, int, str]
 """`(from, to, state)`: at that state at every step from..to, both included."""
@@ -162,7 +166,10 @@ class Plan:
     robustness of the formula at step 0, None where it is infinite. `verified` says that the
     independent check accepted the paths. `notes` are sentences for the reader of the plan.
 
-    Raises PlanError for a status that contradicts `stopped_by` or the presence of agents.
+    The plan of a swarm mission has the `moves` of every swarm, by its name, and `groups`, the
+    sub-swarms that they make; `agents` are there if they were asked for, or are few.
+
+    Raises PlanError for a status that contradicts `stopped_by` or the presence of paths.
     """
 
     status: Status
@@ -173,6 +180,8 @@ class Plan:
     availability: float | None = None
     verified: bool = False
     agents: tuple[AgentPlan, ...] = ()
+    moves: Mapping[str, tuple[Move, ...]] = field(default_factory=dict, hash=False)
+    groups: tuple[SubSwarm, ...] = ()
     solver: SolverUse = field(default_factory=lambda: SolverUse(""))
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)
@@ -182,7 +191,9 @@ class Plan:
         object.__setattr__(self, "status", Status(self.status))
         if self.stopped_by is not None:
             object.__setattr__(self, "stopped_by", StoppedBy(self.stopped_by))
-        findings = contradictions(self.status, self.stopped_by, agents=bool(self.agents))
+        findings = contradictions(
+            self.status, self.stopped_by, paths=bool(self.agents or self.moves)
+        )
         if self.verified and not self.has_paths:
             findings.append(Finding(f"a plan of status {self.status} cannot be verified"))
         if findings:
@@ -190,7 +201,7 @@ class Plan:
 
     @property
     def has_paths(self) -> bool:
-        """Whether there is a path for every agent."""
+        """Whether there is a path for every agent, or the moves of every swarm."""
         return self.status in _WITH_PATHS
 
     @cached_property
@@ -206,21 +217,56 @@ class Plan:
     @cached_property
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""
+        if self._by_groups:
+            return tuple(sorted({group.state for group in self.groups if group.state is not None}))
         return tuple(sorted({stay[2] for bundle in self.bundles for stay in bundle.stays}))
 
     def state_at(self, step: int) -> dict[str, str | None]:
-        """The state of every agent at `step` by its id; None for agents that are travelling."""
+        """The state of every agent at `step` by its id; None for agents that are travelling.
+
+        Without agents, the state of every sub-swarm that exists at `step`, by its id.
+        """
+        if not self.agents:
+            return {group.id: group.state for group in self.groups_at(step)}
         return {agent.id: agent.state_at(step) for agent in self.agents}
+
+    @property
+    def _by_groups(self) -> bool:
+        """Whether the sub-swarms tell who is where; PlanError where nothing does."""
+        if self.moves and not self.groups and not self.agents:
+            what = "the plan names the moves of swarms, but not the sub-swarms they make"
+            raise PlanError([Finding(what, "fill them in with certify(mission, plan)")])
+        return bool(self.groups)
+
+    def groups_at(self, step: int) -> tuple[SubSwarm, ...]:
+        """The sub-swarms that exist at a step."""
+        return tuple(group for group in self.groups if group.first <= step <= group.last)
+
+    @cached_property
+    def shares(self) -> Mapping[str, Mapping[Node, tuple[tuple[str, Fraction], ...]]]:
+        """For every swarm, which part of it leaves a state at a step by which edge.
+
+        `shares[swarm][state, step]` has pairs of a target and a fraction; the fractions sum to 1.
+        """
+        from tsplan.results.moves import shares  # noqa: PLC0415  (plans of teams have none)
+
+        return {swarm: shares(moves) for swarm, moves in self.moves.items()}
 
     def counts(self, capability: str | None = None, *, states: Iterable[str] | None = None) -> Ints:
         """Agents with a capability (all agents for None) at each state and step.
 
         The array has one row for each of `states` (by default `Plan.states`) and one column for
-        each step 0..horizon. States outside the plan have rows of zeros.
+        each step 0..horizon. States outside the plan have rows of zeros. In the plan of several
+        swarms a capability is the name of one.
         """
-        from tsplan.results.occupancy import state_counts  # noqa: PLC0415  (numpy takes 0.1 s)
+        from tsplan.results.occupancy import (  # noqa: PLC0415  (numpy takes 0.1 s)
+            group_counts,
+            state_counts,
+        )
 
         rows = self.states if states is None else tuple(states)
+        if self._by_groups:
+            return group_counts(self.groups, rows, self.horizon, capability)
         return state_counts(self.bundles, rows, self.horizon, capability)
 
     def explain(self, mission: Mission) -> Evidence:
@@ -275,6 +321,15 @@ class Plan:
             open_page(written)
         return written
 
+    def simulate(self, mission: Mission, *, runs: int = 1000, seed: int = 0) -> Simulation:
+        """How often the plan's mission holds if every agent follows the shares at random.
+
+        See `tsplan.simulate`; raises PlanError for a plan without moves of swarms.
+        """
+        from tsplan.results.simulation import simulate  # noqa: PLC0415  (imports this module)
+
+        return simulate(mission, self, runs=runs, seed=seed)
+
     def to_json(self) -> str:
         """The plan as a `tsplan-plan/1` document, one agent a line."""
         from tsplan.results.planfile import plan_to_json  # noqa: PLC0415  (imports this module)
@@ -289,8 +344,8 @@ class Plan:
         return plan_from_json(text, source)
 
 
-def contradictions(status: Status, stopped_by: StoppedBy | None, *, agents: bool) -> list[Finding]:
-    """What is impossible about a status together with its reason and the presence of agents."""
+def contradictions(status: Status, stopped_by: StoppedBy | None, *, paths: bool) -> list[Finding]:
+    """What is impossible about a status together with its reason and the presence of paths."""
     findings = []
     possible = _POSSIBLE[status]
     if stopped_by not in possible:
@@ -299,7 +354,7 @@ def contradictions(status: Status, stopped_by: StoppedBy | None, *, agents: bool
         findings.append(
             Finding(f"status {status} contradicts stopped_by {given}", f"possible: {words}")
         )
-    if agents != (status in _WITH_PATHS):
+    if paths != (status in _WITH_PATHS):
         shape = "needs the agents' paths" if status in _WITH_PATHS else "cannot hold agents' paths"
         findings.append(Finding(f"a plan of status {status} {shape}"))
     return findings

@@ -23,6 +23,7 @@ from tsplan.results.plan import (
     Timings,
     contradictions,
 )
+from tsplan.results.swarmfile import groups_of, groups_text, moves_of, moves_text
 
 if TYPE_CHECKING:
     from tsplan.document import Document
@@ -33,7 +34,7 @@ _LOCATED = 2_000_000  # characters up to which a faulty file is read again for l
 
 
 def plan_to_json(plan: Plan) -> str:
-    """The plan as JSON text, one top-level key and one agent a line."""
+    """The plan as JSON text, one top-level key, agent, move and sub-swarm a line."""
     entries: dict[str, Any] = {
         "format": FORMAT,
         "status": plan.status,
@@ -46,6 +47,8 @@ def plan_to_json(plan: Plan) -> str:
         ],
         "availability": _number(plan.availability),
         "verified": plan.verified,
+        "moves": None,
+        "groups": None,
         "agents": None,
         "solver": asdict(plan.solver),
         "size": asdict(plan.size),
@@ -54,10 +57,12 @@ def plan_to_json(plan: Plan) -> str:
     }
     if not plan.notes:
         del entries["notes"]
-    if not plan.has_paths:
-        del entries["agents"]
+    large = {"moves": moves_text, "groups": groups_text, "agents": _agents}
+    for key in large:
+        if not getattr(plan, key):
+            del entries[key]
     lines = [
-        f"{json.dumps(key)}: {_agents(plan) if key == 'agents' else _dumped(value)}"
+        f"{json.dumps(key)}: {large[key](plan) if key in large else _dumped(value)}"
         for key, value in entries.items()
     ]
     return "{" + ",\n ".join(lines) + "}\n"
@@ -111,7 +116,7 @@ def plan_from_json(text: str, source: str = "plan") -> Plan:
         for finding in contradictions(
             file.status,
             StoppedBy(file.stopped_by) if file.stopped_by else None,
-            agents=bool(file.agents),
+            paths=bool(file.agents or file.moves),
         )
     ]
     if findings:
@@ -237,6 +242,8 @@ def _built(file: PlanFile) -> Plan:
         availability=file.availability,
         verified=file.verified,
         agents=tuple(agents),
+        moves=moves_of(file),
+        groups=groups_of(file),
         solver=SolverUse(file.solver.name, file.solver.version, file.solver.options),
         size=ModelSize(**file.size.model_dump()),
         timings=Timings(**file.timings.model_dump()),

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self, TypeAlias
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from tsplan.mission.data import MOST_STEPS
 from tsplan.results.plan import Status
 
 Whole = Annotated[int, Field(strict=True, ge=0)]
+Positive = Annotated[int, Field(strict=True, ge=1)]
 Word = Annotated[str, Field(min_length=1)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Outcome = Annotated[Status, Field()]
@@ -53,6 +54,53 @@ class Agent(_Part):
         list[tuple[Whole, Whole, Word]], Field(min_length=1), AfterValidator(_forwards)
     ]
     heading: Word | None = None
+
+
+def _distinct(moves: list[Move]) -> list[Move]:
+    seen = set()
+    for step, source, target, _ in moves:
+        if (step, source, target) in seen:
+            raise ValueError(f"the move from {source} to {target} at step {step} is there twice")
+        seen.add((step, source, target))
+    return moves
+
+
+Move: TypeAlias = tuple[Whole, Word, Word, Positive]
+Moves: TypeAlias = Annotated[list[Move], AfterValidator(_distinct)]
+
+
+class SubSwarm(_Part):
+    """A sub-swarm: where it is in which steps, and what it comes from and becomes."""
+
+    id: Word
+    swarm: Word
+    first: Whole = Field(alias="from")
+    last: Whole = Field(alias="to")
+    size: Positive
+    state: Word | None = None
+    edge: tuple[Word, Word] | None = None
+    parents: list[Word] = []
+    children: list[Word] = []
+
+    @model_validator(mode="after")
+    def _somewhere(self) -> Self:
+        """One place, and steps that are in order."""
+        if (self.state is None) == (self.edge is None):
+            raise ValueError("a sub-swarm is at a state or on an edge, one of both")
+        if self.last < self.first:
+            raise ValueError(f"the steps {self.first} to {self.last} are out of order")
+        return self
+
+
+def _related(groups: list[SubSwarm]) -> list[SubSwarm]:
+    known = {group.id: group for group in groups}
+    if len(known) < len(groups):
+        raise ValueError("two sub-swarms have the same id")
+    for group in groups:
+        for other in (*group.parents, *group.children):
+            if other not in known:
+                raise ValueError(f"sub-swarm {group.id} names {other}, which is not there")
+    return groups
 
 
 class Solver(_Part):
@@ -99,7 +147,19 @@ class PlanFile(_Part):
     availability: Finite | None = None
     verified: Annotated[bool, Field(strict=True)] = False
     agents: list[Agent] | None = None
+    moves: dict[Word, Moves] = {}
+    groups: Annotated[list[SubSwarm], AfterValidator(_related)] = []
     solver: Solver = Solver()
     size: Size = Size()
     timings: Timings = Timings()
     notes: list[str] = []
+
+    @model_validator(mode="after")
+    def _within(self) -> Self:
+        """Nothing happens after the horizon."""
+        late = [move[0] for moves in self.moves.values() for move in moves]
+        if late and max(late) >= self.horizon:
+            raise ValueError(f"a move at step {max(late)} of a plan that ends at {self.horizon}")
+        if any(group.last > self.horizon for group in self.groups):
+            raise ValueError(f"a sub-swarm exists after step {self.horizon}, where the plan ends")
+        return self

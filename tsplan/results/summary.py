@@ -6,8 +6,9 @@ import math
 import re
 from typing import TYPE_CHECKING
 
-from tsplan.mission.data import OBJECTIVES
+from tsplan.mission.data import SENSES
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
+from tsplan.results.timeline import timeline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,7 +44,7 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += [f"  {objective_line(item)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, infinite='unbounded')}")
-        lines += ["", *_table(plan), ""]
+        lines += ["", *(_happenings(plan) if plan.groups else _table(plan)), ""]
     return [*lines, *_work(plan)]
 
 
@@ -68,7 +69,7 @@ def objective_line(item: ObjectiveValue) -> str:
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
         return f"{item.name} {value} (proven: no plan does better)"
-    side = "at most" if OBJECTIVES.get(item.name) == "maximise" else "at least"
+    side = "at most" if SENSES.get(item.name) == "maximise" else "at least"
     gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
     return f"{item.name} {value} (any plan has {side} {number(item.bound)}; gap {gap:.1%})"
 
@@ -116,6 +117,15 @@ def names(ids: Sequence[str], most: int = 3) -> str:
     return ", ".join([*shown, *([f"{rest} more"] if rest else [])])
 
 
+def _happenings(plan: Plan) -> list[str]:
+    """How the sub-swarms of a plan split and merge."""
+    lines = timeline(plan)
+    if len(lines) <= MOST_PATHS:
+        return lines
+    rest = f"  ... and {len(lines) - MOST_PATHS:,} more splits and merges until the end:"
+    return [*lines[: MOST_PATHS - 1], rest, lines[-1]]
+
+
 def _table(plan: Plan) -> list[RenderableType]:
     from rich.table import Table  # noqa: PLC0415  (slow to import)
 
@@ -137,9 +147,9 @@ def _table(plan: Plan) -> list[RenderableType]:
 def _work(plan: Plan) -> list[str]:
     """With what and how long, as far as it is known."""
     size, time = plan.size, plan.timings
-    lines = [
-        f"  horizon {plan.horizon}" + (f", {len(plan.agents):,} agents" if plan.agents else "")
-    ]
+    begin = plan.groups_at(0)
+    agents = sum(group.size for group in begin) if begin else len(plan.agents)
+    lines = [f"  horizon {plan.horizon}" + (f", {agents:,} agents" if agents else "")]
     if plan.solver.name:
         lines.append(
             f"  {plan.solver.name} {plan.solver.version}: {size.columns:,} columns "

@@ -1,0 +1,195 @@
+"""The way of a swarm mission from its encoder's answer to plan, events, files and commands."""
+
+from __future__ import annotations
+
+import json
+import re
+from types import SimpleNamespace
+
+import pytest
+from test_results_swarms import MOVES, SYSTEM, VALUES, mission
+
+import tsplan
+import tsplan.swarming
+from tsplan.cli import main
+from tsplan.encode.stages import Reached
+from tsplan.errors import MissionError, SolverError, TsplanError
+from tsplan.events import Bound, Incumbent, Stage
+from tsplan.milp.solution import StoppedBy
+from tsplan.mission import Mission
+
+MAP = """\
+name: lane
+waiting: true
+states: {dock: {labels: [dock]}, aisle: {labels: [aisle]}, gate: {labels: [gate]}}
+edges: [[dock, aisle, 2], [aisle, gate, 1], [dock, gate, 3]]
+"""
+MISSION = """\
+format: tsplan-mission/1
+name: half way
+map: map.yaml
+swarm: {size: 120, at: dock, max_subswarms: %s, min_subswarm: 10}
+spec: {language: mtl, formula: "F[0,6] (sum(aisle) >= 50%% && sum(gate) >= 50%%)"}
+"""
+
+
+def answers(monkeypatch, told=(), **changes):
+    """Let the encoder of swarms answer so, after telling something first."""
+    answer = {
+        "flows": {"swarm": MOVES},
+        "reached": tuple(Reached(name, value, value) for name, value in VALUES.items()),
+        "proven": True,
+        "infeasible": False,
+        "stopped_by": None,
+        "size": (9, 8, 7, 6),
+    } | changes
+
+    class Answering:
+        def __init__(self, given):
+            self.mission = given
+
+        def solve(self, effort, clock, tell):
+            assert effort.solver.name == "highs"
+            for item in told:
+                tell(*item)
+            answer["stop"] = clock.over
+            return SimpleNamespace(**answer)
+
+    monkeypatch.setattr(tsplan.swarming, "SwarmProblem", Answering)
+    return answer
+
+
+def test_an_answer_becomes_a_verified_plan(monkeypatch):
+    answers(monkeypatch)
+    plan = tsplan.plan(mission())
+    assert (plan.status, plan.verified, plan.stopped_by) == ("optimal", True, None)
+    assert plan.moves == {"swarm": MOVES}
+    assert len(plan.groups) == 7
+    assert len(plan.agents) == 12
+    assert {item.name: item.bound for item in plan.objective} == VALUES
+    assert (plan.size.columns, plan.size.nonzeros, plan.size.states) == (9, 6, 3)
+    assert plan.solver.name == "highs"
+    assert plan.timings.total > 0
+
+
+def test_many_agents_get_no_paths_of_their_own(monkeypatch):
+    answers(monkeypatch, reached=())
+    monkeypatch.setattr(tsplan.swarming, "MOST_AGENTS", 11)
+    given = mission(objective=[])
+    plan = tsplan.plan(given)
+    assert plan.agents == ()
+    assert "agents" not in vars(given)
+    assert tsplan.assign(given, plan).agents
+
+
+def test_other_ends(monkeypatch):
+    nothing = {"flows": None, "reached": (), "proven": False}
+    answers(monkeypatch, **nothing, infeasible=True)
+    assert tsplan.plan(mission()).status == "infeasible"
+    answers(monkeypatch, **nothing, stopped_by=StoppedBy.TIME_LIMIT)
+    plan = tsplan.plan(mission())
+    assert (plan.status, plan.stopped_by) == ("no_plan_found", "time_limit")
+    answers(monkeypatch, proven=False, stopped_by=StoppedBy.GAP, reached=(Reached("splits", 2, 1),))
+    plan = tsplan.plan(mission(objective=["splits"]))
+    assert (plan.status, plan.stopped_by, plan.objective[0].bound) == ("feasible", "gap", 1)
+
+
+def test_a_wrong_answer_is_never_shown(monkeypatch):
+    answers(monkeypatch, flows={"swarm": MOVES[:-1]})
+    with pytest.raises(TsplanError, match="not conserved"):  # already on the way to paths
+        tsplan.plan(mission())
+    monkeypatch.setattr(tsplan.swarming, "MOST_AGENTS", 0)
+    with pytest.raises(SolverError, match="does not stand up to the check"):
+        tsplan.plan(mission())
+    answers(monkeypatch, reached=(Reached("splits", 1, 1),))
+    with pytest.raises(SolverError, match="claims splits 1 and has 2"):
+        tsplan.plan(mission(objective=["splits"]))
+
+
+def test_events_tell_of_plans_on_the_way(monkeypatch):
+    told = [
+        ("first plan", None, None, None),
+        ("splits", {"swarm": MOVES}, 2.0, 0.0),
+        ("splits", None, 2.0, 1.0),
+    ]
+    answer = answers(monkeypatch, told)
+    heard = []
+
+    def listen(event):
+        heard.append(event)
+        return isinstance(event, Bound)
+
+    tsplan.plan(mission(), on_event=listen)
+    assert [type(event) for event in heard] == [Stage, Incumbent, Bound]
+    plan = heard[1].plan()
+    assert plan.verified
+    assert plan.moves == {"swarm": MOVES}
+    assert answer["stop"]  # the listener asked for it
+
+
+def test_what_is_for_teams_only():
+    given = mission()
+    with pytest.raises(MissionError, match="one encoding"):
+        tsplan.plan(given, encoding="reference")
+    with pytest.raises(MissionError, match="one encoding"):
+        tsplan.plan(given, without=("visits",))
+    with pytest.raises(MissionError, match="plan the mission itself"):
+        tsplan.Problem(given)
+    team = Mission.of(map=SYSTEM, team=[{"class": "a", "at": "p"}], formula="true", horizon=2)
+    assert tsplan.plan(team).moves == {}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    (tmp_path / "map.yaml").write_text(MAP)
+    (tmp_path / "mission.yaml").write_text(MISSION % 3)
+    (tmp_path / "tight.yaml").write_text(MISSION % 1)
+    (tmp_path / "large.yaml").write_text((MISSION % 3).replace("120", "1200"))
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_commands(folder, capsys):
+    assert main(["plan", "mission.yaml", "-o", "plan.json"]) == 0
+    out, _ = capsys.readouterr()
+    assert "half way: optimal plan (accepted by the independent check)" in out
+    assert "splits 1 (proven: no plan does better)" in out
+    assert "split: 60 " in out
+    assert main(["check", "mission.yaml", "plan.json"]) == 0
+    out, _ = capsys.readouterr()
+    assert "swarm keeps its 120 agents" in out
+    assert "paths of 120 agents say the same as the moves" in out
+    assert "the plan is accepted" in out
+    assert main(["check", "tight.yaml", "plan.json"]) == 1
+    out, _ = capsys.readouterr()
+    assert "swarm is in 2 sub-swarms at step" in out
+    assert main(["plan", "tight.yaml"]) == 3
+    assert "infeasible: it is proven" in capsys.readouterr().out
+
+
+def test_agents_on_request(folder, capsys):
+    assert main(["plan", "large.yaml", "--json", "--quiet"]) == 0
+    assert "agents" not in json.loads(capsys.readouterr().out)
+    assert main(["plan", "large.yaml", "--json", "--quiet", "--agents"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert len(data["agents"]) == 1200
+    assert data["verified"] is True
+
+
+def test_simulating_from_the_command_line(folder, capsys):
+    assert main(["plan", "mission.yaml", "--quiet", "-o", "plan.json"]) == 0
+    command = ["simulate", "mission.yaml", "plan.json", "--runs", "500", "--seed", "3"]
+    assert main(command) == 0
+    out, _ = capsys.readouterr()
+    # half of 120 at either place is one split among many: the binomial gives it 7.3 %
+    held = re.search(r"the formula held in ([0-9]+) of them", out)
+    assert 20 < int(held[1]) < 55
+    assert "500 runs (seed 3)" in out
+    assert "95 % interval" in out
+    margin = re.search(r"with 'margin: ([0-9]+)' \(or more\)", out)
+    assert int(margin[1]) == tsplan.margin_for(tsplan.load_mission("mission.yaml"))
+    assert main([*command, "--probability", "1"]) == 2
+    assert main(["simulate", "tight.yaml", "plan.json"]) == 2
+    assert "plan.json: swarm is in 2 sub-swarms" in capsys.readouterr().err
+    assert main(["simulate", "none.yaml", "none.json"]) == 2
+    assert capsys.readouterr().err.count("\n") == 2

@@ -1,0 +1,50 @@
+"""Objectives of swarms as coefficients over columns; all are minimised."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tsplan.encode.swarm.groups import Occupancy
+from tsplan.encode.swarm.model import SwarmModel
+from tsplan.milp.model import Floats, Ints
+
+OF_GROUPS = frozenset({"splits", "moves", "makespan"})
+"""Objectives that do not depend on how many agents the groups have."""
+
+
+def splits(model: SwarmModel, columns: int) -> Floats:
+    """Edges entered beyond one for every occupied state before the horizon."""
+    vector = np.zeros(columns)
+    for swarm in model.swarms:
+        vector[swarm.entered.unrolled()[2]] += 1.0
+        _, step, own = swarm.reached()
+        vector[own[step < swarm.horizon]] -= 1.0
+    return vector
+
+
+def moves(model: SwarmModel, columns: int) -> Floats:
+    """Edges entered by a group, waits aside."""
+    vector = np.zeros(columns)
+    for swarm in model.swarms:
+        edge, _, column = swarm.entered.unrolled()
+        vector[column] = ~swarm.entered.graph.wait[edge]
+    return vector
+
+
+def travel(model: SwarmModel, columns: int) -> Floats:
+    """Agent-steps spent in moves that are not waits."""
+    vector = np.zeros(columns)
+    for item in model.agents.classes:
+        edge, _, column = item.unrolled()
+        vector[column] = (item.graph.duration * ~item.graph.wait)[edge]
+    return vector
+
+
+def late(swarm: Occupancy, makespan: int) -> Ints:
+    """Columns of the swarm's moves that end after step `makespan`."""
+    edge, step, column = swarm.entered.unrolled()
+    graph = swarm.entered.graph
+    return column[~graph.wait[edge] & (step + graph.duration[edge] > makespan)]
+
+
+VECTORS = {"splits": splits, "moves": moves, "travel": travel}

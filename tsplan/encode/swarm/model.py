@@ -1,0 +1,262 @@
+"""The two models of a swarm mission: who is where, and how many.
+
+`occupied` only knows which states and edges hold agents. It is a relaxation: atoms that ask for
+more than one agent ask it for one, and sizes are not looked at. `counted` is the whole problem; it
+adds a flow of agents per swarm, so its first columns are those of `occupied`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tsplan.encode.atoms import Bound, Requirement, requirement
+from tsplan.encode.build import Encoded
+from tsplan.encode.capacities import capacity_rows
+from tsplan.encode.classes import MapArrays, agent_classes, map_arrays
+from tsplan.encode.network import ClassColumns, ClassGraph, Network, unroll
+from tsplan.encode.outlook import Outlook
+from tsplan.encode.staffing import Staffing
+from tsplan.encode.swarm.groups import Occupancy, bound_groups, group_network, occupancy
+from tsplan.encode.together import Together
+from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses
+from tsplan.logic import Count
+from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.mission import Mission
+from tsplan.mission.data import SwarmBounds
+
+
+@dataclass(frozen=True, eq=False)
+class SwarmModel:
+    """Both models, and what their columns mean; `agents` are the flows of `counted`."""
+
+    swarms: tuple[Occupancy, ...]
+    agents: Network
+    occupied: Encoded
+    counted: Encoded
+    names: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class _Plot:
+    """What is being drafted."""
+
+    mission: Mission
+    arrays: MapArrays
+    bounds: tuple[SwarmBounds, ...]
+    draft: Draft
+
+
+def swarm_model(mission: Mission) -> SwarmModel:
+    """Encode a mission of swarms."""
+    rules = mission.swarm
+    assert rules is not None
+    plot = _Plot(
+        mission,
+        map_arrays(mission.system),
+        tuple(rules.each[group.class_name] for group in mission.team),
+        Draft(),
+    )
+    graphs = [_graph(mission, number) for number in range(len(mission.team))]
+    swarms = tuple(occupancy(graph, mission.horizon, plot.draft) for graph in graphs)
+    _bound(plot, swarms, rules.together)
+    witnesses = _witnesses(plot, swarms, graphs)
+    groups = group_network(swarms, _most(plot, graphs, rules.together))
+    staffing = _occupied_rows(plot, groups, swarms, witnesses)
+    occupied = _encoded(plot, groups, swarms, witnesses, staffing, np.empty(0, dtype=np.int64))
+    before = plot.draft.column_count
+    agents = unroll(graphs, mission.horizon, plot.draft)
+    flows = np.arange(before, plot.draft.column_count)
+    _counted_rows(plot, agents, swarms, witnesses)
+    counted = _encoded(plot, groups, swarms, witnesses, staffing, flows)
+    return SwarmModel(swarms, agents, occupied, counted, plot.arrays.names)
+
+
+def _graph(mission: Mission, number: int) -> ClassGraph:
+    """The graph of one swarm, with the capability that atoms name it by."""
+    group = mission.team[number]
+    return agent_classes(mission.system, [group], group.capabilities)[0].graph
+
+
+def _most(plot: _Plot, graphs: Sequence[ClassGraph], together: int | None) -> list[int]:
+    """The most sub-swarms that each swarm can have at a step."""
+    most = []
+    for graph, bounds in zip(graphs, plot.bounds, strict=True):
+        limits = [graph.agents // bounds.least, bounds.most, together]
+        most.append(min(limit for limit in limits if limit is not None))
+    return most
+
+
+def _bound(plot: _Plot, swarms: Sequence[Occupancy], together: int | None) -> None:
+    for swarm, bounds in zip(swarms, plot.bounds, strict=True):
+        if bounds.most is not None:
+            bound_groups([swarm], bounds.most, plot.draft)
+    if together is not None:
+        bound_groups(swarms, together, plot.draft)
+
+
+def _witnesses(plot: _Plot, swarms: Sequence[Occupancy], graphs: Sequence[ClassGraph]) -> Witnesses:
+    """The demands of the formula, under literals of the draft."""
+    everyone = Network(
+        tuple(swarm.entered for swarm in swarms), plot.mission.horizon, len(graphs[0].start)
+    )
+
+    def read(atom: Count) -> Requirement:
+        return requirement(atom, plot.mission.system, plot.arrays)
+
+    goal = plot.mission.goal
+    return WitnessEncoder(plot.draft, Outlook(goal, everyone, read), read).encode(goal)
+
+
+def _occupied_rows(
+    plot: _Plot, groups: Network, swarms: Sequence[Occupancy], witnesses: Witnesses
+) -> Staffing:
+    """Where the formula wants agents there is some group, where it wants none there is none."""
+    some = [
+        replace(demand, bound=replace(demand.bound, amount=1))
+        for demand in witnesses.demands
+        if not demand.bound.upper and demand.bound.amount > 0
+    ]
+    staffing = Staffing(groups, plot.draft)
+    # one group may become several in a region, so its visits as a whole say nothing
+    staffing.write(Witnesses(witnesses.choices, some, witnesses.covers), cuts=True, together=False)
+    for capability in {demand.bound.capability for demand in some}:
+        mine = [demand for demand in some if demand.bound.capability == capability]
+        Together(mine, witnesses.choices).rule_out(groups.agents(capability))
+    for demand in witnesses.demands:
+        if demand.bound.upper and demand.bound.amount <= 0:
+            _empty(plot, swarms, demand)
+    return staffing
+
+
+def _empty(plot: _Plot, swarms: Sequence[Occupancy], demand: Demand) -> None:
+    """No group at the demand's states where its literal is 1."""
+    if demand.bound.amount < 0:
+        return
+    found = [
+        swarm.at(states, np.full(len(states), demand.step))
+        for swarm in swarms
+        if _counts(demand.bound, swarm)
+        for states in [np.array(demand.bound.states)]
+        for states in [states[swarm.entered.arrival[states] <= demand.step]]
+    ]
+    columns = np.concatenate([*found, np.empty(0, dtype=np.int64)])
+    count, literal = len(columns), np.array(demand.literal, dtype=np.int64)
+    plot.draft.rows(
+        np.concatenate([np.arange(count), np.repeat(np.arange(count), len(literal))]),
+        np.concatenate([columns, np.tile(literal, count)]),
+        1.0,
+        lower=-np.inf,
+        upper=np.full(count, 1.0 if demand.literal else 0.0),
+        kind="empty",
+    )
+
+
+def _counts(bound: Bound, swarm: Occupancy) -> bool:
+    able = swarm.entered.graph.capabilities
+    return bound.capability is None or bound.capability in able
+
+
+def _counted_rows(
+    plot: _Plot, agents: Network, swarms: Sequence[Occupancy], witnesses: Witnesses
+) -> None:
+    """Agents are where their groups are, and as many as the formula and the bounds want."""
+    capacity_rows(agents, plot.arrays, plot.draft)
+    counted = [
+        demand
+        for demand in witnesses.demands
+        if (demand.bound.amount != 0 if demand.bound.upper else demand.bound.amount > 1)
+    ]
+    staffing = Staffing(agents, plot.draft)
+    staffing.write(Witnesses(witnesses.choices, counted), cuts=False, together=False)
+    for item, swarm, bounds in zip(agents.classes, swarms, plot.bounds, strict=True):
+        edge, _, flow = item.unrolled()
+        _, _, group = swarm.entered.unrolled()
+        long = item.graph.duration[edge] > 1
+        size = float(item.graph.agents)
+        _between(plot.draft, flow, group, np.where(long, float(bounds.least), 1.0), size)
+        if bounds.least > 1:
+            _least_at_states(plot, item, swarm, bounds)
+
+
+def _between(draft: Draft, flow: Ints, group: Ints, least: Floats, most: float) -> None:
+    """`least * group <= flow <= most * group`."""
+    count = len(flow)
+    for sign, factor in ((1.0, least), (-1.0, np.full(count, most))):
+        draft.rows(
+            np.tile(np.arange(count), 2),
+            np.concatenate([flow, group]),
+            np.concatenate([np.full(count, sign), -sign * factor]),
+            lower=np.zeros(count),
+            upper=np.inf,
+            kind="size",
+        )
+
+
+def agents_at_states(item: ClassColumns, swarm: Occupancy) -> tuple[Ints, Ints]:
+    """Entries of the counts at all that `swarm.reached` lists: their places there, and columns.
+
+    Agents at a state leave it by some edge, or have arrived at the horizon.
+    """
+    edge, step, flow = item.unrolled()
+    end = step + item.graph.duration[edge]
+    last = end == swarm.horizon
+    tails = swarm.position(item.graph.tail[edge], step)
+    heads = swarm.position(item.graph.head[edge][last], end[last])
+    return np.concatenate([tails, heads]), np.concatenate([flow, flow[last]])
+
+
+def _least_at_states(
+    plot: _Plot, item: ClassColumns, swarm: Occupancy, bounds: SwarmBounds
+) -> None:
+    """An occupied state holds at least the smallest sub-swarm."""
+    if swarm.horizon == 0:
+        _small_starts(plot, swarm, bounds)
+        return
+    own = swarm.reached()[2]
+    index, columns = agents_at_states(item, swarm)
+    count = len(own)
+    plot.draft.rows(
+        np.concatenate([index, np.arange(count)]),
+        np.concatenate([columns, own]),
+        np.concatenate([np.ones(len(columns)), np.full(count, -float(bounds.least))]),
+        lower=np.zeros(count),
+        upper=np.inf,
+        kind="size",
+    )
+
+
+def _small_starts(plot: _Plot, swarm: Occupancy, bounds: SwarmBounds) -> None:
+    """Without any step the starts are all there is."""
+    start = swarm.entered.graph.start
+    if (start[start > 0] < bounds.least).any():
+        plot.draft.rows([], [], [], lower=np.ones(1), upper=1.0, kind="size")
+
+
+def _encoded(  # noqa: PLR0917 - everything the search asks for
+    plot: _Plot,
+    groups: Network,
+    swarms: Sequence[Occupancy],
+    witnesses: Witnesses,
+    staffing: Staffing,
+    flows: Ints,
+) -> Encoded:
+    choices = witnesses.choices
+    unrolled = [swarm.entered.unrolled() for swarm in swarms]
+    entered = np.concatenate([column for _, _, column in unrolled])
+    steps = np.concatenate([step for _, step, _ in unrolled])
+    order = np.argsort(np.concatenate([entered, np.array(choices.columns, dtype=np.int64)]))
+    indicators = np.concatenate([entered, np.array(choices.columns, dtype=np.int64)])[order]
+    return Encoded(
+        model=plot.draft.build(),
+        network=groups,
+        indicators=indicators,
+        flows=flows,
+        stayers=np.empty(0, dtype=np.int64),
+        refuted=choices.refuted,
+        steps=np.concatenate([steps, np.array(choices.steps, dtype=np.int64)])[order],
+        groups=tuple(choices.groups),
+        families=tuple(staffing.families),
+    )

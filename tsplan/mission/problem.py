@@ -1,0 +1,34 @@
+"""Something that does not fit in a mission, before it is known where in which file it stands."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+from tsplan.errors import Finding
+
+if TYPE_CHECKING:
+    from tsplan.logic import Formula
+
+Place: TypeAlias = "tuple[str | int, ...]"
+FORMULA: Place = ("spec", "formula")
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """Something that does not fit: where it is in the mission, and whether it forbids planning.
+
+    For a part of the formula, `node` is the part and `word` the word in it that is wrong.
+    """
+
+    path: Place
+    message: str
+    remedy: str = ""
+    serious: bool = True
+    node: Formula | None = None
+    word: str = ""
+
+    def finding(self) -> Finding:
+        """The problem of a mission that was not read from a file."""
+        where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in self.path)
+        return Finding(f"{where.lstrip('.')}: {self.message}", self.remedy)

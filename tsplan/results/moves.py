@@ -1,0 +1,91 @@
+"""Moves of sub-swarms: how many agents enter which edge at which step.
+
+The moves of a swarm name every edge entered at every step before the horizon, waits included, so
+together with the start and the map's durations they determine where how many agents are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from typing import NamedTuple, TypeAlias
+
+Node: TypeAlias = tuple[str, int]
+"""A state at a step."""
+
+Durations: TypeAlias = Mapping[tuple[str, str], int]
+"""Steps that each edge, by its two ends, takes a swarm."""
+
+
+class Move(NamedTuple):
+    """`count` agents of one swarm enter the edge from `source` to `target` at `step`."""
+
+    step: int
+    source: str
+    target: str
+    count: int  # type: ignore[assignment]  # hides tuple.count, which no move is asked
+
+    @property
+    def is_wait(self) -> bool:
+        """Whether the edge leads back to its own state."""
+        return self.source == self.target
+
+
+def leaving(moves: Iterable[Move]) -> dict[Node, tuple[Move, ...]]:
+    """The moves by the state and step they leave from."""
+    return _by_node(((move.source, move.step), move) for move in moves)
+
+
+def arriving(moves: Iterable[Move], durations: Durations) -> dict[Node, tuple[Move, ...]]:
+    """The moves by the state and step they arrive at, those after the horizon too."""
+    return _by_node(
+        ((move.target, move.step + durations[move.source, move.target]), move) for move in moves
+    )
+
+
+def _by_node(pairs: Iterator[tuple[Node, Move]]) -> dict[Node, tuple[Move, ...]]:
+    found: dict[Node, list[Move]] = {}
+    for node, move in pairs:
+        found.setdefault(node, []).append(move)
+    return {node: tuple(moves) for node, moves in found.items()}
+
+
+def present(
+    starts: Mapping[str, int], moves: Iterable[Move], durations: Durations, horizon: int
+) -> dict[Node, int]:
+    """How many agents are at each state and step up to the horizon, where there are any."""
+    counts: dict[Node, int] = {(state, 0): count for state, count in starts.items()}
+    for (state, step), came in arriving(moves, durations).items():
+        if step <= horizon:
+            counts[state, step] = counts.get((state, step), 0) + sum(move.count for move in came)
+    return counts
+
+
+def shares(moves: Iterable[Move]) -> dict[Node, tuple[tuple[str, Fraction], ...]]:
+    """By which edges, named by their target, which part of the agents leaves a state at a step.
+
+    >>> split = shares([Move(3, "dock", "aisle", 40), Move(3, "dock", "dock", 80)])
+    >>> [(target, str(part)) for target, part in split["dock", 3]]
+    [('aisle', '1/3'), ('dock', '2/3')]
+    """
+    found = {}
+    for node, gone in leaving(moves).items():
+        total = sum(move.count for move in gone)
+        found[node] = tuple((move.target, Fraction(move.count, total)) for move in gone)
+    return found
+
+
+def splits(moves: Iterable[Move]) -> int:
+    """How often sub-swarms split: agents that leave by j edges at once, waits too, split j-1 times.
+
+    >>> splits([Move(0, "p", "p", 2), Move(0, "p", "q", 1), Move(1, "p", "p", 2)])
+    1
+    """
+    return sum(len(gone) - 1 for gone in leaving(moves).values())
+
+
+def merges(moves: Iterable[Move], durations: Durations, horizon: int) -> int:
+    """How often sub-swarms merge up to the horizon: j that arrive at once merge j-1 times."""
+    return sum(
+        len(came) - 1 for (_, step), came in arriving(moves, durations).items() if step <= horizon
+    )

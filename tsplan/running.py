@@ -1,0 +1,234 @@
+"""What every planning run does, whatever it plans: time, events, Ctrl-C, judging, bookkeeping."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from types import FrameType
+from typing import Generic, TypedDict, TypeVar
+
+from tsplan.encode.clock import Clock
+from tsplan.encode.search import Effort
+from tsplan.encode.stages import Reached
+from tsplan.events import Bound, Event, Incumbent, Stage
+from tsplan.milp.solution import StoppedBy as Stopped
+from tsplan.milp.solver import solver as solver_named
+from tsplan.mission import Mission
+from tsplan.results import (
+    AgentPlan,
+    MissionRef,
+    ModelSize,
+    Move,
+    ObjectiveValue,
+    Plan,
+    SolverUse,
+    Status,
+    StoppedBy,
+    Timings,
+    certify,
+)
+
+FoundT = TypeVar("FoundT")
+Listener = Callable[[Event], "bool | None"]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How long and how hard to search, and with what; None leaves it to the mission or default."""
+
+    solver: str | None = None
+    time_limit: float | None = None
+    gap: float | None = None
+    threads: int | None = None
+    seed: int | None = None
+    log: Callable[[str], None] | None = None
+
+    def over(self, mission: Mission) -> Settings:
+        """These settings, filled up with what the mission asks for."""
+        asked = mission.solver
+        return Settings(
+            solver=self.solver or asked.name or "highs",
+            time_limit=asked.time_limit if self.time_limit is None else self.time_limit,
+            gap=(asked.gap if self.gap is None else self.gap) or 0.0,
+            threads=asked.threads if self.threads is None else self.threads,
+            seed=asked.seed if self.seed is None else self.seed,
+            log=self.log,
+        )
+
+
+@dataclass(frozen=True)
+class Result(Generic[FoundT]):
+    """How a search ended: what it found, what is proven, and the size of its model.
+
+    `size` counts columns, integer columns, rows and nonzeros.
+    """
+
+    found: FoundT | None
+    reached: tuple[Reached, ...]
+    proven: bool
+    infeasible: bool
+    stopped_by: Stopped | None
+    size: tuple[int, int, int, int]
+
+    @property
+    def status(self) -> Status:
+        """What is known."""
+        if self.found is not None:
+            return Status.OPTIMAL if self.proven else Status.FEASIBLE
+        return Status.INFEASIBLE if self.infeasible else Status.NO_PLAN_FOUND
+
+
+class Ways(TypedDict, total=False):
+    """Where everybody goes, as fields of a plan."""
+
+    agents: tuple[AgentPlan, ...]
+    moves: dict[str, tuple[Move, ...]]
+
+
+Tell = Callable[[str, FoundT | None, float | None, float | None], None]
+
+
+class Run(ABC, Generic[FoundT]):
+    """One planning run. What it searches, and how that becomes paths, is said by each kind."""
+
+    def __init__(self, mission: Mission, settings: Settings, listener: Listener | None) -> None:
+        self._mission = mission
+        self._settings = settings
+        self._listener = listener
+        self._stopped = False
+        self._clock = Clock(settings.time_limit, lambda: self._stopped)
+        self._seconds = {"reduce": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
+
+    @abstractmethod
+    def prepare(self) -> None:
+        """Make what the search needs."""
+
+    @abstractmethod
+    def search(self, effort: Effort, clock: Clock, tell: Tell[FoundT]) -> Result[FoundT]:
+        """Run all objectives; `tell` hears of stages, of what is found, and of bounds."""
+
+    @abstractmethod
+    def ways(self, found: FoundT) -> Ways:
+        """Where everybody goes by what was found."""
+
+    def plan(self) -> Plan:
+        """Run all stages and certify what they found."""
+        settings = self._settings
+        chosen = solver_named(settings.solver or "highs")
+        availability = chosen.availability()
+        effort = Effort(
+            solver=chosen,
+            gap=settings.gap or 0.0,
+            threads=settings.threads,
+            seed=settings.seed,
+            log=settings.log,
+        )
+        began = time.perf_counter()
+        self.prepare()
+        self._seconds["reduce"] = time.perf_counter() - began
+        began = time.perf_counter()
+        with _on_interrupt(self._stop):
+            result = self.search(effort, self._clock, self._tell)
+        self._seconds["solve"] = time.perf_counter() - began
+        return self._finished(
+            result, SolverUse(chosen.name, availability.version or "", self._options())
+        )
+
+    def _stop(self) -> None:
+        self._stopped = True
+
+    def _options(self) -> dict[str, object]:
+        asked = {
+            "time_limit": self._settings.time_limit,
+            "gap": self._settings.gap,
+            "threads": self._settings.threads,
+            "seed": self._settings.seed,
+        }
+        return {name: value for name, value in asked.items() if value is not None}
+
+    def _tell(
+        self, stage: str, found: FoundT | None, value: float | None, bound: float | None
+    ) -> None:
+        if self._listener is None:
+            return
+        elapsed = self._clock.elapsed
+        event: Event
+        if found is not None:
+            event = Incumbent(stage, value, bound, elapsed, lambda: self._provisional(found))
+        elif value is None and bound is None:
+            event = Stage(stage, elapsed)
+        else:
+            event = Bound(stage, value, bound, elapsed)
+        if self._listener(event):
+            self._stopped = True
+
+    def _provisional(self, found: FoundT) -> Plan:
+        """The verified plan of something found on the way."""
+        mission = self._mission
+        made = Plan(
+            status=Status.FEASIBLE,
+            stopped_by=StoppedBy.INTERRUPT,
+            mission=MissionRef(mission.name, mission.digest),
+            horizon=mission.horizon,
+            **self.ways(found),
+        )
+        return certify(mission, made)
+
+    def _finished(self, result: Result[FoundT], used: SolverUse) -> Plan:
+        mission = self._mission
+        began = time.perf_counter()
+        ways = Ways() if result.found is None else self.ways(result.found)
+        self._seconds["extract"] = time.perf_counter() - began
+        reached = [ObjectiveValue(r.name, r.value, r.bound) for r in result.reached]
+        made = Plan(
+            status=result.status,
+            stopped_by=None if result.stopped_by is None else StoppedBy(result.stopped_by.value),
+            mission=MissionRef(mission.name, mission.digest),
+            horizon=mission.horizon,
+            objective=tuple(item for item in reached if item.name != "own"),
+            notes=tuple(_own(item) for item in reached if item.name == "own"),
+            solver=used,
+            size=ModelSize(
+                *result.size, states=len(mission.system.states), edges=len(mission.system.edges)
+            ),
+            **ways,
+        )
+        return self._certified(made)
+
+    def _certified(self, made: Plan) -> Plan:
+        """The plan after the independent check, with the seconds of each stage."""
+        began = time.perf_counter()
+        checked = certify(self._mission, made) if made.has_paths else made
+        self._seconds["verify"] = time.perf_counter() - began
+        return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
+
+
+def _own(item: ObjectiveValue) -> str:
+    """A user's own objective in words: the check cannot know what it means."""
+    bound = "open" if item.bound is None else f"{item.bound:g}"
+    value = "open" if item.value is None else f"{item.value:g}"
+    return f"own objective {value} (bound {bound})"
+
+
+@contextmanager
+def _on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
+    """Ctrl-C asks the search to stop and keep its best plan; a second one interrupts for good."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    former = signal.getsignal(signal.SIGINT)
+
+    def first(_number: int, _frame: FrameType | None) -> None:
+        stop()
+        signal.signal(signal.SIGINT, former)
+
+    signal.signal(signal.SIGINT, first)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, former)

@@ -1,0 +1,52 @@
+"""Plan a mission of swarms: their moves, the sub-swarms these make, and paths for a few agents."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from tsplan.encode.clock import Clock
+from tsplan.encode.search import Effort
+from tsplan.encode.swarm.problem import SwarmProblem
+from tsplan.mission import Mission
+from tsplan.results import Move
+from tsplan.results.assigning import agents_of
+from tsplan.running import Listener, Result, Run, Settings, Tell, Ways
+
+SwarmFlows = Mapping[str, tuple[Move, ...]]
+
+MOST_AGENTS = 1000
+"""Agents up to which every one gets a path; for more, `tsplan.assign` makes them."""
+
+
+class SwarmRun(Run[SwarmFlows]):
+    """One planning run for one or several swarms."""
+
+    def __init__(self, mission: Mission, settings: Settings, listener: Listener | None) -> None:
+        super().__init__(mission, settings, listener)
+        self._problem: SwarmProblem | None = None
+
+    def prepare(self) -> None:
+        """Make the problem of the mission."""
+        self._problem = SwarmProblem(self._mission)
+
+    def search(self, effort: Effort, clock: Clock, tell: Tell[SwarmFlows]) -> Result[SwarmFlows]:
+        """Run all objectives of the problem."""
+        assert self._problem is not None
+        outcome = self._problem.solve(effort, clock, tell)
+        return Result(
+            outcome.flows,
+            outcome.reached,
+            outcome.proven,
+            outcome.infeasible,
+            outcome.stopped_by,
+            outcome.size,
+        )
+
+    def ways(self, found: SwarmFlows) -> Ways:
+        """The moves of every swarm, and the paths of its agents if they are few."""
+        moves = {swarm: tuple(found[swarm]) for swarm in found}
+        few = self._mission.size <= MOST_AGENTS
+        return Ways(
+            moves=moves,
+            agents=agents_of(self._mission, moves, self._settings.seed) if few else (),
+        )
