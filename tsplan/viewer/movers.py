@@ -15,11 +15,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.errors import Finding, PlanError
 from tsplan.results.legs import read_path
 from tsplan.results.summary import names
+from tsplan.viewer.groups import lanes
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from tsplan.mission import Mission
+    from tsplan.results.moves import Move
     from tsplan.results.plan import Plan
     from tsplan.ts import TransitionSystem
 
@@ -78,9 +80,10 @@ class Mover:
 def movers(mission: Mission, plan: Plan) -> tuple[Mover, ...]:
     """The movers of a plan: one for each of its distinct paths, in the order of the agents.
 
+    The movers of swarms are groups that last until they split or merge, in the order they begin.
     Raises PlanError with everything that the map does not allow about the paths.
     """
-    made = _of_agents(mission.system, plan)
+    made = _of_swarms(mission, plan) if plan.moves else _of_agents(mission.system, plan)
     slots = with_slots([mover.stops for mover in made], [mover.count for mover in made])
     return tuple(replace(mover, stops=stops) for mover, stops in zip(made, slots, strict=True))
 
@@ -106,6 +109,30 @@ def _of_agents(system: TransitionSystem, plan: Plan) -> list[Mover]:
     if findings:
         raise PlanError(findings)
     return made
+
+
+def _of_swarms(mission: Mission, plan: Plan) -> list[Mover]:
+    """The groups of every swarm, all of them at slot 0."""
+    made: list[Mover] = []
+    for swarm in mission.team:
+        name, moves = swarm.class_name, plan.moves.get(swarm.class_name, ())
+        durations = {
+            (move.source, move.target): _duration(mission.system, name, move) for move in moves
+        }
+        groups = lanes(dict(swarm.starts), moves, durations, plan.horizon)
+        for lane in sorted(groups, key=lambda lane: lane.stays[0][0]):
+            stops = tuple(Stop(*stay, slot=0) for stay in lane.stays)
+            made.append(Mover(name, lane.count, f"{name} ({lane.count:,})", (), stops, lane.end))
+    return made
+
+
+def _duration(system: TransitionSystem, swarm: str, move: Move) -> int:
+    edge = system.edges.get((move.source, move.target))
+    duration = None if edge is None else edge.duration_for(swarm)
+    if duration is None:
+        what = f"{swarm} goes from {move.source} to {move.target}, and the map has no such edge"
+        raise PlanError([Finding(what, "name the mission that was planned")])
+    return duration
 
 
 def with_slots(paths: Iterable[Sequence[Stop]], counts: Sequence[int]) -> list[tuple[Stop, ...]]:
