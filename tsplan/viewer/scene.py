@@ -40,6 +40,7 @@ MOST_COUNTED = 60
 
 _MARKERS = ("o", "s", "^", "D", "v", "h")
 _SHARE = 0.66  # of the width, for the map
+_WIDEST = 60  # dots around a state that single agents may take
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,7 @@ class Scene:
                 floor = self._floor(mission.system.states[name].shape) + 1.3 * radius
                 below = max(floor, at[name][1] - written - 1.6 * radius)
                 at[name] = at[name][0], min(at[name][1], below)
-        return Ground(at, radius, slots_within(room * 0.42 / (2.35 * radius)))
+        return Ground(at, radius, slots_within(min(room * 0.42, _WIDEST) / (2.35 * radius)))
 
     def _floor(self, shape: Sequence[tuple[float, float]] | None) -> float:
         """The lowest dot of a shape; without one there is no floor."""

@@ -2,6 +2,8 @@
 
    All lists of a frame live in arrays that are made once and grow when they must. */
 
+const WIDEST = 60; // dots around a state's middle that single agents may take
+
 class Crowd {
   constructor(model, ground) {
     this.model = model;
@@ -21,7 +23,7 @@ class Crowd {
     const sizes = this.ground.sizes(camera);
     this.distance = sizes.mark * 2.35;
     this.radius = sizes.mark;
-    this.most = slotsWithin((sizes.room * 0.42) / this.distance);
+    this.most = slotsWithin(Math.min(sizes.room * 0.42, WIDEST) / this.distance);
     this.used.fill(0);
     this.hit = 0;
     this.blobCount = 0;
