@@ -349,3 +349,14 @@ def test_the_constructor_checks_too(folder):
         Mission(**parts, horizon=8)
     with pytest.raises(MissionError, match=r"team\[0\].at.moon: the map has no state 'moon'"):
         Mission(**(parts | {"team": (Group.of("a", {"moon": 1}),)}), horizon=9)
+
+
+def test_names_of_any_letters_survive_python_values():
+    names = ("🚀", "中文", "\\ud83d\\ude80", "\u2028 line", 'a "b"')
+    waits = [Edge(name, name) for name in names]
+    system = TransitionSystem.build([State(name, frozenset({name})) for name in names], waits)
+    mission = Mission.of(
+        map=system, team=[{"class": "🚀", "at": dict.fromkeys(names, 1)}], formula="true"
+    )
+    assert [agent.start for agent in mission.agents] == list(names)
+    assert mission.agents[0].class_name == "🚀"

@@ -9,9 +9,9 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
+from tsplan.draw.map import PlotUnavailableError, draw_map, draw_plan, places, pyplot
 from tsplan.results import AgentPlan, MissionRef, ObjectiveValue, Plan, SolverUse, Timings
-from tsplan.results.draw import PlotUnavailableError, draw_map, draw_plan, places, pyplot
-from tsplan.results.summary import MOST_PATHS, objective_line, outcome, print_summary
+from tsplan.results.summary import MOST_PATHS, names, objective_line, outcome, print_summary
 from tsplan.ts import Edge, State, TransitionSystem
 
 
@@ -70,6 +70,12 @@ def test_outcomes_without_paths_in_words(status, stopped_by, words):
     plan = Plan(status, MissionRef("m", ""), 3, stopped_by=stopped_by, notes=("a note",))
     assert words in outcome(plan)
     assert "a note" in printed(plan)
+
+
+def test_names_of_agents_are_joined_and_never_changed():
+    assert names(["a-0", "a-1", "a-2", "b"]) == "a-0..2, b"
+    assert names(["a-0", "b-07"]) == "a-0, b-07"
+    assert names(["x-9", "x-10", "x-12", "y-1", "z-1"], most=2) == "x-9..10, x-12, 2 more"
 
 
 def test_unbounded_and_open_objectives():

@@ -20,6 +20,9 @@ class Exit(IntEnum):
     INTERRUPTED = 130
 
 
+MOST_FRAMES = 50  # a second; players of GIFs show no more
+LEAST_SIDE, MOST_SIDE = 200, 4000  # dots of a moving picture
+
 _CODES = """exit codes of plan: 0 a verified plan, 2 bad input or usage, 3 infeasible,
 4 no plan within the limits, 5 internal or solver failure"""
 
@@ -40,6 +43,8 @@ def parser() -> argparse.ArgumentParser:
     _simulate(commands)
     _parse(commands)
     _show(commands)
+    _view(commands)
+    _animate(commands)
     _lint(commands)
     return top
 
@@ -106,14 +111,66 @@ def _parse(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
 
 
 def _show(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    show = commands.add_parser("show", help="draw a map, a mission or a plan")
+    show = commands.add_parser("show", help="draw a map, a mission or a plan; say why a plan holds")
     show.add_argument("file", type=Path, metavar="FILE", help="map, mission or plan file")
-    show.add_argument("-o", "--output", type=Path, metavar="PNG", help="picture to write")
+    show.add_argument(
+        "-o", "--output", type=Path, metavar="PICTURE", help="write .png, .svg or .pdf, no window"
+    )
     show.add_argument(
         "--mission",
         type=Path,
         metavar="MISSION",
         help="mission of a plan, to draw its paths on the map (default: looked for beside it)",
+    )
+    show.add_argument(
+        "--view",
+        choices=("page", "paths", "timeline", "requirements", "flow", "map"),
+        help="picture of a plan: everything on one page (default), or one view of it",
+    )
+    show.add_argument(
+        "--why",
+        action="store_true",
+        help="print why a plan satisfies its formula: where each part holds, and by whom",
+    )
+
+
+def _view(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    view = commands.add_parser("view", help="play a plan in the browser, from one file")
+    view.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
+    _mission_of_plan(view)
+    view.add_argument(
+        "-o", "--output", type=Path, metavar="HTML", help="write the page here and open nothing"
+    )
+
+
+def _animate(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    animate = commands.add_parser("animate", help="write a plan as a moving picture")
+    animate.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
+    _mission_of_plan(animate)
+    animate.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        required=True,
+        metavar="FILE",
+        help="picture to write: .gif, .mp4 (needs ffmpeg) or .html (see view)",
+    )
+    animate.add_argument("--fps", type=_frames, metavar="N", help="pictures a second (default 10)")
+    animate.add_argument(
+        "--seconds-per-step",
+        type=_positive,
+        metavar="S",
+        help="default 0.6, less where the whole would take more than 30 seconds",
+    )
+    animate.add_argument("--size", type=_size, metavar="WxH", help="in dots (default 960x600)")
+
+
+def _mission_of_plan(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--mission",
+        type=Path,
+        metavar="MISSION",
+        help="mission of the plan (default: looked for beside it)",
     )
 
 
@@ -165,6 +222,23 @@ def _whole(text: str, least: int) -> int:
 
 def _count(text: str) -> int:
     return _whole(text, 1)
+
+
+def _frames(text: str) -> int:
+    value = _whole(text, 1)
+    if value > MOST_FRAMES:
+        raise argparse.ArgumentTypeError(f"'{text}' is above {MOST_FRAMES}")
+    return value
+
+
+def _size(text: str) -> tuple[int, int]:
+    width, cross, height = text.lower().partition("x")
+    if not cross:
+        raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT, as in 960x600")
+    size = _whole(width, LEAST_SIDE), _whole(height, LEAST_SIDE)
+    if max(size) > MOST_SIDE:
+        raise argparse.ArgumentTypeError(f"'{text}' is larger than {MOST_SIDE}x{MOST_SIDE}")
+    return size
 
 
 def _seed(text: str) -> int:

@@ -6,15 +6,15 @@ import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tsplan.errors import InputError
+from tsplan.errors import Finding, InputError, PlanError
 from tsplan.mission import load_mission
+from tsplan.results.fitting import refuse_misfit, refuse_pathless
 from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
     from pathlib import Path
 
-    from tsplan.errors import Finding
     from tsplan.mission import Mission
     from tsplan.results.plan import Plan
 
@@ -47,3 +47,30 @@ def warn(findings: Iterable[Finding]) -> None:
     for finding in findings:
         marked = replace(finding, message=f"warning: {finding.message}")
         sys.stderr.write(" ".join(str(marked).splitlines()) + "\n")
+
+
+def mission_for(path: Path, plan: Plan, given: Path | None) -> Mission:
+    """The mission of a plan file: the one that is given, or the one found beside the plan.
+
+    Raises PlanError if there is none, or if the plan has no paths or is of another mission.
+    """
+    refuse_pathless(plan, str(path))
+    mission = mission_of(given) if given is not None else mission_beside(path, plan)
+    if mission is None:
+        what = f"the mission of the plan ('{plan.mission.name}') is in no YAML file beside it"
+        raise PlanError([Finding(what, "name its file with --mission MISSION", str(path))])
+    refuse_misfit(plan, mission, str(path))
+    return mission
+
+
+def mission_beside(path: Path, plan: Plan) -> Mission | None:
+    """The mission of a plan, found by its digest among the YAML files beside it."""
+    from tsplan.document import read_document  # noqa: PLC0415  (commands without plans)
+
+    for other in sorted([*path.parent.glob("*.yaml"), *path.parent.glob("*.yml")]):
+        try:
+            if read_document(other).digest == plan.mission.sha256:
+                return load_mission(other)
+        except InputError:
+            continue
+    return None

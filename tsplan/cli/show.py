@@ -1,59 +1,98 @@
-"""`tsplan show`: draw a map, a mission or a plan."""
+"""`tsplan show`: draw a map, a mission or a plan, or say why a plan satisfies its formula."""
 
 from __future__ import annotations
 
-import io
+import sys
 from typing import TYPE_CHECKING, Any
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_of
-from tsplan.errors import Finding, InputError, PlanError
-from tsplan.results.draw import PlotUnavailableError, draw_map, draw_mission, draw_plan, pyplot
-from tsplan.results.planfile import load_plan, write_whole
+from tsplan.cli.inputs import mission_beside, mission_for, mission_of
+from tsplan.errors import Finding, InputError
+from tsplan.results.fitting import refuse_misfit, refuse_pathless
+from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     import argparse
     from pathlib import Path
 
-    from tsplan.mission import Mission
-    from tsplan.results.plan import Plan
-
-_RESOLUTION = 150  # dots per inch
+_SCREENLESS = frozenset({"agg", "pdf", "ps", "svg", "cairo", "template"})
 
 
 def run(asked: argparse.Namespace) -> Exit:
-    """Draw the file and write the picture, or open a window."""
-    plt = pyplot()
-    if asked.output is not None:
-        plt.switch_backend("Agg")
-    elif plt.get_backend().lower() in {"agg", "pdf", "ps", "svg", "cairo", "template"}:
-        raise PlotUnavailableError("there is no display to draw on; write a file with -o FILE.png")
-    figure, _ = _drawn(asked)
+    """Print the reasons, write the picture, or open a window."""
+    if asked.why:
+        sys.stdout.write(_reasons(asked) + "\n")
+        if asked.output is None:
+            return Exit.DONE
+    from tsplan.draw.save import kind_of, save  # noqa: PLC0415  (reasons need no picture)
+
     if asked.output is None:
+        plt = _window()
+        _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
         plt.show()
-    else:
-        _write(figure, asked.output)
+        return Exit.DONE
+    kind_of(asked.output)
+    save(_draw(asked, None), asked.output)
     return Exit.DONE
 
 
-def _drawn(asked: argparse.Namespace) -> tuple[Any, Any]:
-    """The picture of whatever the file holds."""
+def _reasons(asked: argparse.Namespace) -> str:
+    """Why the plan satisfies its formula."""
+    if not _is_plan(asked.file):
+        what = "--why is about a plan, and this is none"
+        raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(asked.file))])
+    plan = load_plan(asked.file)
+    return str(plan.explain(mission_for(asked.file, plan, asked.mission)))
+
+
+def _window() -> Any:
+    """Pyplot, if it can open a window."""
+    from tsplan.draw.canvas import PlotUnavailableError, figure_class  # noqa: PLC0415  (as above)
+
+    figure_class()
+    from matplotlib import pyplot as plt  # noqa: PLC0415  (an extra, slow to import)
+
+    if plt.get_backend().lower() in _SCREENLESS:
+        raise PlotUnavailableError("there is no display to draw on; write a file with -o FILE.png")
+    return plt
+
+
+def _draw(asked: argparse.Namespace, figure: Any) -> Any:
+    """The picture of whatever the file holds, on a given figure or a new one."""
+    ax = None if figure is None else figure.add_subplot()
     if _is_plan(asked.file):
-        plan = load_plan(asked.file)
-        if not plan.has_paths:
-            what = f"a plan of status {plan.status} has no paths to draw"
-            raise PlanError([Finding(what, "", str(asked.file))])
-        mission = mission_of(asked.mission) if asked.mission else _beside(asked.file, plan)
-        _refuse_stranger(asked.file, plan, mission)
-        return draw_plan(plan, mission)
+        return _draw_plan(asked, figure, ax)
     from tsplan.document import read_document  # noqa: PLC0415  (plans do not need it)
+    from tsplan.draw.map import draw_map, draw_mission  # noqa: PLC0415  (as above)
 
     data = read_document(asked.file).data
     if isinstance(data, dict) and ("spec" in data or "format" in data):
-        return draw_mission(mission_of(asked.file))
-    from tsplan.ts.read import load_map  # noqa: PLC0415
+        return draw_mission(mission_of(asked.file), ax)[0]
+    from tsplan.ts.read import load_map  # noqa: PLC0415  (missions do not need it)
 
-    return draw_map(load_map(asked.file))
+    return draw_map(load_map(asked.file), ax)[0]
+
+
+def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
+    """A view of a plan; without its mission, the timeline, which needs no map."""
+    from tsplan.draw.timeline import draw_timeline  # noqa: PLC0415  (as above)
+    from tsplan.draw.views import PAGE, draw_page, draw_view  # noqa: PLC0415  (as above)
+
+    plan = load_plan(asked.file)
+    refuse_pathless(plan, str(asked.file))
+    if asked.view in (None, "timeline") and asked.mission is None:
+        mission = mission_beside(asked.file, plan)
+    else:
+        mission = mission_for(asked.file, plan, asked.mission)
+    if mission is None:
+        return draw_timeline(plan, None, ax)[0]
+    refuse_misfit(plan, mission, str(asked.file))
+    view = asked.view or PAGE
+    if view != PAGE:
+        return draw_view(plan, mission, view, ax)[0]
+    if figure is not None:
+        figure.clear()
+    return draw_page(plan, mission, figure)[0]
 
 
 def _is_plan(path: Path) -> bool:
@@ -65,38 +104,3 @@ def _is_plan(path: Path) -> bool:
             return '"tsplan-plan/' in stream.read(1000)
     except OSError:
         return False  # the reader of missions says what is wrong
-
-
-def _beside(path: Path, plan: Plan) -> Mission | None:
-    """The mission of a plan, found by its digest among the YAML files beside it."""
-    from tsplan.document import read_document  # noqa: PLC0415
-    from tsplan.mission import load_mission  # noqa: PLC0415
-
-    for other in sorted([*path.parent.glob("*.yaml"), *path.parent.glob("*.yml")]):
-        try:
-            if read_document(other).digest == plan.mission.sha256:
-                return load_mission(other)
-        except InputError:
-            continue
-    return None
-
-
-def _refuse_stranger(path: Path, plan: Plan, mission: Mission | None) -> None:
-    """A plan can only be drawn on a map that has its states."""
-    if mission is None:
-        return
-    strange = [state for state in plan.states if state not in mission.system.states]
-    if strange:
-        what = f"the mission's map has no state '{strange[0]}'"
-        raise PlanError([Finding(what, "name the mission that was planned", str(path))])
-
-
-def _write(figure: Any, path: Path) -> None:
-    kind = path.suffix.lstrip(".").lower() or "png"
-    known = figure.canvas.get_supported_filetypes()
-    if kind not in known:
-        what = f"pictures cannot be written as '.{kind}'"
-        raise InputError([Finding(what, "use .png, .svg or .pdf", str(path))])
-    content = io.BytesIO()
-    figure.savefig(content, format=kind, dpi=_RESOLUTION)
-    write_whole(path, content.getvalue())

@@ -34,10 +34,10 @@ from tsplan.logic.nodes import (
 from tsplan.logic.timing import horizon
 from tsplan.logic.traces import CountTrace, SignalTrace, Trace, Values
 from tsplan.logic.translation import translate
-from tsplan.logic.walking import fold
+from tsplan.logic.walking import fold, walk
 from tsplan.logic.windows import switched, windowed
 
-__all__ = ["CountTrace", "SignalTrace", "Trace", "holds", "robustness"]
+__all__ = ["CountTrace", "SignalTrace", "Trace", "holds", "margins", "robustness"]
 
 Compare = Callable[[Values, float], Values]
 
@@ -69,15 +69,39 @@ def robustness(formula: Formula, trace: Trace) -> Values:
     >>> robustness(parse("F[0,1] x >= 3", language="stl"), trace)
     array([ 1.,  1., -1.])
     """
+    return _judged(formula, _margin_reading(trace))
+
+
+def margins(formula: Formula, trace: Trace) -> Mapping[Formula, Values]:
+    """The robustness of a formula and of each of its sub-formulas, at every step it can be judged.
+
+    The formula must hold no tasks and limits; translate it first. Each array is `robustness` of
+    its sub-formula, whose last steps are those of the trace less its own horizon.
+
+    Raises ValueError as `robustness` does.
+
+    >>> from tsplan.logic import parse
+    >>> trace = SignalTrace({"x": np.array([1.0, 4.0, 2.0, 0.0])})
+    >>> margins(parse("F[0,1] x >= 3", language="stl"), trace)[parse("x >= 3", language="stl")]
+    array([-2.,  1., -1., -3.])
+    """
+    _refuse_short(formula, trace)
+    reading = _margin_reading(trace)
+    values: dict[Formula, Values] = {}
+    for node in walk(formula):
+        values[node] = value(node, tuple(values[child] for child in node.children), reading)
+    return MappingProxyType(values)
+
+
+def _margin_reading(trace: Trace) -> Reading:
     counted = isinstance(trace, CountTrace)
-    reading = Reading(
+    return Reading(
         trace,
         np.full(trace.steps, np.inf),
         np.full(trace.steps, -np.inf),
         _COUNT_MARGINS if counted else _SIGNAL_MARGINS,
         _negated_count if counted else np.negative,
     )
-    return _judged(formula, reading)
 
 
 def holds(formula: Formula, trace: Trace) -> Values:
@@ -98,14 +122,20 @@ def holds(formula: Formula, trace: Trace) -> Values:
 
 def _judged(formula: Formula, reading: Reading) -> Values:
     plain = translate(formula)
-    length = reading.trace.steps - horizon(plain)
+    length = _refuse_short(plain, reading.trace)
+    values = fold(plain, lambda node, below: value(node, below, reading))
+    return np.broadcast_to(values[..., :length], (*reading.trace.batch, length)).copy()
+
+
+def _refuse_short(plain: Formula, trace: Trace) -> int:
+    """How many steps can be judged; ValueError if none can."""
+    length = trace.steps - horizon(plain)
     if length < 1:
         raise ValueError(
             f"the formula looks {horizon(plain)} steps ahead, "
-            f"the trace has only {reading.trace.steps}; {1 - length} more are needed"
+            f"the trace has only {trace.steps}; {1 - length} more are needed"
         )
-    values = fold(plain, lambda node, below: value(node, below, reading))
-    return np.broadcast_to(values[..., :length], (*reading.trace.batch, length)).copy()
+    return length
 
 
 def _negated_count(values: Values) -> Values:

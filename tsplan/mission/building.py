@@ -6,6 +6,7 @@ So the checks, their words and the defaults are those of files, and nothing is s
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from dataclasses import asdict, is_dataclass, replace
 from numbers import Integral, Real
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from tsplan.mission.data import Mission
 
 _SOURCE = "mission"
+_PAIR = re.compile(r"\\u(d[89ab]..)\\u(d[c-f]..)")  # how JSON writes a character above U+FFFF
 
 
 def mission_from_values(values: Mapping[str, Any]) -> Mission:
@@ -44,10 +46,17 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
         written["team"] = [_member(group) for group in values["team"]]
     text = json.dumps(written, default=_plain)
     try:
-        made = mission_from_document(parse_document(text, _SOURCE), Path(), system)
+        document = parse_document(_PAIR.sub(_whole, text), _SOURCE)
+        made = mission_from_document(document, Path(), system)
         return replace(made, origin=None)  # nobody has seen that document
     except InputError as error:
         raise MissionError(_without_lines(finding) for finding in error.findings) from None
+
+
+def _whole(pair: re.Match[str]) -> str:
+    """A pair of surrogates as the one escape that YAML knows for it."""
+    high, low = int(pair[1], 16), int(pair[2], 16)
+    return f"\\U{0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00):08x}"
 
 
 def _member(group: Any) -> Any:

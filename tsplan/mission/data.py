@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from tsplan.document import Document
+    from tsplan.draw.canvas import Picture
     from tsplan.logic import Formula
     from tsplan.ts import TransitionSystem
 
@@ -231,6 +232,15 @@ class Mission:
             for group in self.team
             if capability is None or capability in group.capabilities
         )
+
+    def plot(self, ax: Any = None) -> Picture:
+        """The map with the team's starts: the matplotlib figure and its axes.
+
+        Raises PlotUnavailableError without matplotlib.
+        """
+        from tsplan.draw.map import draw_mission  # noqa: PLC0415  (draws this)
+
+        return draw_mission(self, ax)
 
     @classmethod
     def of(

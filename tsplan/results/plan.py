@@ -11,18 +11,22 @@ from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
+from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from tsplan.errors import Finding, PlanError
+from tsplan.errors import Finding, InputError, PlanError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
+    from tsplan.draw.canvas import Picture
     from tsplan.milp.model import Ints
     from tsplan.mission import Mission
+    from tsplan.results.evidence import Evidence
     from tsplan.results.groups import SubSwarm
     from tsplan.results.moves import Move, Node
+    from tsplan.results.requirements import Requirement
     from tsplan.results.simulation import Simulation
 
 Stay: TypeAlias = tuple[int, int, str]
@@ -264,6 +268,58 @@ class Plan:
         if self._by_groups:
             return group_counts(self.groups, rows, self.horizon, capability)
         return state_counts(self.bundles, rows, self.horizon, capability)
+
+    def explain(self, mission: Mission) -> Evidence:
+        """Why the plan satisfies the formula of its mission, as a tree that prints itself.
+
+        Every node says where it holds, by how many agents, and what it rests on there: which step,
+        which agents. It comes from the evaluator and the counts alone. Raises PlanError for a
+        plan without paths or of another mission.
+        """
+        from tsplan.results.evidence import explain  # noqa: PLC0415  (the parser is slow to import)
+
+        return explain(self, mission)
+
+    def plot(self, mission: Mission | None = None, *, view: str = "", ax: Any = None) -> Picture:
+        """A picture of the plan: its matplotlib figure and axes.
+
+        `view` is one of `paths` (the default with a mission), `timeline` (the default, and all
+        that there is, without one), `requirements`, `flow` and `map`. Without `ax` there is a
+        figure of its own that pyplot does not know. Raises PlotUnavailableError without
+        matplotlib, InputError for an unknown view, and PlanError for a plan without paths or of
+        another mission.
+        """
+        from tsplan.draw.timeline import draw_timeline  # noqa: PLC0415  (draws this)
+        from tsplan.draw.views import draw_view  # noqa: PLC0415  (as above)
+
+        if mission is not None:
+            return draw_view(self, mission, view or "paths", ax)
+        if view not in ("", "timeline"):
+            remedy = "give the mission too: plan.plot(mission, ...)"
+            raise InputError([Finding(f"the view '{view}' needs the map of the mission", remedy)])
+        return draw_timeline(self, None, ax)
+
+    def requirements(self, mission: Mission) -> tuple[Requirement, ...]:
+        """What the formula's atoms ask of the counts and what the plan gives, over all steps.
+
+        Raises PlanError for a plan without paths or of another mission.
+        """
+        from tsplan.results.requirements import requirements  # noqa: PLC0415  (as above)
+
+        return requirements(self, mission)
+
+    def view(self, mission: Mission, path: str | Path | None = None) -> Path:
+        """Show the plan in the browser: one page that plays it, whose path is returned.
+
+        With a `path` the page is written there and no browser is opened. Raises PlanError for a
+        plan without paths and for one that does not fit the mission's map.
+        """
+        from tsplan.viewer.opening import open_page, write_page  # noqa: PLC0415  (imports this)
+
+        written = write_page(mission, self, None if path is None else Path(path))
+        if path is None:
+            open_page(written)
+        return written
 
     def simulate(self, mission: Mission, *, runs: int = 1000, seed: int = 0) -> Simulation:
         """How often the plan's mission holds if every agent follows the shares at random.

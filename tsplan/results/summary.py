@@ -102,7 +102,7 @@ def names(ids: Sequence[str], most: int = 3) -> str:
     >>> names(["a-1", "a-2", "a-3", "a-7"])
     'a-1..3, a-7'
     """
-    runs: list[tuple[str, int, int, int]] = []  # stem, first, last, agents
+    runs: list[tuple[str, str, int, int]] = []  # stem, first name, last number, agents
     for name in ids:
         match = _NUMBERED.match(name)
         stem, digits = match.groups() if match else (name, "0")
@@ -111,11 +111,8 @@ def names(ids: Sequence[str], most: int = 3) -> str:
             stem, first, _, agents = runs.pop()
             runs.append((stem, first, place, agents + 1))
         else:
-            runs.append((stem, place, place, 1))
-    shown = [
-        f"{stem}{first}..{last}" if agents > 1 else (f"{stem}{first}" if first else stem)
-        for stem, first, last, agents in runs[:most]
-    ]
+            runs.append((stem, name, place, 1))
+    shown = [f"{first}..{last}" if agents > 1 else first for _, first, last, agents in runs[:most]]
     rest = sum(run[3] for run in runs[most:])
     return ", ".join([*shown, *([f"{rest} more"] if rest else [])])
 

@@ -15,6 +15,8 @@ from tsplan.ts.parts import Edge, State
 if TYPE_CHECKING:
     import networkx as nx
 
+    from tsplan.draw.canvas import Picture
+
 Pair: TypeAlias = tuple[str, str]
 
 
@@ -149,6 +151,15 @@ class TransitionSystem:
     def leaving(self, state: str) -> tuple[Edge, ...]:
         """The edges that leave a state, waits included."""
         return self._leaving.get(state, ())
+
+    def plot(self, ax: Any = None) -> Picture:
+        """The map: its matplotlib figure and axes.
+
+        Raises PlotUnavailableError without matplotlib.
+        """
+        from tsplan.draw.map import draw_map  # noqa: PLC0415  (draws this)
+
+        return draw_map(self, ax)
 
     @cached_property
     def _leaving(self) -> Mapping[str, tuple[Edge, ...]]:

@@ -1,0 +1,67 @@
+"""Missions and plans for the tests of pictures and pages."""
+
+from __future__ import annotations
+
+import random
+
+import tsplan
+from tsplan.results.plan import AgentPlan, MissionRef, Plan, Status, StoppedBy
+from tsplan.ts import Edge, State
+
+HOSTILE = (
+    "<script>window.caught = 1</script>",
+    "</script><img src=x onerror='window.caught = 2'>",
+    "\"quotes\" & 'more' <!-- {{data}}",
+    "中文 κόσμος \u2028 עברית 🚀",
+    "${window.caught = 3}` \\u003c $x^2$",
+)
+
+
+def system(names, duration=1):
+    """A ring of states, each with a label of its own."""
+    states = [State(name, frozenset({name}), at=(3.0 * n, n % 2)) for n, name in enumerate(names)]
+    waits = [Edge(name, name) for name in names]
+    pairs = list(zip(names, [*names[1:], names[0]], strict=True))
+    moves = [edge for a, b in pairs for edge in (Edge(a, b, duration), Edge(b, a, duration))]
+    return tsplan.TransitionSystem.build(states, [*waits, *moves], "ring")
+
+
+def mission_on(system, team, formula, horizon):
+    return tsplan.Mission.of(
+        map=system, team=team, formula=formula, language="mtl", horizon=horizon, name="test"
+    )
+
+
+def plan_of(mission, paths):
+    """A plan from the stays of every agent, `(stays, heading)`, in the order of the team."""
+    agents = tuple(
+        AgentPlan(agent.id, agent.class_name, agent.capabilities, tuple(stays), heading)
+        for agent, (stays, heading) in zip(mission.agents, paths, strict=True)
+    )
+    return Plan(
+        status=Status.FEASIBLE,
+        stopped_by=StoppedBy.GAP,
+        mission=MissionRef(mission.name, mission.digest),
+        horizon=mission.horizon,
+        agents=agents,
+    )
+
+
+def wandering(mission, seed=0):
+    """A plan in which every agent waits and moves at random."""
+    rng = random.Random(seed)
+    return plan_of(mission, [_walk(mission, agent, rng) for agent in mission.agents])
+
+
+def _walk(mission, agent, rng):
+    stays, state, since = [], agent.start, 0
+    while True:
+        leave = since + rng.choice((0, 0, 1, 3))
+        edge = rng.choice([e for e in mission.system.leaving(state) if not e.is_wait])
+        if leave >= mission.horizon:
+            return [*stays, (since, mission.horizon, state)], None
+        stays.append((since, leave, state))
+        arrival = leave + edge.duration_for(agent.class_name)
+        if arrival > mission.horizon:
+            return stays, edge.target
+        state, since = edge.target, arrival

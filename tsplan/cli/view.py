@@ -1,0 +1,26 @@
+"""`tsplan view`: a plan as a page that plays in the browser."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+from tsplan.cli.arguments import Exit
+from tsplan.cli.inputs import mission_for
+from tsplan.results.planfile import load_plan
+from tsplan.viewer.opening import open_page, write_page
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def run(asked: argparse.Namespace) -> Exit:
+    """Write the page; without a file to write it to, also open it."""
+    plan = load_plan(asked.plan)
+    mission = mission_for(asked.plan, plan, asked.mission)
+    path = write_page(mission, plan, asked.output)
+    if asked.output is None:
+        opened = open_page(path)
+        words = "opened" if opened else "no browser was found; open this file in one:"
+        sys.stdout.write(f"{words} {path}\n")
+    return Exit.DONE

@@ -1,0 +1,386 @@
+"""The map: polygons or a graph, names and labels, durations, and where the team starts."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from tsplan.draw.canvas import (
+    DARK,
+    LINE,
+    SMALL,
+    WHITE,
+    Entry,
+    Picture,
+    area,
+    axes,
+    halo,
+    legend_beside,
+    legend_width,
+    plain,
+    set_title,
+)
+from tsplan.draw.layout import Places, places, spacing
+from tsplan.draw.palette import Paint, Palette
+from tsplan.draw.room import Box, Frame, Point, Room, frame_of
+from tsplan.draw.signs import Sign, signs
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.ts import TransitionSystem
+    from tsplan.ts.parts import Duration
+
+WIDTH = 7.0
+"""Inches across the page of a map without its legend."""
+
+_LOWEST, _HIGHEST, _TITLE = 2.2, 8.0, 0.35  # inches
+_DOT = 5.0  # points across a state's dot
+_BADGE = 11.0  # points across a start's badge
+_APART = _BADGE + 2  # points from badge to badge
+_DENSE = 400  # states above which edges and dots are drawn as thin as can be
+_MOST_LABELS = 24  # labels that a legend can list
+_BORDER = "#b0b0b0"
+_WHITE = Paint(WHITE)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A map on its page: what was drawn where, and where there is room left for texts."""
+
+    figure: Any
+    ax: Any
+    system: TransitionSystem
+    palette: Palette
+    where: Places
+    frame: Frame
+    room: Room
+    signs: Mapping[str, Sign]
+
+    @property
+    def dense(self) -> bool:
+        """Whether there are so many states that everything is drawn thin."""
+        return len(self.system.states) > _DENSE
+
+    def write(self, text: str, centre: Point, size: float, **style: Any) -> None:
+        """Write a text around a point of the page."""
+        x, y = self.frame.back(centre)
+        self.ax.text(
+            x,
+            y,
+            plain(text),
+            fontsize=size,
+            ha="center",
+            va="center",
+            **{"color": DARK, "zorder": 6, "in_layout": False, "linespacing": 1.15, **style},
+        )
+
+
+def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:
+    """The map: states with names, labels, shapes and colours; edges with durations above 1.
+
+    Edges that exist in one direction only have an arrow head. What has no room is left out, least
+    important first: durations, names, labels; labels that cannot be written go to a legend.
+    """
+    scene = base(Palette(system), ax, ())
+    finish(scene)
+    set_title(scene.ax, system.name)
+    return scene.figure, scene.ax
+
+
+def draw_mission(mission: Mission, ax: Any = None) -> Picture:
+    """The map with how many robots of each class start where."""
+    palette = Palette.of(mission)
+    scene = base(palette, ax, class_entries(mission, palette))
+    draw_starts(scene, mission, palette.classes)
+    finish(scene)
+    set_title(scene.ax, mission.name or mission.system.name)
+    return scene.figure, scene.ax
+
+
+def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> Scene:
+    """Shapes, edges, states and their signs, with a legend of the entries and unwritten labels."""
+    system = palette.system
+    where = places(system)
+    box = _box(system, where)
+    tall = height_of(system)
+    known = [*entries, *_unmarked(system)]
+    figure, ax = axes(ax, WIDTH + legend_width(known, tall - _TITLE), tall)
+    frame = frame_of(ax, box)
+    chosen = signs(system, where, frame)
+    legend_beside(ax, [*known, *_unwritten(palette, chosen)])
+    frame = frame_of(ax, box)
+    chosen = signs(system, where, frame)
+    scene = Scene(figure, ax, system, palette, where, frame, Room(frame.page), chosen)
+    _draw_shapes(scene)
+    _draw_edges(scene)
+    _draw_dots(scene)
+    _draw_signs(scene)
+    return scene
+
+
+def height_of(system: TransitionSystem) -> float:
+    """Inches that a map takes."""
+    left, bottom, right, top = _box(system, places(system))
+    ratio = (top - bottom) / (right - left)
+    return min(max(WIDTH * ratio, _LOWEST), _HIGHEST) + _TITLE
+
+
+def finish(scene: Scene, used: Collection[tuple[str, str]] = ()) -> None:
+    """Write what comes last, where there is still room: the durations of edges not `used`."""
+    if scene.dense:
+        return
+    usual = usual_duration(scene.system)
+    for (source, target), text in _durations(scene.system):
+        if text == usual or (source, target) in used or (target, source) in used:
+            continue
+        begin, end = scene.frame.at(scene.where[source]), scene.frame.at(scene.where[target])
+        centres = [_between(begin, end, share) for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
+        if found := scene.room.place(text or "1", SMALL, centres):
+            scene.write(text or "1", found, SMALL, color="#666666", bbox=halo(), zorder=5)
+
+
+def duration_words(there: Duration, back: Duration) -> str:
+    """A duration as it is written on an edge; nothing for 1, a range where classes differ.
+
+    >>> duration_words(2, 2), duration_words(1, 3), duration_words({"a": 1, "default": 3}, 3)
+    ('2', '1/3', '1-3/3')
+    """
+    one, other = (
+        _range(min(d.values()), max(d.values())) if isinstance(d, Mapping) else _range(d, d)
+        for d in (there, back)
+    )
+    if one == other:
+        return "" if one == "1" else one
+    return f"{one}/{other}"
+
+
+def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
+    """A legend of the classes: how many robots each has, and what they can do."""
+    from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
+
+    counts: dict[str, int] = {}
+    able: dict[str, dict[str, None]] = {}
+    for group in mission.team:
+        counts[group.class_name] = counts.get(group.class_name, 0) + group.count
+        able.setdefault(group.class_name, {}).update(dict.fromkeys(sorted(group.capabilities)))
+    return [
+        Entry(
+            Line2D(
+                [],
+                [],
+                linestyle="none",
+                marker="o",
+                markersize=8,
+                markeredgecolor=DARK,
+                markeredgewidth=0.6,
+                color=palette.classes[name].colour,
+            ),
+            f"{count:,} {name}" + (f" ({', '.join(able[name])})" if able[name] else ""),
+        )
+        for name, count in counts.items()
+    ]
+
+
+def draw_starts(scene: Scene, mission: Mission, paints: Mapping[str, Paint]) -> None:
+    """A badge with the number of robots of each class at each state where some start.
+
+    `paints` has the colours of the classes; those without one are white.
+    """
+    starts: dict[str, dict[str, int]] = {}
+    for group in mission.team:
+        for state, count in group.starts:
+            there = starts.setdefault(state, {})
+            there[group.class_name] = there.get(group.class_name, 0) + count
+    for state, there in starts.items():
+        shown = [(name, count) for name, count in there.items() if count]
+        x, y = _badges_at(scene, state, len(shown))
+        for place, (name, count) in enumerate(shown):
+            left = x + (place - (len(shown) - 1) / 2) * _APART
+            _badge(scene, (left, y), count, paints.get(name, _WHITE))
+
+
+def _badges_at(scene: Scene, state: str, number: int) -> Point:
+    """The centre of a row of badges: below a state's sign, above, beside it, or on the state."""
+    x, y = scene.frame.at(scene.where[state])
+    sign = scene.signs[state]
+    if not sign.parts:
+        return x, y
+    across, up = number * _APART / 2, _BADGE / 2 + 1
+    below, above = sign.box.bottom - up, sign.box.top + up
+    right, left = sign.box.right + across + 1, sign.box.left - across - 1
+    for centre in ((x, below), (x, above), (right, sign.centre[1]), (left, sign.centre[1])):
+        row = Box(centre[0] - across, centre[1] - up, centre[0] + across, centre[1] + up)
+        if scene.room.free(row):
+            return centre
+    return x, below
+
+
+def _badge(scene: Scene, centre: Point, count: int, paint: Paint) -> None:
+    """A disc with a number; its outline tells it from everything else on the map."""
+    text = f"{count}" if count < 1000 else f"{count / 1000:.3g}k"  # noqa: PLR2004  (three digits fit)
+    size = SMALL if len(text) < 3 else SMALL * 2.4 / len(text)  # noqa: PLR2004  (as above)
+    x, y = scene.frame.back(centre)
+    scene.ax.plot(
+        [x],
+        [y],
+        marker="o",
+        markersize=_BADGE,
+        color=paint.colour,
+        markeredgecolor=DARK,
+        markeredgewidth=0.7,
+        zorder=7,
+        clip_on=False,
+        gid="start",
+    )
+    scene.write(text, centre, size, color=paint.ink, zorder=8, weight="bold")
+    half = _BADGE / 2 + 0.5
+    scene.room.take(Box(centre[0] - half, centre[1] - half, centre[0] + half, centre[1] + half))
+
+
+def _box(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of everything that is drawn, with a margin."""
+    corners = [point for state in system.states.values() for point in state.shape or ()]
+    points = [*where.values(), *corners]
+    xs, ys = [p[0] for p in points], [p[1] for p in points]
+    shaped = all(state.shape for state in system.states.values())
+    air = 0.02 * max(max(xs) - min(xs), max(ys) - min(ys)) if shaped else 0.6 * spacing(where)
+    air = air or 1.0
+    return min(xs) - air, min(ys) - air, max(xs) + air, max(ys) + air
+
+
+def _unwritten(palette: Palette, chosen: Mapping[str, Sign]) -> list[Entry]:
+    """What the colours stand for, for labels that are not written on the map."""
+    from matplotlib.patches import Patch  # noqa: PLC0415  (an extra)
+
+    written = frozenset().union(*(sign.labels for sign in chosen.values()))
+    labels = [label for label in palette.system.labels if label not in written]
+    shown = [Entry(Patch(**area(palette.labels[label])), label) for label in labels[:_MOST_LABELS]]
+    if len(labels) > _MOST_LABELS:
+        shown.append(Entry(Patch(alpha=0), f"and {len(labels) - _MOST_LABELS} more labels"))
+    return shown
+
+
+def _unmarked(system: TransitionSystem) -> list[Entry]:
+    """How long the edges without a number take, unless that is one step."""
+    from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
+
+    usual = usual_duration(system)
+    if not usual:
+        return []
+    who = " by class" if "-" in usual else ""
+    words = f"{usual} steps{who} if not marked"
+    return [Entry(Line2D([], [], color=LINE, linewidth=0.9), words)]
+
+
+def usual_duration(system: TransitionSystem) -> str:
+    """The words of the most frequent duration; they are not repeated on every edge."""
+    words = Counter(words for _, words in _durations(system))
+    return words.most_common(1)[0][0] if words else ""
+
+
+def _durations(system: TransitionSystem) -> Iterator[tuple[tuple[str, str], str]]:
+    """Every pair of connected states once, with the words of its durations."""
+    for (source, target), edge in system.edges.items():
+        back = system.edges.get((target, source))
+        if source != target and (back is None or source < target):
+            yield (source, target), duration_words(edge.duration, (back or edge).duration)
+
+
+def _draw_shapes(scene: Scene) -> None:
+    """The polygons, pale and in the colour of their states."""
+    from matplotlib.patches import Polygon  # noqa: PLC0415  (an extra)
+
+    width = 0.2 if scene.dense else 0.7
+    for name, state in scene.system.states.items():
+        if state.shape:
+            paint = scene.palette.states[name]
+            scene.ax.add_patch(
+                Polygon(
+                    state.shape,
+                    facecolor=paint.pale,
+                    edgecolor=WHITE if scene.dense else _BORDER,
+                    hatch=paint.hatch or None,
+                    linewidth=width,
+                    zorder=1,
+                    gid=f"state:{name}",
+                )
+            )
+
+
+def _draw_edges(scene: Scene) -> None:
+    """One line for each pair of connected states; an arrow head if there is no way back."""
+    from matplotlib.collections import LineCollection  # noqa: PLC0415  (an extra)
+
+    both, single = [], []
+    for source, target in scene.system.edges:
+        line = (scene.where[source], scene.where[target])
+        if source == target or line[0] == line[1]:
+            continue
+        if (target, source) not in scene.system.edges:
+            single.append(line)
+        elif source < target:
+            both.append(line)
+    width = 0.3 if scene.dense else 0.9
+    style: dict[str, Any] = {"colors": LINE, "linewidths": width, "zorder": 2, "alpha": 0.7}
+    scene.ax.add_collection(LineCollection(both, gid="edges", **style), autolim=False)
+    scene.ax.add_collection(LineCollection(single, gid="one-way edges", **style), autolim=False)
+    if not scene.dense:
+        for begin, end in single:
+            arrow_head(scene, (begin, end), 0.62, LINE, 5.0)
+
+
+def arrow_head(
+    scene: Scene, line: tuple[Point, Point], share: float, colour: str, size: float
+) -> None:
+    """A small triangle on a line that points to its end."""
+    (x0, y0), (x1, y1) = line
+    turn = math.degrees(math.atan2(y1 - y0, x1 - x0))
+    x, y = _between(line[0], line[1], share)
+    scene.ax.plot(
+        [x], [y], marker=(3, 0, turn - 90), markersize=size, color=colour, linestyle="none",
+        markeredgewidth=0, zorder=4,
+    )  # fmt: skip
+
+
+def _draw_dots(scene: Scene) -> None:
+    """A dot for each state without a shape."""
+    bare = [name for name, state in scene.system.states.items() if not state.shape]
+    if not bare:
+        return
+    size = _DOT if not scene.dense else 2.0
+    scene.ax.scatter(
+        [scene.where[name][0] for name in bare],
+        [scene.where[name][1] for name in bare],
+        s=size**2,
+        c=[scene.palette.states[name].colour for name in bare],
+        edgecolors=DARK,
+        linewidths=0.1 if scene.dense else 0.6,
+        zorder=3,
+        gid="states",
+    )
+    if not scene.dense:
+        for name in bare:
+            x, y = scene.frame.at(scene.where[name])
+            scene.room.take(Box(x - size / 2, y - size / 2, x + size / 2, y + size / 2))
+
+
+def _draw_signs(scene: Scene) -> None:
+    for name, sign in scene.signs.items():
+        shaped = scene.system.states[name].shape
+        ground = scene.palette.states[name].pale if shaped else WHITE
+        for place, (text, size, centre) in enumerate(sign.lines()):
+            style = {} if place == 0 and sign.name else {"style": "italic", "color": "#555555"}
+            scene.write(text, centre, size, bbox=halo(ground), **style)
+        if sign.parts:
+            scene.room.take(sign.box)
+
+
+def _range(least: int, most: int) -> str:
+    return str(least) if least == most else f"{least}-{most}"
+
+
+def _between(begin: Point, end: Point, share: float) -> Point:
+    return begin[0] + (end[0] - begin[0]) * share, begin[1] + (end[1] - begin[1]) * share

@@ -1,0 +1,167 @@
+"""Colours for states, labels, classes and capabilities, the same in every picture of a mission.
+
+The eight hues were chosen by search so that every two of them differ clearly (25 or more in
+CIELAB) for people with any of the three kinds of colour blindness, and so that their lightness
+rises in equal steps of 8, which tells them apart in a grey print. More names than hues get the
+same hues with a hatch. Travel is always white with grey stripes.
+
+Source of the colour-blindness model used in that search: G. Machado, M. Oliveira, L. Fernandes, "A
+physiologically-based model for simulation of color vision deficiency", IEEE TVCG 2009.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from tsplan.draw.colours import colour_of, ink_on, mixed
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.ts import TransitionSystem
+
+HUES = (
+    "#7753bf",
+    "#ed6915",
+    "#843b65",
+    "#bac268",
+    "#4d895a",
+    "#9be1af",
+    "#384801",
+    "#f37fbd",
+)
+"""Colours in the order in which they are given out: neighbours differ much in lightness."""
+
+HATCHES = ("", "..", "xx", "||", "oo", "++")
+"""Hatches, in matplotlib's letters, of the first eight names, the next eight, ..."""
+
+STROKES = ("-", "--", "-.", ":")
+"""Line styles that go with the hatches where there is no area to hatch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Paint:
+    """How something is painted: its colour (`#rrggbb`), its hatch and the text's colour on it."""
+
+    colour: str
+    hatch: str = ""
+
+    @property
+    def ink(self) -> str:
+        """Black or white, whichever is read better on the colour."""
+        return ink_on(self.colour)
+
+    @property
+    def pale(self) -> str:
+        """The colour mixed with white, for large areas behind other things."""
+        return mixed(self.colour, "#ffffff", 0.72)
+
+    @property
+    def soft(self) -> Paint:
+        """The same paint a little lighter, for areas with text on them."""
+        return Paint(mixed(self.colour, "#ffffff", 0.35), self.hatch)
+
+    @property
+    def stroke(self) -> str:
+        """The line style (matplotlib's letters) that stands for the hatch."""
+        return STROKES[HATCHES.index(self.hatch) % len(STROKES)] if self.hatch in HATCHES else "-"
+
+
+PLAIN = Paint("#dedede")
+"""States without any label."""
+
+TRAVEL = Paint("#ffffff", "////")
+"""Time on the way from one state to another."""
+
+TRAVEL_STRIPE = "#9a9a9a"
+"""The colour of travel's stripes."""
+
+GOOD, BAD = "#1f6f50", "#b3261e"
+"""What holds and what fails; always together with a sign or a word, never by colour alone."""
+
+
+def paints(names: Iterable[str]) -> Mapping[str, Paint]:
+    """A paint for every name, in their order; the same names always get the same ones.
+
+    >>> paints(["scout", "heavy"])["heavy"]
+    Paint(colour='#ed6915', hatch='')
+    """
+    given = {}
+    for number, name in enumerate(dict.fromkeys(names)):
+        turn, place = divmod(number, len(HUES))
+        given[name] = Paint(HUES[place], HATCHES[turn % len(HATCHES)])
+    return MappingProxyType(given)
+
+
+@dataclass(frozen=True)
+class Palette:
+    """All paints of one map and team.
+
+    Labels, classes and capabilities are painted in the order in which the map and the team name
+    them. A state has the colour that the map gives it, or that one of its labels names; else its
+    labels' paint: states with the same labels look the same.
+    """
+
+    system: TransitionSystem
+    class_names: tuple[str, ...] = ()
+    capability_names: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, mission: Mission) -> Palette:
+        """The palette of a mission."""
+        abilities = dict.fromkeys(c for group in mission.team for c in sorted(group.capabilities))
+        return cls(
+            mission.system,
+            tuple(dict.fromkeys(group.class_name for group in mission.team)),
+            tuple(abilities),
+        )
+
+    @cached_property
+    def classes(self) -> Mapping[str, Paint]:
+        """A paint for each class of agents."""
+        return paints(self.class_names)
+
+    @cached_property
+    def capabilities(self) -> Mapping[str, Paint]:
+        """A paint for each capability."""
+        return paints(self.capability_names)
+
+    @cached_property
+    def labels(self) -> Mapping[str, Paint]:
+        """A paint for each label: that of the first state that carries it and no other label."""
+        alone = {
+            next(iter(state.labels)): self.states[name]
+            for name, state in reversed(tuple(self.system.states.items()))
+            if len(state.labels) == 1
+        }
+        return MappingProxyType(dict(paints(self.system.labels)) | alone)
+
+    @cached_property
+    def states(self) -> Mapping[str, Paint]:
+        """A paint for each state."""
+        by_labels = paints(
+            ", ".join(sorted(state.labels))
+            for name, state in self.system.states.items()
+            if state.labels and name not in self._own
+        )
+        return MappingProxyType(
+            {
+                name: self._own.get(name) or by_labels.get(", ".join(sorted(state.labels)), PLAIN)
+                for name, state in self.system.states.items()
+            }
+        )
+
+    @cached_property
+    def _own(self) -> Mapping[str, Paint]:
+        """States whose colour the map names, or one of their labels."""
+        found = {}
+        for name, state in self.system.states.items():
+            for word in (state.color, *sorted(state.labels)):
+                colour = colour_of(word)
+                if colour is not None:
+                    found[name] = Paint(colour)
+                    break
+        return found

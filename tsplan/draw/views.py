@@ -1,0 +1,82 @@
+"""The views of a plan by name, and all of them on one page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from tsplan.draw.canvas import Picture, new_figure
+from tsplan.draw.map import draw_mission
+from tsplan.draw.map import height_of as map_height
+from tsplan.draw.paths import draw_paths
+from tsplan.draw.requirements import draw_requirements
+from tsplan.draw.requirements import height_of as chart_height
+from tsplan.draw.swarm import draw_swarm
+from tsplan.draw.timeline import draw_timeline
+from tsplan.draw.timeline import height_of as timeline_height
+from tsplan.errors import Finding, InputError, nearest
+from tsplan.results.fitting import refuse_misfit
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
+
+View: TypeAlias = "Callable[[Plan, Mission, Any], Picture]"
+
+_WIDTH = 10.0  # inches of a page
+
+VIEWS: Mapping[str, View] = MappingProxyType(
+    {
+        "paths": draw_paths,
+        "timeline": draw_timeline,
+        "requirements": draw_requirements,
+        "flow": draw_swarm,
+        "map": lambda _plan, mission, ax: draw_mission(mission, ax),
+    }
+)
+"""Every single picture of a plan."""
+
+PAGE = "page"
+"""The name of the view that has the paths, the timeline and the requirements below each other."""
+
+
+def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Picture:
+    """One of the `VIEWS`, by name.
+
+    Raises InputError for an unknown name and PlanError for a plan without paths or of another
+    mission.
+    """
+    if view not in VIEWS:
+        found = Finding(f"there is no view '{view}' of a plan", nearest(view, VIEWS))
+        raise InputError([found])
+    return VIEWS[view](plan, mission, ax)
+
+
+def draw_page(plan: Plan, mission: Mission, figure: Any = None) -> tuple[Any, tuple[Any, ...]]:
+    """Paths, timeline and requirements on one page: the figure and its three axes.
+
+    A given `figure` is drawn on as it is; it should be about as large as `page_size`.
+    """
+    refuse_misfit(plan, mission)
+    heights = _heights(plan, mission)
+    whole = figure if figure is not None else new_figure(*page_size(plan, mission))
+    parts = whole.subfigures(len(heights), 1, height_ratios=heights)
+    drawn = (draw_paths, draw_timeline, draw_requirements)
+    every = [part.add_subplot() for part in parts]
+    for draw, ax in zip(drawn, every, strict=True):
+        draw(plan, mission, ax)
+    return whole, tuple(every)
+
+
+def page_size(plan: Plan, mission: Mission) -> tuple[float, float]:
+    """Inches across and down of the page of a plan."""
+    return _WIDTH, sum(_heights(plan, mission))
+
+
+def _heights(plan: Plan, mission: Mission) -> tuple[float, float, float]:
+    return (
+        map_height(mission.system),
+        timeline_height(plan),
+        chart_height(plan.requirements(mission)),
+    )

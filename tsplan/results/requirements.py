@@ -1,0 +1,144 @@
+"""What the formula asks of the counts, and what the plan gives: one chart's data for each atom.
+
+Everything here is computed by the evaluator from the counts of the plan, never from the solver.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeAlias, cast
+
+import numpy as np
+import numpy.typing as npt
+
+from tsplan.logic.atoms import Count
+from tsplan.logic.evaluate import margins
+from tsplan.logic.naming import capabilities
+from tsplan.logic.walking import walk
+from tsplan.results.counting import count_trace
+from tsplan.results.fitting import refuse_misfit
+from tsplan.results.reasons import Span, Steps, settled, windows
+
+if TYPE_CHECKING:
+    from tsplan.logic.nodes import Formula
+    from tsplan.logic.traces import CountTrace
+    from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
+
+Ints: TypeAlias = npt.NDArray[np.int64]
+Floats: TypeAlias = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Requirement:
+    """One atom of the mission's goal and the counts it speaks about.
+
+    `counts` has the measured number at every step 0..horizon: agents at all states with the label
+    together (`sum`), at the state with the fewest (`min`) or the most (`max`). `margins` is the
+    atom's availability at every step. `windows` are the steps `(first, last)` at which the formula
+    can ask for it, one for each place in the formula; `chosen` are the runs of steps at which
+    the plan satisfies the formula by it, empty where the plan takes another branch. `places` is the
+    number of states with the label.
+    """
+
+    atom: Count
+    places: int
+    counts: Ints
+    margins: Floats
+    windows: tuple[Span, ...]
+    chosen: tuple[Span, ...]
+
+    @property
+    def label(self) -> str:
+        """The label whose states are counted."""
+        return self.atom.label
+
+    @property
+    def capability(self) -> str | None:
+        """The capability that is counted; None for all agents."""
+        return self.atom.capability
+
+    @property
+    def relation(self) -> str:
+        """How the count is compared with the bound, `>=` or `<=`."""
+        return self.atom.relation
+
+    @property
+    def bound(self) -> int:
+        """The number of agents it is compared with."""
+        return cast("int", self.atom.bound)  # a goal has no percentages
+
+    @property
+    def spare(self) -> float | None:
+        """The least availability over the chosen steps: agents to spare; None without any."""
+        inside = [self.margins[first : last + 1].min() for first, last in self.chosen]
+        return float(min(inside)) if inside else None
+
+    @property
+    def title(self) -> str:
+        """The atom in words, as short as it can be said.
+
+        Over one state alone `sum`, `min` and `max` are the same and read the same.
+        """
+        who = self.atom.capability or "agents"
+        every = {"sum": "at", "min": "at every", "max": "at any"}
+        where = every[self.atom.function] if self.places > 1 else "at"
+        sign = {">=": "\u2265", "<=": "\u2264"}.get(self.atom.relation, self.atom.relation)
+        return f"{who} {where} {self.atom.label} {sign} {self.atom.bound}"
+
+
+def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
+    """The requirements of the mission's goal in the order of the formula, each atom once.
+
+    Raises PlanError for a plan without paths or of another mission.
+    """
+    refuse_misfit(plan, mission)
+    goal = mission.goal
+    trace = trace_of(plan, mission, goal)
+    values = margins(goal, trace)
+    where = windows(goal)
+    used = settled(goal, np.zeros(1, dtype=np.int64), values)
+    return tuple(
+        Requirement(
+            atom=atom,
+            places=len(trace.labels[atom.label]),
+            counts=_frozen(measured(atom, trace)),
+            margins=_frozen(values[atom]),
+            windows=where[atom],
+            chosen=runs(used[atom]),
+        )
+        for atom in walk(goal)
+        if isinstance(atom, Count)
+    )
+
+
+def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
+    """The counts of a plan at all states of its mission's map, as far as a formula needs them."""
+    states = tuple(mission.system.states)
+    wanted = (None, *sorted(capabilities(formula)))
+    return count_trace(mission.system, {name: plan.counts(name, states=states) for name in wanted})
+
+
+def measured(atom: Count, trace: CountTrace) -> Ints:
+    """The number of agents that an atom compares with its bound, at every step."""
+    counts = getattr(trace.at(atom.label, atom.capability), atom.function)(axis=-2)
+    return np.asarray(counts, dtype=np.int64)
+
+
+def runs(steps: Steps) -> tuple[Span, ...]:
+    """Sorted steps as runs `(first, last)`.
+
+    >>> runs(np.array([1, 2, 3, 7]))
+    ((1, 3), (7, 7))
+    """
+    if not len(steps):
+        return ()
+    breaks = np.flatnonzero(np.diff(steps) > 1)
+    firsts = steps[np.concatenate([[0], breaks + 1])]
+    lasts = steps[np.concatenate([breaks, [len(steps) - 1]])]
+    return tuple(zip(firsts.tolist(), lasts.tolist(), strict=True))
+
+
+def _frozen(array: Any) -> Any:
+    array.flags.writeable = False
+    return array

@@ -1,0 +1,164 @@
+"""Plans as moving pictures: GIF by Pillow, MP4 by ffmpeg where it is installed, HTML."""
+
+from __future__ import annotations
+
+import io
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import chain
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tsplan.errors import Finding, InputError, TsplanError
+from tsplan.results.planfile import write_whole
+from tsplan.viewer.opening import write_page
+from tsplan.viewer.scene import Pixels, Scene, Size
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
+
+LONGEST = 30.0
+"""Seconds that an animation takes at most, unless the seconds of a step are given."""
+
+_HOLD = 1.0  # seconds that the last picture is shown
+_COLORS = 255  # of a GIF's one palette
+_SAMPLES = 5  # pictures that the palette is made from
+
+
+class FfmpegUnavailableError(TsplanError, RuntimeError):
+    """Writing MP4 needs ffmpeg, which is not installed, or it failed."""
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How an animation looks: pictures a second, seconds of a step, width and height in dots."""
+
+    fps: int = 10
+    seconds_per_step: float = 0.6
+    size: Size = (960, 600)
+
+    @classmethod
+    def of(
+        cls,
+        horizon: int,
+        fps: int | None = None,
+        seconds_per_step: float | None = None,
+        size: Size | None = None,
+    ) -> Pace:
+        """The pace for a plan; what is None is chosen so that the whole is not too long."""
+        slow = min(cls.seconds_per_step, LONGEST / max(1, horizon))
+        return cls(fps or cls.fps, seconds_per_step or slow, size or cls.size)
+
+    def times(self, horizon: int) -> tuple[float, ...]:
+        """The time of every picture, from 0 to the horizon.
+
+        >>> Pace(fps=4, seconds_per_step=0.5).times(2)
+        (0.0, 0.5, 1.0, 1.5, 2.0)
+        """
+        pictures = max(1, round(horizon * self.seconds_per_step * self.fps)) if horizon else 0
+        return (*(horizon * number / pictures for number in range(pictures)), float(horizon))
+
+
+def animate(mission: Mission, plan: Plan, path: Path, pace: Pace | None = None) -> None:
+    """Write a plan as a moving picture; the file's name says which kind: .gif, .mp4 or .html.
+
+    Raises InputError for another kind, PlanError for a plan that cannot be shown,
+    FfmpegUnavailableError for MP4 without ffmpeg, PlotUnavailableError without matplotlib.
+    """
+    pace = pace or Pace.of(plan.horizon)
+    kind = path.suffix.lower()
+    if kind == ".html":
+        write_page(mission, plan, path)
+    elif kind == ".gif":
+        scene = Scene(mission, plan, pace.size)
+        write_whole(path, gif(scene, pace.times(plan.horizon), pace.fps))
+    elif kind == ".mp4":
+        program = _ffmpeg()
+        even = (pace.size[0] // 2 * 2, pace.size[1] // 2 * 2)  # the usual codec asks for it
+        scene = Scene(mission, plan, even)
+        write_whole(path, _mp4(program, scene, pace.times(plan.horizon), pace.fps))
+    else:
+        what = f"moving pictures cannot be written as '{kind or path.name}'"
+        raise InputError([Finding(what, "use .gif, .mp4 or .html", str(path))])
+
+
+def gif(scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
+    """The pictures at some times as a GIF that starts again at its end."""
+    from PIL import Image  # noqa: PLC0415  (comes with matplotlib, an extra)
+
+    samples = np.linspace(0, len(times) - 1, _SAMPLES).astype(int)
+    sheet = Image.fromarray(np.vstack([scene.at(times[number]) for number in samples]))
+    palette = sheet.quantize(_COLORS, method=Image.Quantize.MEDIANCUT)
+
+    def pictures() -> Iterator[Image.Image]:
+        for time in times:
+            yield Image.fromarray(scene.at(time)).quantize(
+                palette=palette, dither=Image.Dither.NONE
+            )
+
+    made = pictures()
+    content = io.BytesIO()
+    each = round(1000 / fps)
+    next(made).save(
+        content,
+        format="GIF",
+        save_all=True,
+        append_images=made,
+        duration=[*(each for _ in times[1:]), each + round(1000 * _HOLD)],
+        loop=0,
+    )
+    return content.getvalue()
+
+
+def _ffmpeg() -> str:
+    program = shutil.which("ffmpeg")
+    if program is None:
+        raise FfmpegUnavailableError(
+            "writing .mp4 needs the program ffmpeg, which is not installed; install it, or write "
+            "a .gif or .html file"
+        )
+    return program
+
+
+def _mp4(program: str, scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
+    width, height = scene.size
+    with tempfile.TemporaryDirectory() as folder:
+        target = os.path.join(folder, "plan.mp4")  # noqa: PTH118  (an argument of a program)
+        command = [
+            *(program, "-loglevel", "error", "-y"),
+            *("-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}"),
+            *("-r", str(fps), "-i", "-", "-an"),
+            *("-pix_fmt", "yuv420p", "-movflags", "+faststart", target),
+        ]
+        frames = chain(times, [times[-1]] * round(_HOLD * fps))
+        said = _fed(command, (scene.at(time) for time in frames))
+        if said or not Path(target).is_file():
+            raise FfmpegUnavailableError(f"ffmpeg failed: {said or 'it wrote nothing'}")
+        return Path(target).read_bytes()
+
+
+def _fed(command: list[str], frames: Iterator[Pixels]) -> str:
+    """Run a program on a stream of pictures; what it says if it fails."""
+    with subprocess.Popen(  # noqa: S603  (a fixed command, no shell)
+        command, stdin=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdin is not None
+        assert process.stderr is not None
+        try:
+            for frame in frames:
+                process.stdin.write(frame.tobytes())
+            process.stdin.close()
+        except BrokenPipeError:
+            pass  # what it says explains why
+        said = process.stderr.read().decode(errors="replace").strip()
+        failed = process.wait() != 0
+    return (said or f"exit code {process.returncode}") if failed else ""

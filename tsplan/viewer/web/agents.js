@@ -1,0 +1,133 @@
+/* The agents in words: a list to choose from, and the path of the chosen one. */
+
+const LISTED = 200; // rows of the list; a filter finds the others
+
+class AgentList {
+  constructor(model, choice, player) {
+    this.model = model;
+    this.choice = choice;
+    this.player = player;
+    this.list = document.getElementById("agents");
+    this.filter = document.getElementById("filter");
+    this.chosen = document.getElementById("chosen");
+    this.rows = new Map();
+    this.step = -1;
+    this.texts = model.movers.map((mover) =>
+      [mover.name, model.classes[mover.class].name, ...mover.ids].join(" ").toLowerCase());
+    this.filter.addEventListener("input", () => {
+      this.choice.chooseState(-1);
+      this.fill();
+    });
+    this.fill();
+  }
+
+  /* The movers that the filter and the chosen state leave. */
+  matching() {
+    const { model } = this;
+    const wanted = this.filter.value.trim().toLowerCase();
+    const found = [];
+    for (let m = 0; m < model.movers.length; m += 1) {
+      if (this.choice.state >= 0 && model.stateOf(m) !== this.choice.state) continue;
+      const held = !wanted || this.texts[m].includes(wanted) || model.whereabouts(m).toLowerCase().includes(wanted);
+      if (held) found.push(m);
+    }
+    return found;
+  }
+
+  fill() {
+    const found = this.matching();
+    this.rows.clear();
+    this.list.replaceChildren();
+    for (const m of found.slice(0, LISTED)) this.list.append(this.row(m));
+    const rest = found.length - LISTED;
+    if (rest > 0) this.list.append(element("p", "", `and ${rest} more; type to find them`));
+    if (!found.length) this.list.append(element("p", "", this.nobody()));
+    this.showChoice();
+  }
+
+  nobody() {
+    if (this.choice.state < 0) return "no agent fits";
+    return `nobody is at ${this.model.states[this.choice.state].name} at step ${Math.floor(this.model.time)}`;
+  }
+
+  row(m) {
+    const mover = this.model.movers[m];
+    const button = element("button");
+    button.type = "button";
+    button.setAttribute("aria-pressed", "false");
+    const where = element("span", "where", this.model.whereabouts(m));
+    button.append(swatch(this.model.classes[mover.class]), element("span", "name", mover.name), where);
+    button.addEventListener("click", () => this.choice.chooseMover(m));
+    this.rows.set(m, { button, where });
+    return button;
+  }
+
+  /* New places for the rows, once for each half step; the list itself where a place filters it. */
+  update(time) {
+    const step = Math.floor(2 * time);
+    if (step === this.step) return;
+    this.step = step;
+    if (this.choice.state >= 0 || this.filter.value) {
+      const found = this.matching().slice(0, LISTED);
+      if (found.join() !== [...this.rows.keys()].join()) {
+        this.fill();
+        return;
+      }
+    }
+    for (const [m, { where }] of this.rows) {
+      const words = this.model.whereabouts(m);
+      if (where.textContent !== words) where.textContent = words;
+    }
+    this.markStay();
+  }
+
+  showChoice() {
+    for (const [m, { button }] of this.rows) {
+      button.setAttribute("aria-pressed", String(m === this.choice.mover));
+    }
+    const row = this.rows.get(this.choice.mover);
+    if (row) row.button.scrollIntoView({ block: "nearest" });
+    this.showPath();
+  }
+
+  /* The chosen agent's path as a list; each stay leads to its step. */
+  showPath() {
+    const m = this.choice.mover;
+    this.chosen.hidden = m < 0;
+    this.chosen.replaceChildren();
+    if (m < 0) return;
+    const { model } = this;
+    const mover = model.movers[m];
+    const kind = model.classes[mover.class];
+    const able = kind.capabilities.length ? `: ${kind.capabilities.join(", ")}` : "";
+    const many = mover.count > 1 ? `${mover.count} agents on one path, ` : "";
+    const path = element("ol");
+    path.setAttribute("aria-label", "Path");
+    for (let i = model.begin[m]; i < model.begin[m + 1]; i += 1) path.append(this.stay(i));
+    this.chosen.append(element("h3", "", mover.name), element("p", "", `${many}class ${kind.name}${able}`), path);
+    this.markStay();
+  }
+
+  stay(i) {
+    const { model } = this;
+    const [first, last] = [model.first[i], model.last[i]];
+    const name = model.states[model.state[i]].name;
+    const item = element("li");
+    const button = element("button", "", first > model.horizon ? `on the way to ${name}` : `${name} ${first === last ? first : `${first}\u2013${last}`}`);
+    button.type = "button";
+    button.dataset.stop = String(i);
+    button.addEventListener("click", () => this.player.seek(first));
+    item.append(button);
+    return item;
+  }
+
+  markStay() {
+    const m = this.choice.mover;
+    if (m < 0) return;
+    const here = this.model.share[m] === 0 ? this.model.source[m] : -1;
+    for (const button of this.chosen.querySelectorAll("button")) {
+      if (Number(button.dataset.stop) === here) button.setAttribute("aria-current", "step");
+      else button.removeAttribute("aria-current");
+    }
+  }
+}

@@ -1,0 +1,144 @@
+/* Counts against needs of the chosen part of the formula, in step with the time. */
+
+class Charts {
+  constructor(horizon, player) {
+    this.horizon = horizon;
+    this.player = player;
+    this.place = document.getElementById("charts");
+    this.plots = [];
+    this.node = null;
+    new ResizeObserver(() => this.paint()).observe(this.place);
+  }
+
+  show(node) {
+    this.node = node;
+    this.plots = [];
+    this.place.hidden = !node || node.charts.length === 0;
+    this.place.replaceChildren();
+    if (this.place.hidden) return;
+    for (const chart of node.charts) this.add(chart);
+    if (node.hidden) this.place.append(element("p", "key", `and ${node.hidden} more counts`));
+    this.place.append(element("p", "key", "blue: the window \u00b7 green: the steps chosen \u00b7 dashed: the need"));
+    this.paint();
+    this.move(this.player.shown);
+  }
+
+  add(chart) {
+    const figure = element("figure");
+    const caption = element("figcaption");
+    const now = element("span", "now");
+    caption.append(element("span", "", chart.text), now);
+    const plot = element("div", "plot");
+    const canvas = element("canvas");
+    const line = element("div", "line");
+    plot.append(canvas, line);
+    figure.append(caption, plot);
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", `${chart.text}: count over time`);
+    plot.addEventListener("pointerdown", (event) => {
+      this.player.pause();
+      this.player.seek(Math.round(this.step(event.offsetX)));
+    });
+    this.place.append(figure);
+    this.plots.push({ chart, canvas, line, now, shown: -1 });
+  }
+
+  x(step) { return this.left + (step * (this.width - this.left - 8)) / Math.max(1, this.horizon); }
+  step(x) { return ((x - this.left) * Math.max(1, this.horizon)) / (this.width - this.left - 8); }
+
+  paint() {
+    this.width = this.plots.length ? this.plots[0].canvas.clientWidth : 1;
+    const most = this.plots.reduce((most, { chart }) => Math.max(most, mostOf(chart)), 1);
+    this.left = 14 + 6.5 * String(Math.floor(most)).length; // for the numbers beside the charts
+    for (const plot of this.plots) this.paintPlot(plot);
+    if (this.plots.length) this.move(this.player.shown);
+  }
+
+  paintPlot({ chart, canvas }) {
+    const { context, width, height } = fitCanvas(canvas);
+    context.clearRect(0, 0, width, height);
+    const most = mostOf(chart);
+    const [top, bottom] = [6, height - 16];
+    const y = (count) => bottom - (count * (bottom - top)) / most;
+    this.paintSpans(context, chart.windows, theme.shade, [top, bottom]);
+    this.paintSpans(context, chart.needed, theme.witness, [top, bottom]);
+    this.paintAxes(context, most, [y, bottom]);
+    this.paintCounts(context, chart.counts, y);
+    context.strokeStyle = theme.good;
+    context.lineWidth = 1.6;
+    context.setLineDash([5, 4]);
+    context.beginPath();
+    context.moveTo(this.x(0), y(chart.bound));
+    context.lineTo(this.x(this.horizon), y(chart.bound));
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  paintSpans(context, spans, colour, [top, bottom]) {
+    context.fillStyle = colour;
+    for (const [first, last] of spans) {
+      const left = this.x(Math.max(0, first - 0.5));
+      context.fillRect(left, top, this.x(Math.min(this.horizon, last + 0.5)) - left, bottom - top);
+    }
+  }
+
+  paintAxes(context, most, [y, bottom]) {
+    context.font = `10.5px ${theme.font}`;
+    context.fillStyle = theme.soft;
+    context.strokeStyle = theme.line;
+    context.lineWidth = 1;
+    context.textBaseline = "middle";
+    context.textAlign = "right";
+    for (let count = 0, every = tickStep(most, 3); count <= most; count += every) {
+      context.fillText(String(count), this.left - 5, y(count));
+      context.beginPath();
+      context.moveTo(this.left, y(count));
+      context.lineTo(this.width - 8, y(count));
+      context.stroke();
+    }
+    context.textAlign = "center";
+    context.textBaseline = "top";
+    for (let step = 0, every = tickStep(this.horizon, 7); step <= this.horizon; step += every) {
+      context.fillText(String(step), this.x(step), bottom + 4);
+    }
+  }
+
+  /* `counts` are [step, count] from each change on. */
+  paintCounts(context, counts, y) {
+    context.strokeStyle = theme.accent;
+    context.lineWidth = 1.8;
+    context.lineJoin = "round";
+    context.beginPath();
+    counts.forEach(([step, count], i) => {
+      const begin = Math.max(0, step - 0.5);
+      const end = i + 1 < counts.length ? counts[i + 1][0] - 0.5 : this.horizon;
+      context.lineTo(this.x(begin), y(count));
+      context.lineTo(this.x(end), y(count));
+    });
+    context.stroke();
+  }
+
+  move(time) {
+    const step = Math.round(time);
+    for (const plot of this.plots) {
+      plot.line.style.transform = `translateX(${this.x(time)}px)`;
+      if (plot.shown === step) continue;
+      plot.shown = step;
+      plot.now.textContent = `${countAt(plot.chart.counts, step)} at step ${step}`;
+    }
+  }
+}
+
+/* The largest number that a chart shows. */
+function mostOf(chart) {
+  return chart.counts.reduce((most, [, count]) => Math.max(most, count), Math.max(1, chart.bound));
+}
+
+function countAt(counts, step) {
+  let found = 0;
+  for (const [from, count] of counts) {
+    if (from > step) break;
+    found = count;
+  }
+  return found;
+}

@@ -1,0 +1,146 @@
+/* The map on the page: ground, the chosen agent's path, agents, pointing and clicking. */
+
+class MapView {
+  constructor(model, choice) {
+    this.model = model;
+    this.choice = choice;
+    this.canvas = document.getElementById("map-canvas");
+    this.tip = document.getElementById("tip");
+    this.ground = new Ground(model);
+    this.crowd = new Crowd(model, this.ground);
+    this.stale = true;
+    this.asked = false;
+    this.camera = new Camera(this.canvas, this.ground.bounds, () => this.refresh());
+    this.canvas.addEventListener("pointermove", (event) => this.point(event));
+    this.canvas.addEventListener("pointerleave", () => { this.tip.hidden = true; });
+    this.canvas.addEventListener("pointerup", (event) => this.click(event));
+    new ResizeObserver(() => this.camera.resized()).observe(this.canvas);
+  }
+
+  /* Paint the ground again with the next frame. */
+  refresh() {
+    this.stale = true;
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => this.paint());
+  }
+
+  paint() {
+    if (!this.camera) return;
+    this.asked = false;
+    const { width, height } = this.camera;
+    const { context } = sizeCanvas(this.canvas, width, height);
+    if (this.stale) {
+      this.stale = false;
+      this.ground.paint(this.camera, this.choice.states);
+    }
+    context.clearRect(0, 0, width, height);
+    context.drawImage(this.ground.canvas, 0, 0, width, height);
+    if (this.choice.mover >= 0) this.paintPath(context, this.choice.mover);
+    this.crowd.paint(context, this.camera, this.choice.mover);
+  }
+
+  /* The path of the chosen agent: what is behind it solid, what is ahead of it dashed. */
+  paintPath(context, mover) {
+    const { model, camera } = this;
+    const place = (stop) => {
+      const state = model.states[model.state[stop]];
+      return [camera.x(state.x), camera.y(state.y)];
+    };
+    this.crowd.locate(camera, mover);
+    const here = [this.crowd.px, this.crowd.py];
+    const now = model.source[mover];
+    const behind = [];
+    const ahead = [here];
+    for (let i = model.begin[mover]; i < model.begin[mover + 1]; i += 1) {
+      (i <= now ? behind : ahead).push(place(i));
+    }
+    behind.push(here);
+    context.lineJoin = "round";
+    context.lineCap = "round";
+    const line = (points, dashes, colour, wide) => {
+      context.setLineDash(dashes);
+      context.beginPath();
+      for (const [x, y] of points) context.lineTo(x, y);
+      context.lineWidth = wide;
+      context.strokeStyle = colour;
+      context.stroke();
+    };
+    const colour = model.classes[model.kind[mover]].color;
+    for (const [points, dashes] of [[ahead, [1, 7]], [behind, []]]) {
+      line(points, dashes, theme.halo, 7);
+      line(points, dashes, colour, 4);
+    }
+    context.setLineDash([]);
+    this.paintTimes(context, mover, place);
+  }
+
+  /* At each state of the path the steps of the stays there. */
+  paintTimes(context, mover, place) {
+    const { model } = this;
+    const words = new Map();
+    for (let i = model.begin[mover]; i < model.begin[mover + 1]; i += 1) {
+      if (model.first[i] > model.horizon) continue;
+      const stay = model.first[i] === model.last[i] ? `${model.first[i]}` : `${model.first[i]}\u2013${model.last[i]}`;
+      const state = model.state[i];
+      words.set(state, { at: i, text: words.has(state) ? `${words.get(state).text}, ${stay}` : stay });
+    }
+    context.font = `600 11px ${theme.font}`;
+    context.textAlign = "center";
+    context.textBaseline = "top";
+    const below = Math.max(12, this.ground.sizes(this.camera).circle + 3);
+    for (const { at, text } of words.values()) {
+      const [x, y] = place(at);
+      haloText(context, fitted(context, text, 120), x, y + below, theme.accent);
+    }
+  }
+
+  point(event) {
+    if (event.buttons) {
+      this.tip.hidden = true;
+      return;
+    }
+    const mover = this.crowd.moverAt(event.offsetX, event.offsetY);
+    const state = mover >= 0 ? -1 : this.under(event);
+    this.canvas.classList.toggle("over", mover >= 0 || state >= 0);
+    this.tip.hidden = mover < 0 && state < 0;
+    if (this.tip.hidden) return;
+    this.tip.textContent = mover >= 0 ? this.aboutMover(mover) : this.aboutState(state);
+    const left = Math.min(event.offsetX + 14, this.camera.width - this.tip.offsetWidth - 6);
+    const top = Math.min(event.offsetY + 14, this.camera.height - this.tip.offsetHeight - 6);
+    this.tip.style.transform = `translate(${Math.max(4, left)}px, ${Math.max(4, top)}px)`;
+  }
+
+  under(event) {
+    const blob = this.crowd.blobAt(event.offsetX, event.offsetY);
+    return blob >= 0 ? blob : this.ground.stateAt(event.offsetX, event.offsetY, this.camera);
+  }
+
+  aboutMover(mover) {
+    const kind = this.model.classes[this.model.kind[mover]];
+    const able = kind.capabilities.length ? `\n${kind.capabilities.join(", ")}` : "";
+    return `${this.model.movers[mover].name}\n${this.model.whereabouts(mover)}${able}`;
+  }
+
+  aboutState(state) {
+    const { name, labels, capacity } = this.model.states[state];
+    const lines = [name, ...(labels.length ? [labels.join(", ")] : [])];
+    for (const [kind, agents] of this.model.staffing(state)) {
+      lines.push(`${agents} ${this.model.classes[kind].name}`);
+    }
+    if (capacity !== null) lines.push(`room for ${capacity}`);
+    return lines.join("\n");
+  }
+
+  click(event) {
+    if (!this.camera.clicked) return;
+    const mover = this.crowd.moverAt(event.offsetX, event.offsetY);
+    if (mover >= 0) {
+      this.choice.chooseMover(mover);
+      return;
+    }
+    const state = this.under(event);
+    if (state >= 0) this.choice.chooseState(state);
+    else this.choice.nothing();
+  }
+}

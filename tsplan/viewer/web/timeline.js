@@ -1,0 +1,178 @@
+/* Who is where when: one row for each mover, coloured as the map is, hatched while travelling.
+   Only the rows that are seen are painted. */
+
+const ROW = 20;
+
+class Timeline {
+  constructor(model, ground, choice, player) {
+    this.model = model;
+    this.colours = ground.colours;
+    this.choice = choice;
+    this.player = player;
+    this.rows = document.getElementById("rows");
+    this.canvas = document.getElementById("rows-canvas");
+    this.axis = document.getElementById("axis-canvas");
+    this.playhead = document.getElementById("playhead");
+    this.asked = false;
+    this.measure();
+    document.getElementById("rows-height").style.height = `${model.movers.length * ROW + 4}px`;
+    this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.movers.length) * ROW + 8)}px`;
+    this.rows.addEventListener("scroll", () => this.refresh());
+    this.follow(this.rows, true);
+    this.follow(this.axis, false);
+    new ResizeObserver(() => this.refresh()).observe(this.rows);
+  }
+
+  measure() {
+    this.whole = this.canvas.clientWidth;
+    this.names = this.whole < 560 ? 84 : 150;
+    this.width = Math.max(1, this.whole - this.names - 14);
+  }
+
+  x(step) { return this.names + (step * this.width) / Math.max(1, this.model.horizon); }
+  step(x) { return ((x - this.names) * Math.max(1, this.model.horizon)) / this.width; }
+
+  /* Press and drag to seek; a press on a row also chooses its mover. */
+  follow(place, choosing) {
+    const seek = (event) => this.player.seek(Math.round(this.step(event.clientX - this.rows.getBoundingClientRect().left)));
+    place.addEventListener("pointerdown", (event) => {
+      if (event.offsetX > this.whole) return; // the scroll bar
+      if (choosing) {
+        const row = Math.floor((event.clientY - this.canvas.getBoundingClientRect().top + this.rows.scrollTop) / ROW);
+        if (row >= 0 && row < this.model.movers.length) this.choice.chooseMover(row);
+      }
+      if (event.clientX - this.rows.getBoundingClientRect().left < this.names) return;
+      this.player.pause();
+      seek(event);
+      place.setPointerCapture(event.pointerId);
+    });
+    place.addEventListener("pointermove", (event) => {
+      if (place.hasPointerCapture(event.pointerId)) seek(event);
+    });
+  }
+
+  refresh() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => this.paint());
+  }
+
+  paint() {
+    this.asked = false;
+    this.measure();
+    this.paintAxis();
+    const { context, width, height } = fitCanvas(this.canvas);
+    context.clearRect(0, 0, width, height);
+    this.hatch = context.createPattern(hatching(), "repeat");
+    this.paintSpans(context, height);
+    const from = Math.floor(this.rows.scrollTop / ROW);
+    const to = Math.min(this.model.movers.length, from + Math.ceil(height / ROW) + 1);
+    for (let m = from; m < to; m += 1) this.paintRow(context, m, m * ROW - this.rows.scrollTop);
+    this.move();
+  }
+
+  paintAxis() {
+    const { context, width, height } = fitCanvas(this.axis);
+    context.clearRect(0, 0, width, height);
+    context.font = `11px ${theme.font}`;
+    context.textAlign = "center";
+    context.textBaseline = "top";
+    context.fillStyle = theme.soft;
+    context.strokeStyle = theme.line;
+    const every = tickStep(this.model.horizon, this.width / 44);
+    for (let step = 0; step <= this.model.horizon; step += every) {
+      context.fillText(String(step), this.x(step), 3);
+      context.beginPath();
+      context.moveTo(this.x(step), 18);
+      context.lineTo(this.x(step), height);
+      context.stroke();
+    }
+  }
+
+  /* The steps at which the chosen part of the formula is needed, behind all rows. */
+  paintSpans(context, height) {
+    const node = this.choice.part;
+    if (!node) return;
+    context.fillStyle = theme.witness;
+    for (const [first, last] of node.needed) {
+      const left = this.x(Math.max(0, first - 0.5));
+      context.fillRect(left, 0, this.x(Math.min(this.model.horizon, last + 0.5)) - left, height);
+    }
+  }
+
+  paintRow(context, m, top) {
+    const { model } = this;
+    const chosen = m === this.choice.mover;
+    if (chosen) {
+      context.fillStyle = theme.shade;
+      context.fillRect(0, top, this.whole, ROW);
+    }
+    const kind = model.classes[model.kind[m]];
+    context.beginPath();
+    MARKS[kind.mark % MARKS.length](context, 13, top + ROW / 2, 5);
+    context.fillStyle = kind.color;
+    context.fill();
+    context.font = `${chosen ? 600 : 400} 12px ${theme.font}`;
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    context.fillStyle = theme.ink;
+    context.fillText(fitted(context, model.movers[m].name, this.names - 30), 24, top + ROW / 2 + 0.5);
+    for (let i = model.begin[m]; i < model.begin[m + 1]; i += 1) this.paintStop(context, m, i, top);
+  }
+
+  paintStop(context, m, i, top) {
+    const { model } = this;
+    const [bar, high] = [top + 3, ROW - 6];
+    if (i > model.begin[m]) {
+      const left = this.x(model.last[i - 1]);
+      const right = this.x(Math.min(model.horizon, model.first[i]));
+      context.fillStyle = this.hatch;
+      context.fillRect(left, bar + 3, right - left, high - 6);
+    }
+    if (model.first[i] > model.horizon) return;
+    const state = model.state[i];
+    const colour = mixed(this.colours[state] || theme.state, theme.paper, 0.42);
+    const left = this.x(model.first[i]) - 1.5;
+    const wide = Math.max(3, this.x(model.last[i]) + 1.5 - left);
+    context.fillStyle = colour;
+    context.fillRect(left, bar, wide, high);
+    context.lineWidth = 1;
+    context.strokeStyle = theme.edge;
+    context.strokeRect(left + 0.5, bar + 0.5, wide - 1, high - 1);
+    if (wide < 26) return;
+    context.font = `11px ${theme.font}`;
+    context.fillStyle = inkOn(colour);
+    context.fillText(fitted(context, model.states[state].name, wide - 8), left + 4, top + ROW / 2 + 0.5);
+  }
+
+  /* The playhead is an element of its own: moving it paints nothing again. */
+  move() {
+    this.playhead.style.transform = `translateX(${this.x(this.model.time)}px)`;
+  }
+
+  /* Scroll a row into sight. */
+  reveal(m) {
+    const top = m * ROW;
+    if (top < this.rows.scrollTop) this.rows.scrollTop = top;
+    else if (top + ROW > this.rows.scrollTop + this.rows.clientHeight) {
+      this.rows.scrollTop = top + ROW - this.rows.clientHeight;
+    }
+  }
+}
+
+/* Slanted lines for time on the way. */
+function hatching() {
+  const tile = document.createElement("canvas");
+  tile.width = 6;
+  tile.height = 6;
+  const context = tile.getContext("2d");
+  context.strokeStyle = theme.hatch;
+  context.lineWidth = 1;
+  context.beginPath();
+  for (const shift of [-6, 0, 6]) {
+    context.moveTo(shift, 6);
+    context.lineTo(shift + 6, 0);
+  }
+  context.stroke();
+  return tile;
+}

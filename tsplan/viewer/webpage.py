@@ -1,0 +1,92 @@
+"""The viewer as one file: the page, its style, its script and the plan's data, all inside it.
+
+Whatever names a mission uses, they are data: they stand in a block that no browser runs, with
+every character escaped that could end it, and the script only ever sets them as text. A content
+security policy names the page's own style and script by their digests, so that nothing else runs
+and nothing is loaded.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from base64 import b64encode
+from functools import cache
+from hashlib import sha256
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from tsplan.viewer.data import page_data
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
+
+_SCRIPTS = (
+    "paint",
+    "model",
+    "player",
+    "camera",
+    "map",
+    "crowd",
+    "mapview",
+    "timeline",
+    "formula",
+    "chart",
+    "agents",
+    "main",
+)
+_SLOT = re.compile(r"\{\{(\w+)\}\}")
+_UNSAFE = {ord(mark): f"\\u{ord(mark):04x}" for mark in "<>&\u2028\u2029"}
+
+
+def page(mission: Mission, plan: Plan) -> str:
+    """The whole page as HTML text.
+
+    Raises PlanError for a plan without paths or one that does not fit the mission's map.
+    """
+    style, script = _source("viewer.css"), _program()
+    parts = {
+        "policy": _policy(style, script),
+        "style": style,
+        "script": script,
+        "data": embedded(page_data(mission, plan)),
+    }
+    # in one pass, so that nothing in a part is taken for a slot
+    return _SLOT.sub(lambda match: parts[match[1]], _source("page.html"))
+
+
+def embedded(data: Mapping[str, object]) -> str:
+    r"""JSON that can stand inside a script element: no character of it can end the element.
+
+    >>> embedded({"name": "</script>"})
+    '{"name":"\\u003c/script\\u003e"}'
+    """
+    text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return text.translate(_UNSAFE)
+
+
+@cache
+def _source(name: str) -> str:
+    return (files("tsplan.viewer") / "web" / name).read_text(encoding="utf-8")
+
+
+@cache
+def _program() -> str:
+    """The modules one after the other, in a scope of their own."""
+    modules = "\n".join(_source(f"{name}.js") for name in _SCRIPTS)
+    return f'(() => {{\n"use strict";\n{modules}\n}})();'
+
+
+def _policy(style: str, script: str) -> str:
+    """Nothing but this style and this script; pictures only from the page itself."""
+    return (
+        f"default-src 'none'; script-src '{_digest(script)}'; style-src '{_digest(style)}'; "
+        "img-src data:; base-uri 'none'; form-action 'none'"
+    )
+
+
+def _digest(text: str) -> str:
+    return f"sha256-{b64encode(sha256(text.encode()).digest()).decode()}"
