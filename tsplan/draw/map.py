@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from tsplan.draw.canvas import (
@@ -24,7 +25,7 @@ from tsplan.draw.canvas import (
     set_title,
 )
 from tsplan.draw.layout import Places, places, spacing
-from tsplan.draw.palette import Paint, Palette
+from tsplan.draw.palette import Palette
 from tsplan.draw.room import Box, Frame, Point, Room, frame_of
 from tsplan.draw.signs import Sign, signs
 
@@ -38,12 +39,10 @@ WIDTH = 7.0
 
 _LOWEST, _HIGHEST, _TITLE = 2.2, 8.0, 0.35  # inches
 _DOT = 5.0  # points across a state's dot
-_BADGE = 11.0  # points across a start's badge
-_APART = _BADGE + 2  # points from badge to badge
-_DENSE = 400  # states above which edges and dots are drawn as thin as can be
+_DENSE = 14.0  # points from state to state below which everything is drawn as thin as can be
 _MOST_LABELS = 24  # labels that a legend can list
+_SLIM = 0.42  # half the width of an arrow head, of its length
 _BORDER = "#b0b0b0"
-_WHITE = Paint(WHITE)
 
 
 @dataclass(frozen=True)
@@ -59,10 +58,10 @@ class Scene:
     room: Room
     signs: Mapping[str, Sign]
 
-    @property
+    @cached_property
     def dense(self) -> bool:
-        """Whether there are so many states that everything is drawn thin."""
-        return len(self.system.states) > _DENSE
+        """Whether states are so close together that everything is drawn thin."""
+        return len(self.where) > 1 and spacing(self.where) * self.frame.scale < _DENSE
 
     def write(self, text: str, centre: Point, size: float, **style: Any) -> None:
         """Write a text around a point of the page."""
@@ -92,6 +91,8 @@ def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:
 
 def draw_mission(mission: Mission, ax: Any = None) -> Picture:
     """The map with how many robots of each class start where."""
+    from tsplan.draw.starts import class_entries, draw_starts  # noqa: PLC0415  (imports this)
+
     palette = Palette.of(mission)
     scene = base(palette, ax, class_entries(mission, palette))
     draw_starts(scene, mission, palette.classes)
@@ -138,106 +139,19 @@ def finish(scene: Scene, used: Collection[tuple[str, str]] = ()) -> None:
             continue
         begin, end = scene.frame.at(scene.where[source]), scene.frame.at(scene.where[target])
         centres = [_between(begin, end, share) for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
-        if found := scene.room.place(text or "1", SMALL, centres):
-            scene.write(text or "1", found, SMALL, color="#666666", bbox=halo(), zorder=5)
+        if found := scene.room.place(text, SMALL, centres):
+            scene.write(text, found, SMALL, color="#666666", bbox=halo(), zorder=5)
 
 
 def duration_words(there: Duration, back: Duration) -> str:
-    """A duration as it is written on an edge; nothing for 1, a range where classes differ.
+    """A duration as it is written on an edge: one number, or a range where classes or ways differ.
 
-    >>> duration_words(2, 2), duration_words(1, 3), duration_words({"a": 1, "default": 3}, 3)
-    ('2', '1/3', '1-3/3')
+    >>> duration_words(2, 2), duration_words(1, 3), duration_words({"a": 1, "default": 2}, 2)
+    ('2', '1-3', '1-2')
     """
-    one, other = (
-        _range(min(d.values()), max(d.values())) if isinstance(d, Mapping) else _range(d, d)
-        for d in (there, back)
-    )
-    if one == other:
-        return "" if one == "1" else one
-    return f"{one}/{other}"
-
-
-def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
-    """A legend of the classes: how many robots each has, and what they can do."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
-
-    counts: dict[str, int] = {}
-    able: dict[str, dict[str, None]] = {}
-    for group in mission.team:
-        counts[group.class_name] = counts.get(group.class_name, 0) + group.count
-        able.setdefault(group.class_name, {}).update(dict.fromkeys(sorted(group.capabilities)))
-    return [
-        Entry(
-            Line2D(
-                [],
-                [],
-                linestyle="none",
-                marker="o",
-                markersize=8,
-                markeredgecolor=DARK,
-                markeredgewidth=0.6,
-                color=palette.classes[name].colour,
-            ),
-            f"{count:,} {name}" + (f" ({', '.join(able[name])})" if able[name] else ""),
-        )
-        for name, count in counts.items()
-    ]
-
-
-def draw_starts(scene: Scene, mission: Mission, paints: Mapping[str, Paint]) -> None:
-    """A badge with the number of robots of each class at each state where some start.
-
-    `paints` has the colours of the classes; those without one are white.
-    """
-    starts: dict[str, dict[str, int]] = {}
-    for group in mission.team:
-        for state, count in group.starts:
-            there = starts.setdefault(state, {})
-            there[group.class_name] = there.get(group.class_name, 0) + count
-    for state, there in starts.items():
-        shown = [(name, count) for name, count in there.items() if count]
-        x, y = _badges_at(scene, state, len(shown))
-        for place, (name, count) in enumerate(shown):
-            left = x + (place - (len(shown) - 1) / 2) * _APART
-            _badge(scene, (left, y), count, paints.get(name, _WHITE))
-
-
-def _badges_at(scene: Scene, state: str, number: int) -> Point:
-    """The centre of a row of badges: below a state's sign, above, beside it, or on the state."""
-    x, y = scene.frame.at(scene.where[state])
-    sign = scene.signs[state]
-    if not sign.parts:
-        return x, y
-    across, up = number * _APART / 2, _BADGE / 2 + 1
-    below, above = sign.box.bottom - up, sign.box.top + up
-    right, left = sign.box.right + across + 1, sign.box.left - across - 1
-    for centre in ((x, below), (x, above), (right, sign.centre[1]), (left, sign.centre[1])):
-        row = Box(centre[0] - across, centre[1] - up, centre[0] + across, centre[1] + up)
-        if scene.room.free(row):
-            return centre
-    return x, below
-
-
-def _badge(scene: Scene, centre: Point, count: int, paint: Paint) -> None:
-    """A disc with a number; its outline tells it from everything else on the map."""
-    text = f"{count}" if count < 1000 else f"{count / 1000:.3g}k"  # noqa: PLR2004  (three digits fit)
-    size = SMALL if len(text) < 3 else SMALL * 2.4 / len(text)  # noqa: PLR2004  (as above)
-    x, y = scene.frame.back(centre)
-    scene.ax.plot(
-        [x],
-        [y],
-        marker="o",
-        markersize=_BADGE,
-        color=paint.colour,
-        markeredgecolor=DARK,
-        markeredgewidth=0.7,
-        zorder=7,
-        clip_on=False,
-        gid="start",
-    )
-    scene.write(text, centre, size, color=paint.ink, zorder=8, weight="bold")
-    half = _BADGE / 2 + 0.5
-    scene.room.take(Box(centre[0] - half, centre[1] - half, centre[0] + half, centre[1] + half))
+    every = [n for d in (there, back) for n in (d.values() if isinstance(d, Mapping) else (d,))]
+    least, most = min(every), max(every)
+    return str(least) if least == most else f"{least}-{most}"
 
 
 def _box(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:
@@ -268,17 +182,17 @@ def _unmarked(system: TransitionSystem) -> list[Entry]:
     from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
 
     usual = usual_duration(system)
-    if not usual:
+    if usual == "1":
         return []
-    who = " by class" if "-" in usual else ""
-    words = f"{usual} steps{who} if not marked"
+    words = f"{usual} steps if not marked"
     return [Entry(Line2D([], [], color=LINE, linewidth=0.9), words)]
 
 
 def usual_duration(system: TransitionSystem) -> str:
-    """The words of the most frequent duration; they are not repeated on every edge."""
+    """The words of the duration of most edges, which are not repeated on each; else one step."""
     words = Counter(words for _, words in _durations(system))
-    return words.most_common(1)[0][0] if words else ""
+    most, number = words.most_common(1)[0] if words else ("1", 1)
+    return most if 2 * number > words.total() else "1"
 
 
 def _durations(system: TransitionSystem) -> Iterator[tuple[tuple[str, str], str]]:
@@ -328,21 +242,33 @@ def _draw_edges(scene: Scene) -> None:
     scene.ax.add_collection(LineCollection(both, gid="edges", **style), autolim=False)
     scene.ax.add_collection(LineCollection(single, gid="one-way edges", **style), autolim=False)
     if not scene.dense:
-        for begin, end in single:
-            arrow_head(scene, (begin, end), 0.62, LINE, 5.0)
+        arrow_heads(scene, single, 0.62, (LINE, 4.5))
 
 
-def arrow_head(
-    scene: Scene, line: tuple[Point, Point], share: float, colour: str, size: float
+def arrow_heads(
+    scene: Scene,
+    lines: Sequence[tuple[Point, Point]],
+    share: float,
+    look: tuple[str, float],
 ) -> None:
-    """A small triangle on a line that points to its end."""
-    (x0, y0), (x1, y1) = line
-    turn = math.degrees(math.atan2(y1 - y0, x1 - x0))
-    x, y = _between(line[0], line[1], share)
-    scene.ax.plot(
-        [x], [y], marker=(3, 0, turn - 90), markersize=size, color=colour, linestyle="none",
-        markeredgewidth=0, zorder=4,
-    )  # fmt: skip
+    """Small triangles at a share of each line that point to its end; a colour and points long."""
+    from matplotlib.collections import PolyCollection  # noqa: PLC0415  (an extra)
+
+    colour, size = look
+    triangles = []
+    for begin, end in lines:
+        (x0, y0), (x1, y1) = scene.frame.at(begin), scene.frame.at(end)
+        length = math.hypot(x1 - x0, y1 - y0) or 1.0
+        right, up = (x1 - x0) / length * size, (y1 - y0) / length * size
+        x, y = _between((x0, y0), (x1, y1), share)
+        corners = (
+            (x + right / 2, y + up / 2),
+            (x - right / 2 - up * _SLIM, y - up / 2 + right * _SLIM),
+            (x - right / 2 + up * _SLIM, y - up / 2 - right * _SLIM),
+        )
+        triangles.append([scene.frame.back(corner) for corner in corners])
+    heads = PolyCollection(triangles, facecolors=colour, linewidths=0, zorder=4, gid="heads")
+    scene.ax.add_collection(heads, autolim=False)
 
 
 def _draw_dots(scene: Scene) -> None:
@@ -376,10 +302,6 @@ def _draw_signs(scene: Scene) -> None:
             scene.write(text, centre, size, bbox=halo(ground), **style)
         if sign.parts:
             scene.room.take(sign.box)
-
-
-def _range(least: int, most: int) -> str:
-    return str(least) if least == most else f"{least}-{most}"
 
 
 def _between(begin: Point, end: Point, share: float) -> Point:

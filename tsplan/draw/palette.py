@@ -11,7 +11,7 @@ physiologically-based model for simulation of color vision deficiency", IEEE TVC
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
@@ -83,22 +83,25 @@ GOOD, BAD = "#1f6f50", "#b3261e"
 """What holds and what fails; always together with a sign or a word, never by colour alone."""
 
 
-def paints(names: Iterable[str]) -> Mapping[str, Paint]:
-    """A paint for every name, in their order; the same names always get the same ones.
+def paints(names: Iterable[str], hues: Sequence[str] = HUES) -> Mapping[str, Paint]:
+    """A paint for every name, in the order of names and hues; the same names get the same ones.
 
     >>> paints(["scout", "heavy"])["heavy"]
     Paint(colour='#ed6915', hatch='')
     """
     given = {}
     for number, name in enumerate(dict.fromkeys(names)):
-        turn, place = divmod(number, len(HUES))
-        given[name] = Paint(HUES[place], HATCHES[turn % len(HATCHES)])
+        turn, place = divmod(number, len(hues))
+        given[name] = Paint(hues[place], HATCHES[turn % len(HATCHES)])
     return MappingProxyType(given)
 
 
 @dataclass(frozen=True)
 class Palette:
     """All paints of one map and team.
+
+    Labels take the hues from the other end than classes and capabilities, so that few of each
+    never look alike.
 
     Labels, classes and capabilities are painted in the order in which the map and the team name
     them. A state has the colour that the map gives it, or that one of its labels names; else its
@@ -137,16 +140,17 @@ class Palette:
             for name, state in reversed(tuple(self.system.states.items()))
             if len(state.labels) == 1
         }
-        return MappingProxyType(dict(paints(self.system.labels)) | alone)
+        return MappingProxyType(dict(paints(self.system.labels, HUES[::-1])) | alone)
 
     @cached_property
     def states(self) -> Mapping[str, Paint]:
         """A paint for each state."""
-        by_labels = paints(
+        kinds = (
             ", ".join(sorted(state.labels))
             for name, state in self.system.states.items()
             if state.labels and name not in self._own
         )
+        by_labels = paints(kinds, HUES[::-1])
         return MappingProxyType(
             {
                 name: self._own.get(name) or by_labels.get(", ".join(sorted(state.labels)), PLAIN)

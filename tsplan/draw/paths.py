@@ -13,12 +13,13 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from tsplan.draw.canvas import DARK, TINY, WHITE, Entry, Picture, set_title
+from tsplan.draw.canvas import DARK, TINY, WHITE, Entry, Picture, set_title, text_size
 from tsplan.draw.colours import lightness, mixed
-from tsplan.draw.map import Scene, arrow_head, base, draw_starts, finish
+from tsplan.draw.map import Scene, arrow_heads, base, finish
 from tsplan.draw.palette import HUES, STROKES, Paint, Palette, paints
 from tsplan.draw.room import Box, Point
 from tsplan.draw.signs import Sign
+from tsplan.draw.starts import draw_starts
 from tsplan.results.fitting import refuse_misfit
 from tsplan.results.summary import names
 
@@ -35,6 +36,7 @@ _CLEAR = 4.0  # points that lanes keep from the middle of a state without a name
 _MOST_MARKS = 60  # passages up to which every arrival is marked
 _STEPS = 3  # steps that are written at one passage
 _LIGHT = 72.0  # lightness from which a lane needs a border
+_THIN = 0.6  # of a lane's width where states are close together
 _HEAD = 4.5  # points of an arrow head
 _TEXT = TINY + 0.8
 
@@ -68,21 +70,24 @@ def draw_paths(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     """
     refuse_misfit(plan, mission)
     palette = Palette.of(mission)
-    strands = strands_of(plan, palette)
-    scene = base(palette, ax, _entries(plan, strands))
-    draw_starts(scene, mission, {})
+    strands, joined = strands_of(plan, palette)
+    scene = base(palette, ax, _entries(plan, strands, joined=joined))
+    draw_starts(scene, mission, palette.classes if joined else {})
     lanes = lanes_of(strands)
     for number, strand in enumerate(strands):
-        for pair, passage in strand.passages.items():
-            _draw_lane(scene, strand, (pair, passage), _shift(lanes[pair], number))
-    _mark_arrivals(scene, strands, lanes)
+        _draw_strand(scene, strand, [_shift(lanes[pair], number) for pair in strand.passages])
+    if not joined and not scene.dense:
+        _mark_arrivals(scene, strands, lanes)
     finish(scene, lanes)
     set_title(scene.ax, f"{plan.mission.name or mission.name}: paths")
     return scene.figure, scene.ax
 
 
-def strands_of(plan: Plan, palette: Palette) -> tuple[Strand, ...]:
-    """The lines to draw: one for each path that leaves its start, or one for each class."""
+def strands_of(plan: Plan, palette: Palette) -> tuple[tuple[Strand, ...], bool]:
+    """The lines to draw, one for each path that leaves its start or, joined, for each class.
+
+    The second value says whether they are joined.
+    """
     moving = [bundle for bundle in plan.bundles if any(_moves(bundle))]
     if len(moving) <= MOST_PATHS:
         given = paints(str(number) for number in range(len(moving)))
@@ -94,7 +99,7 @@ def strands_of(plan: Plan, palette: Palette) -> tuple[Strand, ...]:
                 _passages([bundle]),
             )
             for number, bundle in enumerate(moving)
-        )
+        ), False
     by_class: dict[str, list[Bundle]] = {}
     for bundle in moving:
         by_class.setdefault(bundle.class_name, []).append(bundle)
@@ -106,7 +111,7 @@ def strands_of(plan: Plan, palette: Palette) -> tuple[Strand, ...]:
             _passages(group),
         )
         for name, group in by_class.items()
-    )
+    ), True
 
 
 def lanes_of(strands: Sequence[Strand]) -> Mapping[Pair, tuple[int, ...]]:
@@ -153,8 +158,9 @@ def _ends(scene: Scene, pair: Pair, shift: float) -> tuple[Point, Point]:
     length = math.hypot(x1 - x0, y1 - y0) or 1.0
     along = ((x1 - x0) / length, (y1 - y0) / length)
     right, up = along[1] * shift, -along[0] * shift
-    begin = min(_clearance(scene.signs[pair[0]], (x0, y0), along), 0.4 * length)
-    end = min(_clearance(scene.signs[pair[1]], (x1, y1), (-along[0], -along[1])), 0.4 * length)
+    most = 0.0 if scene.dense else 0.4 * length
+    begin = min(_clearance(scene.signs[pair[0]], (x0, y0), along), most)
+    end = min(_clearance(scene.signs[pair[1]], (x1, y1), (-along[0], -along[1])), most)
     return (
         (x0 + along[0] * begin + right, y0 + along[1] * begin + up),
         (x1 - along[0] * end + right, y1 - along[1] * end + up),
@@ -171,45 +177,50 @@ def _clearance(sign: Sign, centre: Point, along: Point) -> float:
     return min(across, upward) + 1.5
 
 
-def _draw_lane(scene: Scene, strand: Strand, use: tuple[Pair, Passage], shift: float) -> None:
-    pair, passage = use
-    begin, end = (scene.frame.back(point) for point in _ends(scene, pair, shift))
-    thin = 0.35 if scene.dense else 1.0
-    width = thin * (1.2 + 0.8 * math.log10(passage.agents))
-    scene.ax.plot(
-        [begin[0], end[0]],
-        [begin[1], end[1]],
-        color=strand.paint.colour,
-        linestyle=strand.paint.stroke,
-        linewidth=width,
-        solid_capstyle="butt",
-        path_effects=_casing(strand.paint, width),
-        zorder=4,
-        gid=f"path:{strand.words}",
-    )
+def _draw_strand(scene: Scene, strand: Strand, shifts: Sequence[float]) -> None:
+    """All lanes of a strand, and their arrow heads."""
+    from matplotlib.collections import LineCollection  # noqa: PLC0415  (an extra)
+
+    lines = []
+    for pair, shift in zip(strand.passages, shifts, strict=True):
+        begin, end = _ends(scene, pair, shift)
+        lines.append((scene.frame.back(begin), scene.frame.back(end)))
+    thin = _THIN if scene.dense else 1.0
+    widths = [thin * _width(passage.agents) for passage in strand.passages.values()]
+    for colour, more, layer in _layers(strand.paint):
+        lanes = LineCollection(
+            lines,
+            colors=colour,
+            linestyles=strand.paint.stroke,
+            linewidths=[width + more for width in widths],
+            zorder=layer,
+            gid=f"path:{strand.words}",
+        )
+        scene.ax.add_collection(lanes, autolim=False)
     if not scene.dense:
-        arrow_head(scene, (begin, end), 0.93, strand.paint.colour, _HEAD)
+        arrow_heads(scene, lines, 0.93, (strand.paint.colour, _HEAD))
 
 
-def _casing(paint: Paint, width: float) -> list[Any]:
-    """A thin dark border for light colours, which would drown in pale shapes."""
-    from matplotlib.patheffects import Normal, Stroke  # noqa: PLC0415  (an extra)
+def _width(agents: int) -> float:
+    """Points of a lane with so many agents."""
+    return 1.2 + 0.8 * math.log10(agents)
 
-    if lightness(paint.colour) < _LIGHT:
-        return []
-    return [Stroke(linewidth=width + 0.6, foreground="#808080"), Normal()]
+
+def _layers(paint: Paint) -> list[tuple[str, float, float]]:
+    """Colour, extra width and layer of what is drawn for a lane.
+
+    Light colours have a thin grey border, or they would drown in pale shapes.
+    """
+    border = [("#808080", 0.6, 3.9)] if lightness(paint.colour) >= _LIGHT else []
+    return [*border, (paint.colour, 0.0, 4.0)]
 
 
 def _mark_arrivals(
     scene: Scene, strands: Sequence[Strand], lanes: Mapping[Pair, tuple[int, ...]]
 ) -> None:
     """The steps of arrival beside the lanes, where there is room."""
-    if scene.dense or any(
-        strand.paint == scene.palette.classes.get(strand.words) for strand in strands
-    ):
-        return
     every = sum(len(strand.passages) for strand in strands) <= _MOST_MARKS
-    for number, strand in enumerate(strands):
+    for strand in strands:
         colour = mixed(strand.paint.colour, "#000000", 0.35)
         for pair, passage in strand.passages.items():
             steps = passage.arrivals if every else passage.resting
@@ -217,22 +228,25 @@ def _mark_arrivals(
                 continue
             text = ",".join(str(step) for step in sorted(set(steps))[:_STEPS])
             text += "\u2026" if len(set(steps)) > _STEPS else ""
-            spots = _beside(
-                scene, pair, _shift(lanes[pair], number), _shift(lanes[pair], lanes[pair][-1])
-            )
+            spots = _beside(scene, pair, _shift(lanes[pair], lanes[pair][-1]), text)
             if found := scene.room.place(text, _TEXT, spots):
                 scene.write(text, found, _TEXT, color=colour, zorder=5, gid="arrival")
 
 
-def _beside(scene: Scene, pair: Pair, own: float, outermost: float) -> Iterator[Point]:
+def _beside(scene: Scene, pair: Pair, outermost: float, text: str) -> Iterator[Point]:
     """Places for a mark: outside all lanes of the way, nearest to the arrival first."""
-    for shift in (outermost + 5.0, outermost + 9.0):
-        begin, end = _ends(scene, pair, shift)
+    (x0, y0), (x1, y1) = (scene.frame.at(scene.where[name]) for name in pair)
+    length = math.hypot(x1 - x0, y1 - y0) or 1.0
+    width, height = text_size(text, _TEXT)
+    # half of the text, seen across the way
+    reach = (width * abs(y1 - y0) + height * abs(x1 - x0)) / length / 2
+    for more in (1.0, 5.0):
+        begin, end = _ends(scene, pair, outermost + reach + more)
         for share in (0.8, 0.65, 0.5, 0.35, 0.2):
             yield (begin[0] + (end[0] - begin[0]) * share, begin[1] + (end[1] - begin[1]) * share)
 
 
-def _entries(plan: Plan, strands: Sequence[Strand]) -> list[Entry]:
+def _entries(plan: Plan, strands: Sequence[Strand], *, joined: bool) -> list[Entry]:
     """The legend: each strand, the agents that never move, and what the numbers are."""
     from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
 
@@ -240,7 +254,7 @@ def _entries(plan: Plan, strands: Sequence[Strand]) -> list[Entry]:
         Entry(
             Line2D(
                 [], [], color=s.paint.colour, linestyle=s.paint.stroke,
-                linewidth=1.2 + 0.8 * math.log10(s.agents),
+                linewidth=_width(s.agents),
             ),
             s.words,
         )
@@ -255,5 +269,6 @@ def _entries(plan: Plan, strands: Sequence[Strand]) -> list[Entry]:
         never = "never moves" if idle == 1 else "never move"
         shown.append(Entry(Line2D([], [], linestyle="none"), f"{idle:,} {never}"))
     if strands:
-        shown.append(Entry(Line2D([], [], linestyle="none"), "numbers: steps of arrival"))
+        what = "the more agents, the wider" if joined else "numbers: steps of arrival"
+        shown.append(Entry(Line2D([], [], linestyle="none"), what))
     return shown

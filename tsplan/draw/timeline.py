@@ -196,7 +196,7 @@ def _draw_rows(ax: Any, rows: Sequence[Row], keys: dict[str, Key], horizon: int)
     across, tall = extent.width * points / (horizon + 1), extent.height * points / len(rows)
     size = min(SMALL, 0.75 * tall)
     for place, row in enumerate(rows):
-        for first, last in _ways(row.bundle, horizon):
+        for first, last in ways(row.bundle, horizon):
             _bar(ax, place, (first, last), TRAVEL, "on the way")
         for first, last, state in row.bundle.stays:
             _bar(ax, place, (first, last), keys[state].paint, state)
@@ -218,7 +218,7 @@ def _bar(ax: Any, place: int, steps: tuple[float, float], paint: Paint, meaning:
     )
 
 
-def _ways(bundle: Bundle, horizon: int) -> Iterator[tuple[int, int]]:
+def ways(bundle: Bundle, horizon: int) -> Iterator[tuple[int, int]]:
     """The steps, first and last, at which a path is on the way."""
     for (_, left, _), (arrived, _, _) in pairwise(bundle.stays):
         if arrived > left + 1:
@@ -279,7 +279,7 @@ def _entries(plan: Plan, keys: dict[str, Key]) -> list[Entry]:
     shown = [Entry(Patch(**_framed(key.paint)), key.words) for key in listed[:_MOST_ENTRIES]]
     if len(listed) > _MOST_ENTRIES:
         shown.append(Entry(Patch(alpha=0), f"and {len(listed) - _MOST_ENTRIES} more"))
-    if any(True for bundle in plan.bundles for _ in _ways(bundle, plan.horizon)):
+    if any(True for bundle in plan.bundles for _ in ways(bundle, plan.horizon)):
         shown.append(Entry(Patch(**_framed(TRAVEL)), "on the way"))
     return shown
 

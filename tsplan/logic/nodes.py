@@ -105,6 +105,16 @@ class Formula(metaclass=Interned):
 
         return f"<{type(self).__name__}: {text_of(self, _SHOWN)}>"
 
+    def _repr_svg_(self) -> str:
+        """The formula as a tree, as notebooks show it."""
+        from tsplan.draw.notebook import formula_svg  # noqa: PLC0415  (for notebooks only)
+
+        return formula_svg(self)
+
+    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
+        """The formula in every form a notebook may ask for."""
+        return {"text/plain": repr(self), "image/svg+xml": self._repr_svg_()}
+
     def __copy__(self) -> Formula:
         return self
 

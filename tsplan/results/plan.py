@@ -330,6 +330,17 @@ class Plan:
 
         return simulate(mission, self, runs=runs, seed=seed)
 
+    def _repr_html_(self) -> str:
+        """The plan as notebooks show it: what is known, and who is where when."""
+        from tsplan.draw.notebook import plan_html  # noqa: PLC0415  (for notebooks only)
+
+        return plan_html(self)
+
+    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
+        """The plan in every form a notebook may ask for."""
+        words = f"<Plan of {self.mission.name!r}: {self.status}, {len(self.agents)} agents>"
+        return {"text/plain": words, "text/html": self._repr_html_()}
+
     def to_json(self) -> str:
         """The plan as a `tsplan-plan/1` document, one agent a line."""
         from tsplan.results.planfile import plan_to_json  # noqa: PLC0415  (imports this module)

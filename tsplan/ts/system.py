@@ -161,6 +161,16 @@ class TransitionSystem:
 
         return draw_map(self, ax)
 
+    def _repr_svg_(self) -> str:
+        """The map as notebooks show it."""
+        from tsplan.draw.notebook import map_svg  # noqa: PLC0415  (for notebooks only)
+
+        return map_svg(self)
+
+    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
+        """The map in every form a notebook may ask for."""
+        return {"text/plain": repr(self), "image/svg+xml": self._repr_svg_()}
+
     @cached_property
     def _leaving(self) -> Mapping[str, tuple[Edge, ...]]:
         found: dict[str, list[Edge]] = {}

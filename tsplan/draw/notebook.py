@@ -1,0 +1,239 @@
+"""How maps, formulas and plans show themselves in a notebook."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import TYPE_CHECKING
+
+from tsplan.draw import svg
+from tsplan.draw.layout import Places, places
+from tsplan.draw.palette import HUES, Paint, Palette
+from tsplan.draw.timeline import Row, keys_of, rows_of, ways
+from tsplan.results.evidencetext import operator_text
+from tsplan.results.summary import names, objective_line, outcome
+
+if TYPE_CHECKING:
+    from tsplan.logic.nodes import Formula
+    from tsplan.results.plan import Plan
+    from tsplan.ts import TransitionSystem
+
+MOST_STATES = 3000
+"""States of a map that is drawn; a larger one shows only its size."""
+
+MOST_NODES = 150
+"""Nodes of a formula that are drawn."""
+
+MOST_ROWS = 40
+"""Rows of a plan's timeline."""
+
+_WIDTH = 640.0
+_HIGHEST = 640.0
+_MARGIN = 14.0
+_LABELLED = 150  # states up to which names are written
+_ROW = 18.0
+_INDENT = 18.0
+_DEEPEST = 25  # levels of a formula that are indented
+_SMALL = 9.0
+
+
+def map_svg(system: TransitionSystem) -> str:
+    """A map: shapes, edges, states, and names where they fit."""
+    title = f"{system.name or 'map'}: {len(system.states):,} states, {len(system.edges):,} edges"
+    if len(system.states) > MOST_STATES:
+        return svg.picture([svg.text(title, 8, 18)], svg.width_of(title) + 16, 28, title)
+    sheet = _Sheet(system)
+    parts = [*_shapes(sheet), _edges(sheet), *_dots(sheet), *_names(sheet)]
+    return svg.picture(parts, sheet.width, sheet.height, title)
+
+
+class _Sheet:
+    """A map fitted into a picture; upwards is upwards."""
+
+    def __init__(self, system: TransitionSystem) -> None:
+        self.system = system
+        self.where: Places = places(system)
+        self.paints = Palette(system).states
+        corners = [point for state in system.states.values() for point in state.shape or ()]
+        points = [*self.where.values(), *corners]
+        self._left = min(x for x, _ in points)
+        self._top = max(y for _, y in points)
+        across = max(x for x, _ in points) - self._left
+        up = self._top - min(y for _, y in points)
+        free = (_WIDTH - 2 * _MARGIN, _HIGHEST - 2 * _MARGIN)
+        self._scale = min(free[0] / (across or 1.0), free[1] / (up or 1.0)) if across or up else 1.0
+        self.width = max(across * self._scale + 2 * _MARGIN, 160.0)
+        self.height = up * self._scale + 2 * _MARGIN + _SMALL
+
+    def at(self, point: tuple[float, float]) -> tuple[float, float]:
+        """A point of the map in pixels."""
+        x, y = point
+        return _MARGIN + (x - self._left) * self._scale, _MARGIN + (self._top - y) * self._scale
+
+    def line(self, points: list[tuple[float, float]]) -> str:
+        """The path through some points of the map."""
+        return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in map(self.at, points))
+
+
+def _shapes(sheet: _Sheet) -> list[str]:
+    """All shapes of one colour as one path."""
+    by_paint: dict[Paint, list[str]] = defaultdict(list)
+    for name, state in sheet.system.states.items():
+        if state.shape:
+            by_paint[sheet.paints[name]].append(sheet.line(list(state.shape)) + "Z")
+    return [
+        svg.element("path", d="".join(paths), fill=paint.pale, stroke="#b0b0b0", stroke_width=0.7)
+        for paint, paths in by_paint.items()
+    ]
+
+
+def _edges(sheet: _Sheet) -> str:
+    lines = [
+        sheet.line([sheet.where[source], sheet.where[target]])
+        for source, target in sheet.system.edges
+        if source < target or (source != target and (target, source) not in sheet.system.edges)
+    ]
+    width = 0.8 if len(sheet.system.states) <= _LABELLED else 0.4
+    return svg.element("path", d="".join(lines), stroke="#8c8c8c", stroke_width=width, fill="none")
+
+
+def _dots(sheet: _Sheet) -> list[str]:
+    radius = 3.5 if len(sheet.system.states) <= _LABELLED else 1.5
+    border = {"stroke": "#333333", "stroke_width": 0.5}
+    return [
+        svg.element("circle", cx=x, cy=y, r=radius, fill=sheet.paints[name].colour, **border)
+        for name, state in sheet.system.states.items()
+        if not state.shape
+        for x, y in [sheet.at(sheet.where[name])]
+    ]
+
+
+def _names(sheet: _Sheet) -> list[str]:
+    """Names, below the dots or in the shapes, each where it hides no other."""
+    if len(sheet.system.states) > _LABELLED:
+        return []
+    taken: list[tuple[float, float, float, float]] = []
+    found = []
+    for name, state in sheet.system.states.items():
+        x, y = sheet.at(sheet.where[name])
+        y += _SMALL / 3 if state.shape else _SMALL + 3.5
+        half = svg.width_of(name, _SMALL) / 2
+        box = (x - half, y - _SMALL, x + half, y + 2)
+        free = all(
+            box[0] >= o[2] or o[0] >= box[2] or box[1] >= o[3] or o[1] >= box[3] for o in taken
+        )
+        if free and box[0] >= 0 and box[2] <= sheet.width:
+            taken.append(box)
+            halo = {"paint_order": "stroke", "stroke": "#ffffff", "stroke_width": 2}
+            found.append(svg.text(name, x, y, _SMALL, text_anchor="middle", **halo))
+    return found
+
+
+def formula_svg(formula: Formula) -> str:
+    """A formula as a tree: one node a line, each below the one it belongs to."""
+    rows: list[tuple[int, str, int]] = []  # level, words, row of the parent
+    waiting = [(formula, 0, 0)]
+    while waiting and len(rows) < MOST_NODES:
+        node, level, parent = waiting.pop()
+        rows.append((min(level, _DEEPEST), operator_text(node), parent))
+        here = len(rows) - 1
+        waiting += [(child, level + 1, here) for child in reversed(node.children)]
+    if waiting:
+        rows.append((0, "... and more", len(rows)))
+    parts = []
+    for place, (level, content, parent) in enumerate(rows):
+        x, y = 10 + level * _INDENT, place * _ROW + 14
+        if level:
+            above = 10 + rows[parent][0] * _INDENT, parent * _ROW + 14
+            parts.append(_branch(above, (x, y)))
+        parts.append(
+            svg.element("circle", cx=x, cy=y, r=3.2, fill=HUES[0] if level % 2 == 0 else HUES[1])
+        )
+        parts.append(svg.text(content, x + 8, y + 4))
+    width = max(10 + level * _INDENT + 20 + svg.width_of(content) for level, content, _ in rows)
+    return svg.picture(parts, width, len(rows) * _ROW + 10, "formula")
+
+
+def _branch(above: tuple[float, float], below: tuple[float, float]) -> str:
+    d = f"M{above[0]:.0f} {above[1] + 4:.0f}V{below[1]:.0f}H{below[0] - 4:.0f}"
+    return svg.element("path", d=d, stroke="#999999", stroke_width=1, fill="none")
+
+
+def plan_html(plan: Plan) -> str:
+    """A plan: what is known about it, and who is where when."""
+    facts = [("mission", plan.mission.name or "mission"), ("outcome", outcome(plan))]
+    facts += [("objective", objective_line(item)) for item in plan.objective]
+    if plan.has_paths and all(item.name != "availability" for item in plan.objective):
+        value = "unbounded" if plan.availability is None else f"{plan.availability:g}"
+        facts.append(("availability", value))
+    facts.append(("horizon", f"{plan.horizon} steps, {len(plan.agents):,} agents"))
+    facts += [("note", note) for note in plan.notes]
+    table = svg.element("table", svg.element("tbody", "".join(_line(*fact) for fact in facts)))
+    return svg.element("div", table + (timeline_svg(plan) if plan.agents else ""))
+
+
+def _line(name: str, value: str) -> str:
+    """One line of the table of facts."""
+    left = {"style": "text-align:left"}
+    cells = svg.element("th", svg.words(name), **left) + svg.element("td", svg.words(value), **left)
+    return svg.element("tr", cells)
+
+
+def timeline_svg(plan: Plan) -> str:
+    """A row for each agent, or for each path of a large team: states by colour, ways hatched."""
+    rows = rows_of(plan) or tuple(
+        Row(names([plan.agents[a].id for a in bundle.agents], most=1), bundle.class_name, bundle)
+        for bundle in plan.bundles
+    )
+    shown, hidden = rows[:MOST_ROWS], rows[MOST_ROWS:]
+    keys = keys_of(plan, None)
+    left = max(svg.width_of(row.words) for row in shown) + 12
+    step = (_WIDTH - left - 10) / (plan.horizon + 1)
+    parts = [svg.stripes()]
+    for place, row in enumerate(shown):
+        y = 8 + place * _ROW
+        parts.append(svg.text(row.words, left - 6, y + 12, text_anchor="end"))
+        for first, last in ways(row.bundle, plan.horizon):
+            parts.append(
+                _bar(left + first * step, y, (last - first + 1) * step, "url(#tsplan-way)")
+            )
+        for first, last, state in row.bundle.stays:
+            parts += _stay(
+                (left + first * step, y), (last - first + 1) * step, state, keys[state].paint
+            )
+    bottom = 8 + len(shown) * _ROW
+    parts += _axis(plan.horizon, left, step, bottom)
+    if hidden:
+        agents = sum(len(row.bundle.agents) for row in hidden)
+        words = f"... and {agents:,} agents on {len(hidden):,} more paths"
+        parts.append(svg.text(words, 8, bottom + 32))
+    return svg.picture(
+        parts, _WIDTH, bottom + (40 if hidden else 22), f"{plan.mission.name}: who is where"
+    )
+
+
+def _bar(x: float, y: float, width: float, fill: str) -> str:
+    return svg.element("rect", x=x, y=y, width=width, height=_ROW - 3, fill=fill)
+
+
+def _stay(corner: tuple[float, float], width: float, state: str, paint: Paint) -> list[str]:
+    """A bar with its state's name: written on it if there is room, shown when it is pointed at."""
+    x, y = corner
+    title = svg.element("title", svg.words(state))
+    bar = svg.element(
+        "rect", title, x=x, y=y, width=width, height=_ROW - 3, fill=paint.colour,
+        stroke="#ffffff", stroke_width=0.8,
+    )  # fmt: skip
+    if svg.width_of(state, _SMALL) + 4 > width:
+        return [bar]
+    style = {"text_anchor": "middle", "fill": paint.ink, "pointer_events": "none"}
+    return [bar, svg.text(state, x + width / 2, y + 11, _SMALL, **style)]
+
+
+def _axis(horizon: int, left: float, step: float, y: float) -> list[str]:
+    """Numbers of steps below the rows, as many as there is room for."""
+    wide = svg.width_of(str(horizon), _SMALL) + 10
+    every = next(n * 10**p for p in range(8) for n in (1, 2, 5) if n * 10**p * step >= wide)
+    return [
+        svg.text(str(number), left + (number + 0.5) * step, y + 10, _SMALL, text_anchor="middle")
+        for number in range(0, horizon + 1, every)
+    ]
