@@ -59,12 +59,20 @@ class Together:
         steps = {demand.step for demand in own}
         return _needs([*own, *(demand for demand in self._always if demand.step in steps)])
 
+    def most(self) -> tuple[int, dict[int, int]]:
+        """Agents needed at most at one step: in any case, and where a column is 1."""
+        always = max(_totals(self._base).values(), default=0)
+        return always, {
+            column: max(_totals(needs).values(), default=0) for column, needs in self._of.items()
+        }
+
     def rule_out(self, team: int) -> None:
         """Refute what needs more than `team` agents at one step."""
-        if max(_totals(self._base).values(), default=0) > team:
+        always, needs = self.most()
+        if always > team:
             self._choices.refute(ALWAYS, "together")
-        for column, needs in self._of.items():
-            if max(_totals(needs).values(), default=0) > team:
+        for column, need in needs.items():
+            if need > team:
                 self._choices.refute((column,), "together")
 
     def regions(self) -> list[Region]:

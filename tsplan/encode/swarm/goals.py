@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tsplan.encode.swarm.groups import Occupancy
+from tsplan.encode.swarm.groups import Occupancy, split_terms
 from tsplan.encode.swarm.model import SwarmModel
 from tsplan.milp.model import Floats, Ints
 
@@ -13,12 +13,10 @@ OF_GROUPS = frozenset({"splits", "moves", "makespan"})
 
 
 def splits(model: SwarmModel, columns: int) -> Floats:
-    """Edges entered beyond one for every occupied state before the horizon."""
+    """The number of splits."""
     vector = np.zeros(columns)
-    for swarm in model.swarms:
-        vector[swarm.entered.unrolled()[2]] += 1.0
-        _, step, own = swarm.reached()
-        vector[own[step < swarm.horizon]] -= 1.0
+    terms, values = split_terms(model.swarms)
+    vector[terms] = values
     return vector
 
 

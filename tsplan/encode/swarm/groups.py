@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tsplan.encode.network import ClassColumns, ClassGraph, Network, laid_out
-from tsplan.milp.model import Draft, Ints
+from tsplan.milp.model import Draft, Floats, Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +129,21 @@ def bound_groups(swarms: Sequence[Occupancy], most: int, draft: Draft) -> None:
         upper=np.full(count, float(most)),
         kind="sub-swarms",
     )
+
+
+def split_terms(swarms: Sequence[Occupancy]) -> tuple[Ints, Floats]:
+    """Columns and coefficients of the number of splits.
+
+    Edges entered beyond one for every occupied state before the horizon.
+    """
+    columns, values = [], []
+    for swarm in swarms:
+        entered = swarm.entered.unrolled()[2]
+        _, step, own = swarm.reached()
+        left = own[step < swarm.horizon]
+        columns += [entered, left]
+        values += [np.ones(len(entered)), -np.ones(len(left))]
+    return np.concatenate(columns), np.concatenate(values)
 
 
 def group_network(swarms: Sequence[Occupancy], most: Sequence[int]) -> Network:

@@ -20,7 +20,13 @@ from tsplan.encode.literals import Literal
 from tsplan.encode.network import ClassColumns, ClassGraph, Network, unroll
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.staffing import Family, SiteColumns, Staffing
-from tsplan.encode.swarm.groups import Occupancy, bound_groups, group_network, occupancy
+from tsplan.encode.swarm.groups import (
+    Occupancy,
+    bound_groups,
+    group_network,
+    occupancy,
+    split_terms,
+)
 from tsplan.encode.together import Together
 from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses
 from tsplan.logic import Count
@@ -66,8 +72,9 @@ def swarm_model(mission: Mission) -> SwarmModel:
     witnesses = _witnesses(plot, swarms, graphs)
     groups = group_network(swarms, _most(plot, graphs, rules.together))
     staffing = _occupied_rows(plot, groups, swarms, witnesses)
-    nobody = np.empty(0, dtype=np.int64)
-    occupied = _encoded(plot, groups, swarms, witnesses, staffing.families, nobody)
+    _split_rows(plot, swarms, witnesses)
+    entered = np.concatenate([swarm.entered.unrolled()[2] for swarm in swarms])
+    occupied = _encoded(plot, groups, swarms, witnesses, staffing.families, entered)
     before = plot.draft.column_count
     agents = unroll(graphs, mission.horizon, plot.draft)
     flows = np.arange(before, plot.draft.column_count)
@@ -134,6 +141,35 @@ def _occupied_rows(
         elif not demand.bound.upper and demand.bound.amount > 1:
             _nobody_else(plot, swarms, demand)
     return staffing
+
+
+def _split_rows(plot: _Plot, swarms: Sequence[Occupancy], witnesses: Witnesses) -> None:
+    """A witness that wants agents at several places at once costs the splits to be there.
+
+    Whoever is at so many places at one step has come from the starts by splitting.
+    """
+    wanted = [
+        replace(demand, bound=replace(demand.bound, amount=1))
+        for demand in witnesses.demands
+        if not demand.bound.upper and demand.bound.amount > 0
+    ]
+    begin = sum(int((swarm.entered.graph.start > 0).sum()) for swarm in swarms)
+    always, needs = Together(wanted, witnesses.choices).most()
+    costs = {column: need - begin for column, need in needs.items() if need > begin}
+    splits = split_terms(swarms)
+    rows = witnesses.choices.families(costs)
+    unconditional: list[list[int]] = [[]] if always > begin else []
+    for family in unconditional + rows:
+        columns = np.array(family, dtype=np.int64)
+        price = np.array([costs[column] for column in family], dtype=np.float64)
+        plot.draft.rows(
+            np.zeros(len(splits[0]) + len(columns)),
+            np.concatenate([splits[0], columns]),
+            np.concatenate([splits[1], -price]),
+            lower=np.array([0.0 if family else float(always - begin)]),
+            upper=np.inf,
+            kind="splits",
+        )
 
 
 def _nobody_else(plot: _Plot, swarms: Sequence[Occupancy], demand: Demand) -> None:
@@ -277,18 +313,19 @@ def _encoded(  # noqa: PLR0917 - everything the search asks for
 ) -> Encoded:
     choices = witnesses.choices
     unrolled = [swarm.entered.unrolled() for swarm in swarms]
-    entered = np.concatenate([column for _, _, column in unrolled])
-    steps = np.concatenate([step for _, step, _ in unrolled])
-    order = np.argsort(np.concatenate([entered, np.array(choices.columns, dtype=np.int64)]))
-    indicators = np.concatenate([entered, np.array(choices.columns, dtype=np.int64)])[order]
+    columns, steps = [np.array(choices.columns, dtype=np.int64)], [np.array(choices.steps)]
+    if not np.isin(unrolled[0][2], flows).any():  # where the groups go is decided too
+        columns += [column for _, _, column in unrolled]
+        steps += [step for _, step, _ in unrolled]
+    order = np.argsort(np.concatenate(columns))
     return Encoded(
         model=plot.draft.build(),
         network=groups,
-        indicators=indicators,
+        indicators=np.concatenate(columns)[order],
         flows=flows,
         stayers=np.empty(0, dtype=np.int64),
         refuted=choices.refuted,
-        steps=np.concatenate([steps, np.array(choices.steps, dtype=np.int64)])[order],
+        steps=np.concatenate(steps).astype(np.int64)[order],
         groups=tuple(choices.groups),
         families=tuple(families),
     )

@@ -282,7 +282,7 @@ class _Stages:
     def _counted(self, values: Floats, kept: _Kept) -> Floats | None:
         """Agents counted into the groups of a point of the occupied model, if they can be."""
         encoded = self._narrowed(self.model.counted, kept)
-        columns = self.model.occupied.indicators
+        columns = self.model.counted.indicators
         lower, upper = encoded.model.lower.copy(), encoded.model.upper.copy()
         lower[columns] = upper[columns] = np.round(values[columns])
         model = encoded.model.with_bounds(lower, upper)
