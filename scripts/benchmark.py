@@ -3,6 +3,7 @@
     python scripts/benchmark.py grid --sizes 5,6 --seeds 0-49
     python scripts/benchmark.py grid --sizes 5 --seeds 0-9 --compare reference --time-limit 60
     python scripts/benchmark.py scaling --axis agents --seeds 0-2 --plot out.png
+    python scripts/benchmark.py swarm --sizes 30,100 --agents 120 --objective splits
     python scripts/benchmark.py missions FOLDER
     python scripts/benchmark.py build
 
@@ -112,24 +113,51 @@ def cases(options: argparse.Namespace) -> Iterable[families.Case]:
     """The missions that the command line asks for."""
     objective = tuple(name for name in options.objective.split(",") if name)
     seeds = numbers(options.seeds)
-    if options.family == "grid":
-        for size in numbers(options.sizes):
-            for seed in seeds:
-                made = families.grid(size, seed, options.agents, objective)
-                yield families.Case("grid", "map", size, seed, made)
-    elif options.family == "decomposition":
-        for seed in seeds:
-            made = families.decomposition(options.agents, seed, objective)
-            yield families.Case("decomposition", "agents", options.agents, seed, made)
-    elif options.family == "scaling":
+    if options.family == "scaling":
         yield from families.axis_cases(options.axis, seeds, objective)
+    elif options.family == "missions":
+        yield from from_folder(Path(options.folder))
     else:
-        for number, path in enumerate(sorted(Path(options.folder).glob("*.yaml"))):
-            try:
-                mission = tsplan.load_mission(path)
-            except tsplan.InputError:
-                continue  # a map beside the missions, or one that needs what is not there yet
-            yield families.Case("missions", path.stem, 0, number, mission)
+        makers = {"grid": _grids, "decomposition": _decompositions, "swarm": _swarms}
+        yield from makers[options.family](options, seeds, objective)
+
+
+Made = Iterable[families.Case]
+Names = tuple[str, ...]
+
+
+def _grids(options: argparse.Namespace, seeds: Sequence[int], objective: Names) -> Made:
+    for size in numbers(options.sizes):
+        for seed in seeds:
+            made = families.grid(size, seed, options.agents, objective)
+            yield families.Case("grid", "map", size, seed, made)
+
+
+def _decompositions(options: argparse.Namespace, seeds: Sequence[int], objective: Names) -> Made:
+    for seed in seeds:
+        made = families.decomposition(options.agents, seed, objective)
+        yield families.Case("decomposition", "agents", options.agents, seed, made)
+
+
+def _swarms(options: argparse.Namespace, seeds: Sequence[int], objective: Names) -> Made:
+    for states in numbers(options.sizes):
+        for seed in seeds:
+            horizon = 40 if states <= _SMALL else 60
+            made = families.swarm(states, horizon, options.agents, seed, objective)
+            yield families.Case("swarm", "states", states, seed, made)
+
+
+def from_folder(folder: Path) -> Made:
+    """The missions of a folder; other files in it, and those that do not load, are left out."""
+    for number, path in enumerate(sorted(folder.glob("*.yaml"))):
+        try:
+            mission = tsplan.load_mission(path)
+        except tsplan.InputError:
+            continue  # a map beside the missions
+        yield families.Case("missions", path.stem, 0, number, mission)
+
+
+_SMALL = 30  # states up to which swarms have a horizon of 40 steps, and of 60 beyond
 
 
 def numbers(text: str) -> list[int]:
@@ -246,9 +274,12 @@ def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    made.add_argument("family", choices=["grid", "decomposition", "scaling", "missions", "build"])
+    choices = ["grid", "decomposition", "scaling", "swarm", "missions", "build"]
+    made.add_argument("family", choices=choices)
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
-    made.add_argument("--sizes", default="5,6", help="grid: rows and columns, such as 5,6 or 3-6")
+    made.add_argument(
+        "--sizes", default="5,6", help="grid: rows and columns, such as 5,6 or 3-6; swarm: states"
+    )
     made.add_argument("--seeds", default="0-9")
     made.add_argument("--agents", type=int, default=20)
     made.add_argument("--axis", choices=list(families.AXES), default="agents")

@@ -89,6 +89,44 @@ def decomposition(
     return mission(f"decomposition {agents} seed {seed}", system, team, text, objective)
 
 
+def swarm(
+    states: int, horizon: int, agents: int, seed: int, objective: Sequence[str] = ("splits",)
+) -> Mission:
+    """A swarm of four sub-swarms at most, on a grid, with six eventualities.
+
+    Two want agents at two labels at once, two want 40 % of the swarm at one label, and two want
+    a label held for three steps.
+    """
+    random = Random(f"swarm {states} {horizon} {seed}")
+    rows = max(row for row in range(1, int(states**0.5) + 1) if states % row == 0)
+    labels = [f"l{number}" for number in range(8)]
+    system = grid_map(rows, states // rows, labels, random)
+    parts = []
+    for kind in ("pair", "share", "hold") * 2:
+        one, other = random.sample(labels, 2)
+        begin = random.randint(horizon // 4, horizon - 14)
+        wanted = {
+            "pair": f"({one} && {other})",
+            "share": f"sum({one}) >= 40%",
+            "hold": f"G[0,2] {one}",
+        }[kind]
+        parts.append(f"F[{begin},{begin + 10}] {wanted}")
+    start = random.choice(list(system.states))
+    return Mission.of(
+        map=system,
+        swarm={
+            "size": agents,
+            "at": {start: agents},
+            "max_subswarms": 4,
+            "min_subswarm": max(agents // 20, 1),
+        },
+        formula=" && ".join(parts),
+        horizon=horizon,
+        objective=objective,
+        name=f"swarm {states} states seed {seed}",
+    )
+
+
 @dataclass(frozen=True)
 class Scale:
     """The axes of the scaling family and where they rest when another one moves."""
