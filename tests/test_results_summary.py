@@ -1,4 +1,4 @@
-"""Plans in words and pictures."""
+"""Plans in words."""
 
 from __future__ import annotations
 
@@ -9,10 +9,9 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from tsplan.draw.map import PlotUnavailableError, draw_map, draw_plan, places, pyplot
+from tsplan.draw.canvas import PlotUnavailableError, figure_class
 from tsplan.results import AgentPlan, MissionRef, ObjectiveValue, Plan, SolverUse, Timings
 from tsplan.results.summary import MOST_PATHS, names, objective_line, outcome, print_summary
-from tsplan.ts import Edge, State, TransitionSystem
 
 
 def printed(plan, width=100):
@@ -84,38 +83,7 @@ def test_unbounded_and_open_objectives():
     assert "at least 2" in objective_line(ObjectiveValue("cost", 2.5, 2))
 
 
-YARD = TransitionSystem.build(
-    [
-        State("p", frozenset({"green"}), at=(0.0, 0.0)),
-        State("q", shape=((1.0, 0.0), (2.0, 0.0), (2.0, 1.0)), color="red"),
-        State("r"),
-    ],
-    [
-        Edge("p", "q", 2),
-        Edge("q", "p", {"a": 1, "default": 2}),
-        Edge("q", "r"),
-        Edge("p", "p"),
-    ],
-)
-
-
-def test_every_state_gets_a_place():
-    assert set(places(YARD)) == {"p", "q", "r"}
-    bare = TransitionSystem.build([State("p"), State("q")], [Edge("p", "q")])
-    assert places(bare) == places(bare)
-
-
-def test_pictures_are_figures_and_axes():
-    plt = pytest.importorskip("matplotlib.pyplot")
-    plt.switch_backend("Agg")
-    figure, ax = draw_map(YARD)
-    assert draw_map(YARD, ax) == (figure, ax)
-    figure, ax = draw_plan(PLAN)
-    assert ax.get_xlabel() == "step"
-    plt.close("all")
-
-
 def test_without_matplotlib_the_remedy_is_named(monkeypatch):
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
     with pytest.raises(PlotUnavailableError, match=r"tsplan\[plot\]"):
-        pyplot()
+        figure_class()
