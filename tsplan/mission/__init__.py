@@ -3,10 +3,12 @@
 from tsplan.mission.data import (
     LANGUAGES,
     OBJECTIVES,
+    ORDERS,
     TASK_INTERVALS,
     Agent,
     Group,
     Mission,
+    Preference,
     SolverChoice,
 )
 from tsplan.mission.reading import load_mission, mission_from_text
@@ -14,10 +16,12 @@ from tsplan.mission.reading import load_mission, mission_from_text
 __all__ = [
     "LANGUAGES",
     "OBJECTIVES",
+    "ORDERS",
     "TASK_INTERVALS",
     "Agent",
     "Group",
     "Mission",
+    "Preference",
     "SolverChoice",
     "load_mission",
     "mission_from_text",

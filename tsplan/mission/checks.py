@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.errors import Finding, FormulaError, nearest
@@ -16,7 +16,7 @@ from tsplan.mission.data import MOST_ROBOTS, MOST_STEPS, OBJECTIVES, TaskInterva
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
-    from tsplan.mission.data import Group, Mission
+    from tsplan.mission.data import Group, Mission, Preference
     from tsplan.ts import TransitionSystem
 
 Place: TypeAlias = "tuple[str | int, ...]"
@@ -47,11 +47,59 @@ def problems_of(mission: Mission) -> list[Problem]:
     """Everything that does not fit together in a mission."""
     return [
         *objective_problems(mission.objective),
+        *wish_problems(mission.objective, mission.prefer),
         *team_problems(mission.team, mission.system),
         *map_problems(mission.system, mission.team),
         *formula_problems(mission.formula, mission.system, mission.team),
         *horizon_problems(mission.formula, mission.task_interval, mission.horizon),
+        *(
+            problem
+            for number, wish in enumerate(mission.prefer)
+            for problem in preferred_problems(wish, number, mission)
+        ),
     ]
+
+
+def preferred_problems(wish: Preference, number: int, mission: Mission) -> list[Problem]:
+    """What does not fit in a preferred formula of a mission."""
+    found = [
+        *formula_problems(wish.formula, mission.system, mission.team),
+        *horizon_problems(wish.formula, mission.task_interval, mission.horizon),
+    ]
+    return moved(found, preferred(number))
+
+
+def preferred(number: int) -> Place:
+    """Where the formula of a preference stands."""
+    return ("spec", "prefer", number, "formula")
+
+
+def moved(problems: Iterable[Problem], place: Place) -> list[Problem]:
+    """Problems of a formula that stands elsewhere than the mission's own."""
+    return [replace(item, path=place) if item.path == FORMULA else item for item in problems]
+
+
+def wish_problems(objective: Sequence[str], prefer: Sequence[Preference]) -> list[Problem]:
+    """Objectives about what holds that are out of place, and preferences of one name."""
+    problems = []
+    for place, name in enumerate(objective):
+        path: Place = ("objective", place)
+        if place and name in ("satisfaction", "preferences"):
+            what = f"'{name}' comes after other objectives"
+            problems.append(Problem(path, what, "name it first: it is settled first"))
+        if name == "preferences" and not prefer:
+            what = "'preferences' are an objective and none are there"
+            problems.append(Problem(path, what, "add 'prefer: [...]' to the spec"))
+        if name == "satisfaction" and prefer:
+            what = "what must hold cannot hold in part"
+            remedy = "remove 'satisfaction', and prefer with 'partial: true' what may"
+            problems.append(Problem(path, what, remedy))
+    names = [wish.name for wish in prefer]
+    for number, name in enumerate(names):
+        if name in names[:number]:
+            path = ("spec", "prefer", number, "name")
+            problems.append(Problem(path, f"two preferences are called '{name}'", "rename one"))
+    return problems
 
 
 def objective_problems(objective: Sequence[str]) -> list[Problem]:

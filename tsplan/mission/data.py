@@ -24,12 +24,16 @@ if TYPE_CHECKING:
 
 Language: TypeAlias = Literal["catl", "mtl", "stl"]
 TaskInterval: TypeAlias = Literal["closed", "half-open"]
+Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 Sense: TypeAlias = Literal["maximise", "minimise"]
 
 LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl")
 TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
+ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
 OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
     {
+        "satisfaction": "maximise",
+        "preferences": "maximise",
         "availability": "maximise",
         "travel": "minimise",
         "cost": "minimise",
@@ -117,6 +121,23 @@ class SwarmRules:
 
 
 @dataclass(frozen=True, slots=True)
+class Preference:
+    """A formula that is met if possible, and how much that is worth.
+
+    Levels are settled one after the other, the highest first; within a level the summed weights
+    of what is met are maximised. A `partial` preference counts by its fraction, any other one as
+    a whole or not at all.
+    """
+
+    formula: Formula
+    text: str
+    weight: Fraction = Fraction(1)
+    name: str = ""
+    level: int = 0
+    partial: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class SolverChoice:
     """What the mission asks of the solver; None leaves it to the planner."""
 
@@ -134,6 +155,9 @@ class Mission:
     `text` is the formula as it was written and `formula` what it parses to; `goal` is what is
     encoded. `horizon` is the last step, at least the formula's own. `objective` is
     lexicographic, the first name matters most; without any, every plan is as good as another.
+    With the objective `satisfaction` the formula need not hold: as much of it as possible does, in
+    the order `satisfaction`. `prefer` holds formulas that are met as far as possible beside it;
+    then `preferences` comes first among the objectives.
     With `swarm` rules every class of the team is a swarm, whose agents move as sub-swarms.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`.
 
@@ -151,6 +175,8 @@ class Mission:
     task_interval: TaskInterval = "closed"
     solver: SolverChoice = SolverChoice()
     swarm: SwarmRules | None = None
+    satisfaction: Order = "weighted"
+    prefer: tuple[Preference, ...] = ()
     digest: str = ""
     warnings: tuple[Finding, ...] = ()
     parse_seconds: float = field(default=0.0, compare=False, repr=False)
@@ -158,6 +184,8 @@ class Mission:
     def __post_init__(self) -> None:
         from tsplan.mission.checks import problems_of  # noqa: PLC0415  (imports this module)
 
+        if self.prefer and "preferences" not in self.objective:
+            object.__setattr__(self, "objective", ("preferences", *self.objective))
         errors = [problem for problem in problems_of(self) if problem.serious]
         if errors:
             raise MissionError(problem.finding() for problem in errors)
@@ -169,6 +197,11 @@ class Mission:
 
         plain = logic.translate(self.formula, interval=self.task_interval)
         return logic.simplify(logic.positive(plain))
+
+    @property
+    def partial(self) -> bool:
+        """Whether the formula may hold in part only."""
+        return "satisfaction" in self.objective
 
     @cached_property
     def agents(self) -> tuple[Agent, ...]:
@@ -210,9 +243,11 @@ class Mission:
         *,
         map: TransitionSystem | str | Path,  # noqa: A002  (the word of the mission file)
         team: Iterable[Group | Mapping[str, Any]],
-        formula: str | bool | Formula | Sequence[str | bool],
+        formula: str | bool | Formula | Sequence[str | bool] | None = None,
+        must: str | bool | Formula | Sequence[str | bool] | None = None,
+        prefer: Iterable[Preference | Mapping[str, Any]] = (),
         language: Language = "catl",
-        objective: Sequence[str] = DEFAULT_OBJECTIVE,
+        objective: Sequence[str | Mapping[str, str]] = DEFAULT_OBJECTIVE,
         task_interval: TaskInterval = "closed",
         horizon: int | None = None,
         solver: SolverChoice | Mapping[str, Any] | None = None,
@@ -222,15 +257,19 @@ class Mission:
 
         `map` is a transition system or the path of a map file. Each member of `team` is a Group
         or a mapping with the keys of a mission file. `formula` is a text, several texts (their
-        conjunction) or a parsed formula. Raises MissionError with all findings.
+        conjunction) or a parsed formula; `must` is another word for it beside what to `prefer`.
+        Raises MissionError with all findings.
         """
         from tsplan.mission.building import mission_from_values  # noqa: PLC0415  (imports this)
 
+        given = {"formula": formula, "must": must}
+        spec: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
+        wishes = list(prefer)
         values = {
             "name": name,
             "map": map,
             "team": list(team),
-            "spec": {"language": language, "formula": formula},
+            "spec": {"language": language, **spec, **({"prefer": wishes} if wishes else {})},
             "objective": list(objective),
             "task_interval": task_interval,
             "horizon": horizon,
