@@ -62,18 +62,27 @@ Reporter = Callable[[Floats | None, float | None, float | None], None]
 class Search:
     """One search for the least value of `objective` on one model.
 
-    `rescue`, where set, is asked for the flows of some plan when the dive has found none.
+    `rescue`, where set, is asked for the flows of some plan when the dive has found none. `step`
+    is the least distance of two values that plans can have; by default 1 for whole coefficients.
     """
 
     def __init__(
-        self, encoded: Encoded, objective: Floats, effort: Effort, clock: Clock, report: Reporter
+        self,
+        encoded: Encoded,
+        objective: Floats,
+        effort: Effort,
+        clock: Clock,
+        report: Reporter,
+        *,
+        step: float | None = None,
     ) -> None:
         self._encoded = encoded
         self._model = encoded.model.with_objective(objective)
         self._effort = effort
         self._clock = clock
         self._report = report
-        self._step = 1.0 if bool((objective == np.round(objective)).all()) else 0.0
+        whole = bool((objective == np.round(objective)).all())
+        self._step = float(whole) if step is None else step
         self._values: Floats | None = None
         self._value = np.inf
         self._bound = -np.inf
@@ -97,13 +106,13 @@ class Search:
             self._by_lp(first=True)
         return self._values
 
-    def _adopt(self, flows: Floats) -> None:
-        """Keep the point of this model that has the given flows, if there is one."""
+    def adopt(self, flows: Floats) -> None:
+        """Keep the best point of this model that has the given flows, if there is one."""
         columns = self._encoded.flows
         lower, upper = self._model.lower.copy(), self._model.upper.copy()
         lower[columns] = upper[columns] = np.round(flows)
         fixed = self._model.with_bounds(lower, upper)
-        values = self._call(fixed, Options(first=True), self._clock.within(5.0)).values
+        values = self._call(fixed, Options(), self._clock.within(5.0)).values
         if values is not None:
             self._accept(values)
 
@@ -179,7 +188,7 @@ class Search:
         if self._values is None and self.rescue is not None:
             flows = self.rescue()
             if flows is not None:
-                self._adopt(flows)
+                self.adopt(flows)
         return False
 
     def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:

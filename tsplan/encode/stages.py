@@ -61,6 +61,7 @@ class Outcome:
     infeasible: bool
     stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
+    levels: tuple[Reached, ...] = ()  # what an objective consists of that is settled in steps
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,7 @@ class Stages:
     objective: tuple[str, ...]
     own: tuple[tuple[CountTerm, float], ...] = ()
     tight: bool = True
+    known: Floats | None = None  # flows of a plan that is known
     _point: Point | None = field(default=None, init=False)
     _kept: Kept = field(default=Kept(), init=False)
     _stopped: StoppedBy | None = field(default=None, init=False)
@@ -263,6 +265,8 @@ class Stages:
         search = Search(encoded, objective, effort, self.clock, report)
         if encoded.shared and Idea.CHAINS in effort.ideas:
             search.rescue = lambda: self._chained(encoded, effort)
+        if self.known is not None and self._point is None:
+            search.adopt(self.known)
         found = search.minimise(None if first else self._start(encoded), first=first)
         if found.values is not None:
             self._point = Point(encoded, found.values, self.tight)

@@ -14,7 +14,7 @@ Specifications for Coordination of Multi-Robot Systems", WAFR 2022, with the mea
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import singledispatch
@@ -119,10 +119,15 @@ def shares(tree: Formula, trace: Trace) -> dict[Formula, Shares]:
     """The shares of every sub-formula of a tree, at every step of a trace that can be judged."""
     if trace.batch:
         raise ValueError("fractions are computed for one trace, not for a batch")
+    return shares_of(tree, lambda atom: _atom(atom, trace))
+
+
+def shares_of(tree: Formula, atom: Callable[[Formula], Shares]) -> dict[Formula, Shares]:
+    """The shares of every sub-formula of a tree, given those of its atoms and constants."""
     found: dict[Formula, Shares] = {}
 
     def judged(node: Formula, below: tuple[Shares, ...]) -> Shares:
-        found[node] = _atom(node, trace) if not below else share(node, below)
+        found[node] = share(node, below) if below else atom(node)
         return found[node]
 
     fold(tree, judged)
