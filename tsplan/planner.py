@@ -31,6 +31,7 @@ from tsplan.results import (
     certify,
     decompose,
 )
+from tsplan.results.satisfaction import Depth, Satisfaction
 
 Listener = Callable[[Event], "bool | None"]
 
@@ -189,6 +190,7 @@ class Run:
             mission=MissionRef(mission.name, mission.digest),
             horizon=mission.horizon,
             objective=tuple(item for item in reached if item.name != "own"),
+            satisfaction=_claimed(mission, outcome),
             notes=tuple(_own(item) for item in reached if item.name == "own"),
             agents=agents,
             solver=used,
@@ -206,6 +208,17 @@ class Run:
         checked = certify(self._problem.mission, made) if made.has_paths else made
         self._seconds["verify"] = time.perf_counter() - began
         return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
+
+
+def _claimed(mission: Mission, outcome: Outcome) -> Satisfaction | None:
+    """What is proven about the depths of a formula; the check fills in what holds."""
+    if not mission.partial or outcome.point is None:
+        return None
+    depths = (
+        Depth(int(level.name), 0, None if level.bound is None else round(level.bound))
+        for level in outcome.levels
+    )
+    return Satisfaction(mission.satisfaction, depths=tuple(depths))
 
 
 def _own(item: ObjectiveValue) -> str:

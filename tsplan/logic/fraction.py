@@ -202,10 +202,11 @@ def _(node: Eventually, below: tuple[Shares, ...]) -> Shares:
 @share.register
 def _(node: Until, below: tuple[Shares, ...]) -> Shares:
     left, right = below
-    steps = max(min(len(right) - node.high, len(left) + 1 - node.high), 0)
+    steps = len(right) - node.high
+    if node.high:  # or else the left side does not matter
+        steps = min(steps, len(left) + 1 - node.high)
     return tuple(
-        max(made for _, made in changes(node, step, left, right))
-        for step in range(min(steps, len(right)))
+        max(made for _, made in changes(node, step, left, right)) for step in range(steps)
     )
 
 

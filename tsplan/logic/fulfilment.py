@@ -6,7 +6,7 @@ it is judged.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple, TypeAlias
@@ -32,11 +32,12 @@ MOST_PAIRS = 200_000
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One sub-formula of a tree where it stands: how much of it holds, and when it is judged.
+    """One sub-formula of a tree where it stands: how much of it holds, and when.
 
-    `first` and `last` are the steps between which it is judged: those of the best witnesses of
-    the eventualities above it. `fraction` is the mean over them. A part that is not `counted`
-    belongs to an alternative that is not the best one, and does not enter the root's fraction.
+    It is judged where the best witnesses of the eventualities above it say, and `fraction` is the
+    mean over these steps; `first` and `last` are the steps between which its atoms are looked at.
+    A part that is not `counted` belongs to an alternative that is not the best one, and does not
+    enter the root's fraction.
     """
 
     node: Formula
@@ -64,17 +65,29 @@ class _Place(NamedTuple):
 def parts(tree: Formula, trace: Trace) -> tuple[Part, ...]:
     """Every sub-formula of a tree, parents before their children, in the order of the text."""
     values = shares(tree, trace)
-    found: list[Part] = []
+    places: list[_Place] = []
     stack = [_Place(tree, 0, (0,), counted=True)]
     while stack:
-        place = stack.pop()
+        places.append(stack.pop())
+        stack += reversed(list(_below(places[-1], values)))
+    found = []
+    for place, span in zip(places, _spans(places), strict=True):
         node = place.node
         total = sum((values[node][step].fraction for step in place.steps), Fraction(0))
-        average = total / max(len(place.steps), 1)
-        span = (place.steps[0], place.steps[-1])
-        found.append(Part(node, place.depth, *span, average, place.counted))
-        stack += reversed(list(_below(place, values)))
+        found.append(Part(node, place.depth, *span, total / len(place.steps), place.counted))
     return tuple(found)
+
+
+def _spans(places: Sequence[_Place]) -> list[tuple[int, int]]:
+    """Between which steps the atoms of each place are judged; parents stand before children."""
+    spans: list[tuple[int, int]] = []
+    below: dict[int, tuple[int, int]] = {}  # of the children seen since their last parent
+    for place in reversed(places):
+        span = below.pop(place.depth + 1, (place.steps[0], place.steps[-1]))
+        first, last = below.get(place.depth, span)
+        below[place.depth] = (min(first, span[0]), max(last, span[1]))
+        spans.append(span)
+    return spans[::-1]
 
 
 def _below(place: _Place, values: Mapping[Formula, Shares]) -> Iterator[_Place]:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from tsplan.milp.model import Ints
+    from tsplan.results.satisfaction import Fulfilment, Satisfaction
 
 Stay: TypeAlias = tuple[int, int, str]
 """`(from, to, state)`: at that state at every step from..to, both included."""
@@ -156,6 +157,7 @@ class Plan:
     `agents` is empty unless `status` is optimal or feasible. `availability` is the counting
     robustness of the formula at step 0, None where it is infinite. `verified` says that the
     independent check accepted the paths. `notes` are sentences for the reader of the plan.
+    `satisfaction` and `preferences` tell what holds where the mission does not demand it all.
 
     Raises PlanError for a status that contradicts `stopped_by` or the presence of agents.
     """
@@ -172,6 +174,8 @@ class Plan:
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)
     notes: tuple[str, ...] = ()
+    satisfaction: Satisfaction | None = None
+    preferences: tuple[Fulfilment, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "status", Status(self.status))

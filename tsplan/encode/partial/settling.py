@@ -121,7 +121,7 @@ class Settling:
         counts[0] = 0 if refuted else counts[0]
         known: dict[int, tuple[float, float]] = {0: (0.0, 0.0)} if refuted else {}
         bounds: dict[int, float | None] = {d: 0.0 for d, n in enumerate(counts) if not n}
-        for chunk in chunks(counts, together=together):
+        for chunk in chunks(counts, together=together) or [(0,)]:  # some plan is needed
             model = claimed(self.setting, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
