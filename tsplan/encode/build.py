@@ -145,10 +145,10 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     With `chain` eventualities under an always get as few witnesses as possible: a restriction,
     whose flow columns are the same, for finding a first plan.
     """
-    return assembled(setting, lambda encoder, _: encoder.encode(setting.goal), level, chain=chain)
+    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, chain=chain)
 
 
-Asking = Callable[[WitnessEncoder, Draft], Witnesses]
+Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 """Asks an encoder for what is to hold; it may add columns and rows of its own to the draft."""
 
 
@@ -164,7 +164,7 @@ def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = Fa
     read = setting.requirement(level)
     outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
     encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas, chain=chain)
-    witnesses = ask(encoder, draft)
+    witnesses = ask(encoder, draft, network)
     staffing = Staffing(network, draft, joint=Idea.FAMILIES in setting.ideas)
     staffing.write(
         witnesses, cuts=Idea.VISITS in setting.ideas, together=Idea.TOGETHER in setting.ideas

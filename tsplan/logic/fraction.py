@@ -205,9 +205,7 @@ def _(node: Until, below: tuple[Shares, ...]) -> Shares:
     steps = len(right) - node.high
     if node.high:  # or else the left side does not matter
         steps = min(steps, len(left) + 1 - node.high)
-    return tuple(
-        max(made for _, made in changes(node, step, left, right)) for step in range(steps)
-    )
+    return tuple(max(made for _, made in changes(node, step, left, right)) for step in range(steps))
 
 
 def changes(node: Until, step: int, left: Shares, right: Shares) -> list[tuple[int, Share]]:

@@ -41,6 +41,8 @@ class Aim:
 
     def shown(self, objective: float) -> float:
         """The sum's value from that of the objective."""
+        if self.step:
+            return float((self.constant * self.scale - round(objective)) / self.scale)
         return float(self.constant) - objective / self.scale
 
     def below(self, encoded: Encoded, value: Fraction) -> Encoded:

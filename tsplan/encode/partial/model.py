@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 from tsplan.encode.build import Encoded, Setting, assembled
 from tsplan.encode.literals import ALWAYS
+from tsplan.encode.network import Network
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.partial.claims import Claims, claim
 from tsplan.encode.partial.fraction import FractionEncoder
+from tsplan.encode.partial.rivals import Rivals, team_rows
 from tsplan.encode.partial.sums import Sum
-from tsplan.encode.witness import Request, WitnessEncoder, Witnesses
+from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
 from tsplan.logic import Formula, conjunction, positive, simplify, translate
 from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares_of, tree_of
 from tsplan.logic.fulfilment import spots
@@ -59,14 +61,16 @@ class Valued:
     """A model and what each wish is worth in it."""
 
     encoded: Encoded
+    rivals: Rivals
     worth: tuple[Sum, ...]
 
 
 def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
     """The model in which `demand` holds and every wish is worth its fraction, or 1 as a whole."""
     worth: list[Sum] = []
+    demands: list[Demand] = []
 
-    def ask(encoder: WitnessEncoder, draft: Draft) -> Witnesses:
+    def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
         requests: list[Request] = [(demand, 0, ALWAYS)]
         for wish in wishes:
             if wish.partial:
@@ -78,10 +82,13 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
                 (column,) = encoder.choices.free(1).tolist()
                 worth.append(Sum.of([column]))
                 requests.append((wish.whole, 0, (column,)))
-        return encoder.encode_all(requests)
+        witnesses = encoder.encode_all(requests)
+        team_rows(witnesses.demands, network, draft)
+        demands.extend(witnesses.demands)
+        return witnesses
 
     encoded = assembled(setting, ask)
-    return Valued(encoded, tuple(worth))
+    return Valued(encoded, _rivals(encoded, demands), tuple(worth))
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,21 +96,30 @@ class Claimed:
     """A model and the claims in it."""
 
     encoded: Encoded
+    rivals: Rivals
     claims: Claims
 
 
 def claimed(setting: Setting, tree: Formula, deepest: int) -> Claimed:
     """The model of all plans with claims at the places of a tree down to a depth."""
     found: list[Claims] = []
+    demands: list[Demand] = []
     everywhere = spots(tree)
 
-    def ask(encoder: WitnessEncoder, draft: Draft) -> Witnesses:
+    def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
         made = claim(everywhere, deepest, encoder.choices, draft, encoder.outlook.possible)
         found.append(made)
-        return encoder.encode_all(made.requests)
+        witnesses = encoder.encode_all(made.requests)
+        team_rows(witnesses.demands, network, draft)
+        demands.extend(witnesses.demands)
+        return witnesses
 
     encoded = assembled(setting, ask)
-    return Claimed(encoded, found[0])
+    return Claimed(encoded, _rivals(encoded, demands), found[0])
+
+
+def _rivals(encoded: Encoded, demands: Sequence[Demand]) -> Rivals:
+    return Rivals(demands, encoded.network, encoded.model.size.columns)
 
 
 def hopes(tree: Formula, outlook: Outlook, horizon: int) -> Callable[[Formula, int], bool]:

@@ -11,8 +11,10 @@ import numpy as np
 
 from tsplan.encode.build import Encoded, Setting
 from tsplan.encode.clock import Clock
+from tsplan.encode.ideas import Idea
 from tsplan.encode.partial.aims import Aim, by_depth, chunks
 from tsplan.encode.partial.model import Claimed, Wish, claimed, valued
+from tsplan.encode.partial.rivals import Rivals, without_rivalry
 from tsplan.encode.partial.sums import Sum
 from tsplan.encode.search import Effort, Found, Search
 from tsplan.encode.stages import Measured, Outcome, Point, Reached, Stages
@@ -24,6 +26,7 @@ from tsplan.milp.solution import StoppedBy
 Tell = Callable[[str, Point | None, float | None, float | None], None]
 
 _PART = 0.8  # of the time limit that settling may take
+_USELESS = frozenset({Idea.TREE, Idea.CONTINUOUS})  # where the LP is far from whole agents
 _TRIAL = 3.0  # seconds in which a plan for the whole formula is looked for first
 
 
@@ -97,7 +100,7 @@ class Settling:
             aim = Aim.of(total, units, most, encoded.model.size.columns)
             if refuted and not self._levels:
                 encoded = aim.below(encoded, most)
-            found = self._best(encoded, aim)
+            found = self._best(encoded, aim, model.rivals)
             certain = self._noted(found)
             if found.objective is None:
                 return self._settled(infeasible=found.proven)
@@ -125,7 +128,7 @@ class Settling:
             model = claimed(self.setting, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
-            found = self._best(_within(model, known), aim)
+            found = self._best(_within(model, known), aim, model.rivals)
             surest, certain = self._proven, self._noted(found)
             if found.values is None:
                 return self._settled(infeasible=found.proven)
@@ -145,7 +148,9 @@ class Settling:
 
     # --- search ------------------------------------------------------------------------------
 
-    def _best(self, encoded: Encoded, aim: Aim) -> Found:
+    def _best(self, encoded: Encoded, aim: Aim, rivals: Rivals) -> Found:
+        encoded = without_rivalry(encoded, aim.vector, rivals, self.clock)
+
         def report(values: Floats | None, value: float | None, bound: float | None) -> None:
             point = None if values is None else Point(encoded, values, tight=True)
             shown = [None if n is None else aim.shown(n) for n in (value, bound)]
@@ -153,7 +158,8 @@ class Settling:
 
         size = encoded.model.size
         self._size = (size.columns, size.integers, size.rows, size.nonzeros)
-        search = Search(encoded, aim.vector, self.effort, self.clock, report, step=aim.step)
+        effort = replace(self.effort, ideas=self.effort.ideas - _USELESS)
+        search = Search(encoded, aim.vector, effort, self.clock, report, step=aim.step)
         if self._point is not None:
             former = self._point
             search.adopt(former.values[former.encoded.flows])
