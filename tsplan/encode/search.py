@@ -87,6 +87,7 @@ class Search:
         self._value = np.inf
         self._bound = -np.inf
         self.rescue: Callable[[], Floats | None] | None = None
+        self.patience = _PATIENCE
 
     def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
         """The least value, or with `first` any point. `start` is a known point of this model."""
@@ -106,8 +107,8 @@ class Search:
             self._by_lp(first=True)
         return self._values
 
-    def adopt(self, flows: Floats) -> None:
-        """Keep the best point of this model that has the given flows, if there is one."""
+    def adopt(self, flows: Floats) -> Floats | None:
+        """Keep and return the best point of this model with the given flows, if there is one."""
         columns = self._encoded.flows
         lower, upper = self._model.lower.copy(), self._model.upper.copy()
         lower[columns] = upper[columns] = np.round(flows)
@@ -115,6 +116,7 @@ class Search:
         values = self._call(fixed, Options(), self._clock.within(5.0)).values
         if values is not None:
             self._accept(values)
+        return values
 
     def _accept(self, values: Floats) -> None:
         """Keep a point of whole agents if it is better than the one known."""
@@ -215,7 +217,7 @@ class Search:
             return False
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
         tree = Tree(lp, witnessing, max(self._step, _WHOLE))
-        budget = max(_PATIENCE, 20 * root.seconds)
+        budget = max(self.patience, 20 * root.seconds)
         cutoff = None if self._values is None else self._value
         grown = tree.grow(again, self._clock.within(budget), cutoff, first=first)
         self._raise_bound(grown.bound)

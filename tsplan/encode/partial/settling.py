@@ -13,6 +13,7 @@ from tsplan.encode.build import Encoded, Setting
 from tsplan.encode.clock import Clock
 from tsplan.encode.ideas import Idea
 from tsplan.encode.partial.aims import Aim, by_depth, chunks
+from tsplan.encode.partial.improving import Improving
 from tsplan.encode.partial.model import Claimed, Wish, claimed, valued
 from tsplan.encode.partial.rivals import Rivals, without_rivalry
 from tsplan.encode.partial.sums import Sum
@@ -26,7 +27,7 @@ from tsplan.milp.solution import StoppedBy
 Tell = Callable[[str, Point | None, float | None, float | None], None]
 
 _PART = 0.8  # of the time limit that settling may take
-_USELESS = frozenset({Idea.TREE, Idea.CONTINUOUS})  # where the LP is far from whole agents
+_PATIENCE = 30.0  # seconds before the general solver takes over
 _TRIAL = 3.0  # seconds in which a plan for the whole formula is looked for first
 
 
@@ -158,12 +159,14 @@ class Settling:
 
         size = encoded.model.size
         self._size = (size.columns, size.integers, size.rows, size.nonzeros)
-        effort = replace(self.effort, ideas=self.effort.ideas - _USELESS)
+        effort = replace(self.effort, ideas=self.effort.ideas - {Idea.CONTINUOUS})
         search = Search(encoded, aim.vector, effort, self.clock, report, step=aim.step)
+        search.patience = _PATIENCE
+        former = None
         if self._point is not None:
-            former = self._point
-            search.adopt(former.values[former.encoded.flows])
-        found = search.minimise()
+            former = search.adopt(self._point.values[self._point.encoded.flows])
+        start = Improving(encoded, aim.vector, self.effort, self.clock, aim.step).best(former)
+        found = search.minimise(start)
         if found.values is not None:
             self._point = Point(encoded, found.values, tight=True)
         return found
