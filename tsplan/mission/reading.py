@@ -284,7 +284,8 @@ class _Draft:
             read = self.wishes.get(number)
             if read is not None:
                 formula, text = read
-                name = self._word(wish.name or text.strip(), ("spec", "prefer", number, "name"))
+                place = ("spec", "prefer", number, "name")
+                name = self._word(wish.name, place) if wish.name else text.strip()
                 weight = Fraction(str(wish.weight))
                 made.append(Preference(formula, text, weight, name, wish.level, wish.partial))
         return tuple(made)

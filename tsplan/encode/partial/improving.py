@@ -1,14 +1,16 @@
 """Good plans early: a dive settles when things happen, a small model decides what is done then.
 
 The steps of the witnesses are taken from an LP-guided dive and held, and the solver finds the best
-whole agents for them; then one choice at a time is freed and the others are held (large
+whole agents for them; then one or two choices at a time are freed and the others are held (large
 neighbourhood search: Shaw, 1998). Nothing here proves anything but that a plan exists.
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -55,17 +57,18 @@ class Improving:
         return point if point is None else self._rounds(model, point, bound)
 
     def _rounds(self, model: Model, point: Floats, bound: float) -> Floats:
-        """Free one choice after the other until none of them gains anything."""
+        """Free single choices, then pairs of them, until none gains anything or time is up."""
         clock = self.clock.within(_ALL)
-        groups = self.encoded.groups
-        idle, turn = 0, 0
-        while idle < len(groups) and not clock.over:
+        choices = range(len(self.encoded.groups))
+        waiting = deque([*combinations(choices, 1), *combinations(choices, 2)])
+        tried = 0
+        while tried < len(waiting) and not clock.over:
             if self._value(point) <= bound + max(self.step, 1e-6) - 1e-4:
                 break
-            found = self._held(model, point, (turn % len(groups),), point, _EACH)
-            idle = 0 if found is not None else idle + 1
+            found = self._held(model, point, waiting[0], point, _EACH)
+            waiting.rotate(-1)
+            tried = 0 if found is not None else tried + 1
             point = point if found is None else found
-            turn += 1
         return point
 
     def _held(
