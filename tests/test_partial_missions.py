@@ -194,6 +194,14 @@ def test_the_availability_of_what_is_satisfied_can_be_an_objective():
     assert check(mission_from_text(partial(FAR, rest="availability, travel")), plan).ok
 
 
+def test_the_reference_encoding_plans_what_was_settled():
+    for text in (TEXT, partial(FAR), partial("F[0,4] C && G[0,4] A")):
+        mission = mission_from_text(text)
+        plan = tsplan.plan(mission, encoding="reference")
+        assert plan.status == "optimal"
+        assert plan.objective[0] == tsplan.plan(mission).objective[0]
+
+
 def test_depths_are_counted():
     plan = tsplan.plan(mission_from_text(partial(FAR, "hierarchical")))
     assert plan.satisfaction.depths == (Depth(0, 0, 0), Depth(1, 2, 2), Depth(2, 0, 0))

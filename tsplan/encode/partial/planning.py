@@ -76,7 +76,7 @@ def plan_soft(stages: Stages) -> Outcome:
         setting=setting,
         measure=Measure(setting),
         objective=("availability", *names) if implied else names,
-        known=settled.point.values[settled.point.encoded.flows],
+        known=settled.point.values[settled.point.encoded.flows] if stages.tight else None,
     )
     outcome = rest.run()
     others = outcome.reached[1:] if implied else outcome.reached
