@@ -50,6 +50,18 @@ def test_a_plan_is_printed_written_and_checked(folder, capsys):
     assert main(["check", "mission.yaml", "plan.json"]) == 0
 
 
+def test_ideas_are_switched_off_by_name(folder, capsys):
+    off = ["--without", "visits", "--without", "reduction"]
+    assert main(["plan", "mission.yaml", "--json", "--quiet", *off]) == 0
+    full = json.loads(capsys.readouterr().out)
+    assert main(["plan", "mission.yaml", "--json", "--quiet"]) == 0
+    usual = json.loads(capsys.readouterr().out)
+    assert full["objective"] == usual["objective"]
+    assert full["size"]["rows"] != usual["size"]["rows"]
+    assert main(["plan", "mission.yaml", "--without", "visit"]) == 2
+    assert "visits" in capsys.readouterr().err
+
+
 def test_json_alone_on_stdout(folder, capsys):
     assert main(["plan", "mission.yaml", "--json", "--quiet", "--seed", "1"]) == 0
     out, err = capsys.readouterr()

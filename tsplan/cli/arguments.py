@@ -59,6 +59,13 @@ def _plan(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         default="tight",
         help="tight (default), or the slow plain one to compare with",
     )
+    plan.add_argument(
+        "--without",
+        action="append",
+        default=[],
+        metavar="IDEA",
+        help="switch an idea of the tight encoding off, to find a culprit; may be repeated",
+    )
     plan.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
     plan.add_argument("--json", action="store_true", help="print the JSON alone")
     plan.add_argument("--quiet", action="store_true", help="no progress and no summary")

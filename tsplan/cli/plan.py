@@ -64,6 +64,7 @@ def _planned(asked: argparse.Namespace, mission: Mission) -> Plan:
         threads=asked.threads,
         seed=asked.seed,
         encoding=asked.encoding,
+        without=tuple(asked.without),
     )
     with Progress(quiet=asked.quiet) as progress:
         return planned(mission, order, progress)

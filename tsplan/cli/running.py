@@ -49,6 +49,7 @@ class Order:
     threads: int | None = None
     seed: int | None = None
     encoding: str = "tight"
+    without: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +109,7 @@ def _job(given: tuple[Mission, Order], send: Callable[[Event], None]) -> Plan | 
             threads=order.threads,
             seed=order.seed,
             encoding=order.encoding,
+            without=order.without,
             on_event=_Forward(send),
         )
     except InputError as error:

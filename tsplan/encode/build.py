@@ -47,8 +47,9 @@ class Setting:
 class Encoded:
     """A model and what its columns mean.
 
-    `indicators` are the 0/1 columns of the logic, `groups` those of them of which at most one is
-    1, in the order of their steps. `shared` says that some eventuality lies under an always,
+    `indicators` are the 0/1 columns of the logic and `steps` when what they stand for begins (tight
+    encoding only); `groups` are those of them of which at most one is 1, in the order of their
+    steps. `shared` says that some eventuality lies under an always,
     `level` which availability was asked for. `rho` is the availability's column in the reference
     encoding.
     """
@@ -62,6 +63,7 @@ class Encoded:
     refuted: bool = False
     shared: bool = False
     level: int = 0
+    steps: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
     groups: tuple[Ints, ...] = ()
     families: tuple[tuple[SiteColumns, Family], ...] = field(default=())
 
@@ -81,10 +83,12 @@ def prepare(
     goal = mission.goal if goal is None else goal
     named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
     classes = agent_classes(system, mission.team, {name for name in named if name is not None})
-    interest = _interest(mission, goal, arrays, constraints)
+    interests = [
+        _interest(mission, goal, item.graph.capabilities, arrays, constraints) for item in classes
+    ]
     reduced = None
     if Idea.REDUCTION in ideas and _paid_by_duration(mission, classes):
-        reduced = _reduced(classes, interest, mission.horizon)
+        reduced = _reduced(classes, interests, mission.horizon)
     return Setting(
         mission=mission,
         goal=goal,
@@ -94,16 +98,18 @@ def prepare(
         arrays=arrays,
         constraints=tuple(constraints),
         ideas=ideas,
-        monotone=reduced is not None and not interest.limited.any() and not arrays.group_capacity,
+        monotone=reduced is not None
+        and not any(interest.limited.any() for interest in interests)
+        and not arrays.group_capacity,
     )
 
 
 def _reduced(
-    classes: Sequence[AgentClass], interest: Interest, horizon: int
+    classes: Sequence[AgentClass], interests: Sequence[Interest], horizon: int
 ) -> tuple[Reduced, ...] | None:
     """Reductions of all classes, or None where that of one would not be exact."""
     found = []
-    for item in classes:
+    for item, interest in zip(classes, interests, strict=True):
         reduction = reduce(item.graph, interest, horizon)
         if reduction is None:
             return None
@@ -121,21 +127,26 @@ def _paid_by_duration(mission: Mission, classes: Sequence[AgentClass]) -> bool:
 
 
 def _interest(
-    mission: Mission, goal: Formula, arrays: MapArrays, constraints: Sequence[Constraint]
+    mission: Mission,
+    goal: Formula,
+    able: frozenset[str],
+    arrays: MapArrays,
+    constraints: Sequence[Constraint],
 ) -> Interest:
-    """Which states the problem speaks about, and which of them it bounds from above."""
+    """Which states the problem counts agents with these capabilities at, and which it limits."""
     relevant = np.zeros(len(arrays.names), dtype=np.bool_)
     limited = np.zeros(len(arrays.names), dtype=np.bool_)
     for node in walk(goal):
-        if isinstance(node, Count):
+        if isinstance(node, Count) and (node.capability is None or node.capability in able):
             states = arrays.states_with(mission.system, node.label)
             relevant[states] = True
             limited[states] |= node.relation == "<="
     for state, _ in arrays.capacity:
         relevant[state] = limited[state] = True
     for term in terms_of(constraints):
-        states = term.states(mission.system, arrays)
-        relevant[states] = limited[states] = True
+        if term.capability is None or term.capability in able:
+            states = term.states(mission.system, arrays)
+            relevant[states] = limited[states] = True
     return Interest(relevant, limited)
 
 
@@ -177,6 +188,7 @@ def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = Fa
         flows=flows,
         stayers=stay,
         refuted=witnesses.choices.refuted,
+        steps=np.array(witnesses.choices.steps, dtype=np.int64),
         groups=tuple(witnesses.choices.groups),
         shared=bool(witnesses.covers),
         families=tuple(staffing.families),

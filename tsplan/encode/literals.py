@@ -32,11 +32,16 @@ class Choices:
         self._free: set[int] = set()
         self._count = 0
         self.columns: list[int] = []
+        self.steps: list[int] = []
         self.groups: list[Ints] = []
         self.refuted = False
 
-    def choose(self, parent: Literal, options: int, kind: str) -> Ints:
-        """Columns of which exactly one is 1 where `parent` is 1, and none elsewhere."""
+    def choose(self, parent: Literal, steps: Sequence[int], kind: str) -> Ints:
+        """Columns of which exactly one is 1 where `parent` is 1, and none elsewhere.
+
+        There is one for each of `steps`: when what the option stands for begins.
+        """
+        options = len(steps)
         columns = self._draft.columns(options, upper=1.0, integer=True)
         index = np.zeros(options + len(parent), dtype=np.int64)
         values = np.concatenate([np.ones(options), -np.ones(len(parent))])
@@ -54,11 +59,13 @@ class Choices:
             self._lineage[column] = {**above, self._count: frozenset((column,))}
         self._count += 1
         self.columns += columns.tolist()
+        self.steps += steps
         self.groups.append(columns)
         return columns
 
-    def optional(self, parent: Literal, options: int, kind: str) -> Ints:
+    def optional(self, parent: Literal, steps: Sequence[int], kind: str) -> Ints:
         """Columns of which at most one is 1 where `parent` is 1, and none elsewhere."""
+        options = len(steps)
         columns = self._draft.columns(options, upper=1.0, integer=True)
         self._draft.rows(
             np.zeros(options + len(parent), dtype=np.int64),
@@ -73,18 +80,20 @@ class Choices:
             self._lineage[column] = {**above, self._count: frozenset((column,))}
         self._count += 1
         self.columns += columns.tolist()
+        self.steps += steps
         if options > 1:
             self.groups.append(columns)
         return columns
 
-    def free(self, count: int) -> Ints:
+    def free(self, steps: Sequence[int]) -> Ints:
         """Columns that exclude nothing: each may be 1 whenever its own sub-formula holds."""
-        columns = self._draft.columns(count, upper=1.0, integer=True)
+        columns = self._draft.columns(len(steps), upper=1.0, integer=True)
         for column in columns.tolist():
             self._lineage[column] = {self._count: frozenset((column,))}
             self._free.add(column)
             self._count += 1
         self.columns += columns.tolist()
+        self.steps += steps
         return columns
 
     def cover(self, columns: Ints, parent: Literal, kind: str) -> None:

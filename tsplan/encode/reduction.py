@@ -1,8 +1,9 @@
 """Map reduction: a class's graph between the states that matter, and the way back to real paths.
 
-Kept are the *relevant* states (labels of the formula, capacities, extra constraints) and the start
-states. An edge of the reduced graph is a quickest path of the full graph through states that are
-not relevant. The idea and its conditions stand in the project's encoding notes (docs/encoding.md):
+Kept are the *relevant* states (those at which the formula or an extra constraint counts agents of
+this class, capacities) and the start states. An edge of the reduced graph is a quickest path of the
+full graph through states that are not relevant. The idea and its conditions stand in the project's
+encoding notes (docs/encoding.md):
 
 * every kept state has a unit self-loop, so that waiting can be done at either end of a shortcut;
 * moves are paid by their duration, or not at all;

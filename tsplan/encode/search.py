@@ -16,10 +16,11 @@ from scipy import sparse
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
-from tsplan.encode.dive import dive, fractional
+from tsplan.encode.dive import Earliest, Picker, dive, fractional, largest
 from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
 from tsplan.encode.tree import Tree, Witnessing
+from tsplan.encode.wholeness import Rounding
 from tsplan.milp.model import Floats, Ints, Model, Tag
 from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy
 from tsplan.milp.solver import Solver
@@ -27,6 +28,7 @@ from tsplan.milp.warm import LPResult, WarmLP
 
 _ROUNDS = 12  # of separation at the root
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
+_LONG = 2.0  # seconds at the root after which a second dive is worth its while
 _WHOLE = 1e-6
 
 
@@ -62,8 +64,9 @@ Reporter = Callable[[Floats | None, float | None, float | None], None]
 class Search:
     """One search for the least value of `objective` on one model.
 
-    `rescue`, where set, is asked for the flows of some plan when the dive has found none. `step`
-    is the least distance of two values that plans can have; by default 1 for whole coefficients.
+    `scout` and `rescue`, where set, are asked for the flows of some plan: before the first LP, and
+    after it if there may be a plan and none is known. `step` is the least distance of two values
+    that plans can have; by default 1 for whole coefficients.
     """
 
     def __init__(
@@ -86,6 +89,9 @@ class Search:
         self._values: Floats | None = None
         self._value = np.inf
         self._bound = -np.inf
+        self._lp: WarmLP | None = None
+        self._began = clock.elapsed
+        self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
         self.patience = _PATIENCE
 
@@ -95,17 +101,32 @@ class Search:
             return Found(None, None, np.inf, proven=True)
         if start is not None:
             self._accept(start)
+        self._send(self.scout)
+        if first and self._values is not None:
+            return self._found(proven=False)
         if self._effort.ideas & {Idea.DIVE, Idea.TREE}:
             proven = self._by_lp(first=first)
             if proven or (first and self._values is not None) or self._clock.over:
                 return self._found(proven=proven)
         return self._by_solver(first=first)
 
-    def any_by_lp(self) -> Floats | None:
-        """Any point that the dive or the tree finds, without the general solver; or None."""
-        if not self._encoded.refuted:
-            self._by_lp(first=True)
+    def dive_for(self, pick: Picker) -> Floats | None:
+        """The point that a dive by `pick` finds, however often it goes wrong, or None."""
+        if self._encoded.refuted:
+            return None
+        lp = self._warm()
+        root = lp.solve(time_limit=self._clock.left)
+        if root.status == "optimal":
+            dived = dive(lp, self._encoded.indicators, root, self._clock, pick=pick)
+            if dived.values is not None:
+                self._keep(dived.values)
         return self._values
+
+    def _send(self, scout: Callable[[], Floats | None] | None) -> None:
+        """Keep the point of this model that has the flows which `scout` brings, if there is one."""
+        flows = scout() if scout is not None and self._values is None else None
+        if flows is not None:
+            self.adopt(flows)
 
     def adopt(self, flows: Floats) -> Floats | None:
         """Keep and return the best point of this model with the given flows, if there is one."""
@@ -161,37 +182,44 @@ class Search:
 
     def _by_lp(self, *, first: bool) -> bool:
         """Root LP with cuts, dive, tree. True if that settled the question."""
-        lp = WarmLP(self._model, self._clock.stop)
+        lp = self._warm()
         root = lp.solve(time_limit=self._clock.left)
-        if root.status == "infeasible":
-            return True
-        if root.status != "optimal":
-            return False
-        root = self._tighten(lp, root, first=first)
+        if root.status == "optimal":
+            root = self._tighten(lp, root, first=first)
         if root.status != "optimal":
             return root.status == "infeasible"
         self._raise_bound(root.objective)
+        self._send(self.rescue)
+        if first and self._values is not None:
+            return self._closed
         if Idea.DIVE in self._effort.ideas and not self._closed and self._dive(lp, root):
             return True
         if self._closed or (first and self._values is not None):
             return self._closed
-        return self._grow(lp, root, first=first) if Idea.TREE in self._effort.ideas else False
+        return self._grow(lp, first=first) if Idea.TREE in self._effort.ideas else False
 
     def _dive(self, lp: WarmLP, root: LPResult) -> bool:
-        """Look for a point by diving, and by the rescue if that fails; True if there is none."""
-        clock = self._clock
-        if self.rescue is not None:
-            clock = clock.within(max(1.0, 2 * root.seconds))
-        dived = dive(lp, self._encoded.indicators, root, clock, self._cutoff)
-        if dived.values is not None:
-            self._whole(dived.values)
-        elif dived.refuted:
-            return True
-        if self._values is None and self.rescue is not None:
-            flows = self.rescue()
-            if flows is not None:
-                self.adopt(flows)
-        return False
+        """Look for points by diving; True if there is none."""
+        encoded = self._encoded
+        turns = 20 + len(encoded.indicators) // 10
+        pickers: list[Picker] = [largest]
+        if self._clock.elapsed - self._began > _LONG:  # a tree will not get far soon
+            pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.groups))
+        for pick in pickers:
+            dived = dive(
+                lp,
+                encoded.indicators,
+                root,
+                self._clock,
+                cutoff=self._cutoff,
+                turns=turns,
+                pick=pick,
+            )
+            if dived.values is not None:
+                self._keep(dived.values)
+            if dived.refuted or self._closed:
+                break
+        return dived.refuted
 
     def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:
         """Add violated visit cuts, to the LP and to the model, while they raise the bound."""
@@ -211,38 +239,64 @@ class Search:
                 break
         return root
 
-    def _grow(self, lp: WarmLP, root: LPResult, *, first: bool) -> bool:
+    def _grow(self, lp: WarmLP, *, first: bool) -> bool:
         again = lp.solve(time_limit=self._clock.left)
         if again.status != "optimal":
             return False
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
         tree = Tree(lp, witnessing, max(self._step, _WHOLE))
-        budget = max(self.patience, 20 * root.seconds)
+        budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         cutoff = None if self._values is None else self._value
         grown = tree.grow(again, self._clock.within(budget), cutoff, first=first)
         self._raise_bound(grown.bound)
         whole = grown.values is None or self._whole(grown.values)
         return grown.done and whole
 
-    def _whole(self, values: Floats) -> bool:
+    def _keep(self, values: Floats) -> None:
         """Keep a point whose indicators are whole, its flows made whole where they are not."""
-        rounded = values.copy()
-        logic = self._encoded.indicators
-        rounded[logic] = np.round(values[logic])
-        if not len(fractional(values, self._encoded.flows)):
-            whole = np.flatnonzero(self._model.integer)
-            rounded[whole] = np.round(rounded[whole])
-            self._accept(rounded)
-            return True
-        fixed = self._model.with_bounds(
-            _placed(self._model.lower, logic, rounded), _placed(self._model.upper, logic, rounded)
-        )
-        solution = self._call(fixed, Options(), self._clock.within(5.0))
-        if solution.values is not None:
-            value = float(self._model.objective @ solution.values)
-            self._accept(solution.values)
-            return value <= float(self._model.objective @ values) + max(self._step, _WHOLE) - 1e-4
+        near = self._nearby(values)
+        if near is None:
+            near = self._repaired(values)
+        if near is not None:
+            self._accept(near)
+
+    def _whole(self, values: Floats) -> bool:
+        """Keep such a point; True if whole agents are proven to be no worse than its parts."""
+        aim = float(self._model.objective @ values) + max(self._step, _WHOLE) - 1e-4
+        for attempt in (self._nearby, self._repaired):
+            found = attempt(values)
+            if found is not None:
+                self._accept(found)
+                if float(self._model.objective @ found) <= aim:
+                    return True
         return False
+
+    def _nearby(self, values: Floats) -> Floats | None:
+        """A point of whole agents by rounding."""
+        encoded = self._encoded
+        if not len(fractional(values, encoded.flows)):
+            return self._rounded(values)
+        rounding = Rounding(self._warm(), self._model, encoded.indicators, encoded.flows)
+        near = rounding.whole(values, self._clock.within(5.0))
+        return None if near is None else self._rounded(near)
+
+    def _repaired(self, values: Floats) -> Floats | None:
+        """The best point of whole agents with the witnesses of `values`, if the solver finds it."""
+        logic = self._encoded.indicators
+        fixed = self._model.with_bounds(
+            _placed(self._model.lower, logic, np.round(values)),
+            _placed(self._model.upper, logic, np.round(values)),
+        )
+        return self._call(fixed, Options(), self._clock.within(5.0)).values
+
+    def _rounded(self, values: Floats) -> Floats:
+        """The point without the last digits of its whole numbers."""
+        return np.where(self._model.integer, np.round(values), values)
+
+    def _warm(self) -> WarmLP:
+        if self._lp is None:
+            self._lp = WarmLP(self._model, self._clock.stop)
+        return self._lp
 
     # --- the solver's side -------------------------------------------------------------------
 

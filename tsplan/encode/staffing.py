@@ -25,6 +25,8 @@ from tsplan.encode.together import Region, Together
 from tsplan.encode.witness import Cover, Demand, Witnesses
 from tsplan.milp.model import Block, Draft, Floats, Ints
 
+_SEVERAL = 2
+
 
 @dataclass(frozen=True, eq=False)
 class Family:
@@ -87,13 +89,13 @@ class Staffing:
             for family in self._families(demands, witnesses.choices):
                 self.families.append((site, family))
                 self._demand_rows(site, family)
-                if cuts and len(family.columns):
+                if cuts:
                     self._window_rows(site, family)
         if cuts:
             for key, demands in lower.items():
-                self._cover_rows(sites[key], demands, witnesses.covers)
+                self._cover_rows(sites[key], _asked(demands), witnesses.covers)
         if together:
-            self._together(lower, witnesses.choices, cuts=cuts)
+            self._together(lower, witnesses, cuts=cuts)
         self._needs.write(self._draft)
         self._visits.write(self._draft)
         self._limits([d for d in witnesses.demands if d.bound.upper], witnesses.choices)
@@ -101,7 +103,7 @@ class Staffing:
     def _together(
         self,
         lower: Mapping[tuple[Site, str | None], list[Demand]],
-        choices: Choices,
+        witnesses: Witnesses,
         *,
         cuts: bool,
     ) -> None:
@@ -110,6 +112,7 @@ class Staffing:
         for (_, capability), demands in lower.items():
             able[capability] += demands
         for capability, demands in able.items():
+            choices = witnesses.choices
             joint = Together(demands, choices)
             team = self._network.agents(capability)
             always, needed = joint.most()
@@ -119,11 +122,11 @@ class Staffing:
                 if max(need.values(), default=0) > team:
                     choices.refute((column,), "together")
             for region in joint.regions() if cuts else ():
-                self._region_rows(region, capability, choices)
+                self._region_rows(region, capability, witnesses)
 
-    def _region_rows(self, region: Region, capability: str | None, choices: Choices) -> None:
+    def _region_rows(self, region: Region, capability: str | None, witnesses: Witnesses) -> None:
         steps = {step for need in region.columns.values() for step in need}
-        if len(steps) < 2 or self._network.horizon == 0:  # noqa: PLR2004 - a window needs two
+        if len(steps) < _SEVERAL or self._network.horizon == 0:
             return
         site = self._site(np.array(region.states), capability, min(steps), max(steps), cuts=True)
         base = {step: float(n) for step, n in region.always.items() if step in steps}
@@ -131,10 +134,11 @@ class Staffing:
             column: {step: float(n) for step, n in need.items()}
             for column, need in region.columns.items()
         }
-        for columns in choices.families(asked):
+        for columns in witnesses.choices.families(asked):
             family = _family(columns, asked, base)
             self.families.append((site, family))
             self._window_rows(site, family)
+        self._cover_rows(site, asked, witnesses.covers)
 
     def _site(
         self, states: Ints, capability: str | None, first: int, last: int, *, cuts: bool
@@ -187,7 +191,7 @@ class Staffing:
         """Visit cuts of the family's whole window, of its beginnings and of its ends."""
         place = family.steps - site.first
         count = len(place) - 1
-        if count < 1:
+        if count < 1 or len(family.columns) < _SEVERAL:  # the demand itself says as much
             return
         begun = np.maximum.accumulate(family.amount)[1:]
         ending = np.maximum.accumulate(family.amount[::-1])[::-1][1:-1]
@@ -205,14 +209,9 @@ class Staffing:
         )
 
     def _cover_rows(
-        self, site: SiteColumns, demands: Sequence[Demand], covers: Sequence[Cover]
+        self, site: SiteColumns, asked: Mapping[int, Mapping[int, float]], covers: Sequence[Cover]
     ) -> None:
         """Visit cuts of shared windows: if every witness asks for agents here, some must come."""
-        asked: dict[int, dict[int, int]] = defaultdict(dict)
-        for demand in demands:
-            for column in demand.literal:
-                mine = asked[column]
-                mine[demand.step] = max(mine.get(demand.step, 0), demand.bound.amount)
         for cover in covers:
             if not all(column in asked for column in cover.columns):
                 continue
@@ -272,6 +271,16 @@ class Staffing:
                 mine[demand.step] = max(mine.get(demand.step, 0.0), amount)
         groups = choices.families(asked) if self._joint else [[column] for column in asked]
         return [_family(columns, asked, base) for columns in groups or ([[]] if base else [])]
+
+
+def _asked(demands: Sequence[Demand]) -> dict[int, dict[int, float]]:
+    """What each column asks for, by step."""
+    asked: dict[int, dict[int, float]] = defaultdict(dict)
+    for demand in demands:
+        for column in demand.literal:
+            mine = asked[column]
+            mine[demand.step] = max(mine.get(demand.step, 0.0), float(demand.bound.amount))
+    return asked
 
 
 def _family(

@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
 from tsplan.encode import objectives
 from tsplan.encode.build import Encoded, Setting, reference, tight
+from tsplan.encode.chains import chain_model, first_flows
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import CountTerm, resolve
 from tsplan.encode.ideas import Idea
@@ -264,13 +266,20 @@ class Stages:
             effort = replace(effort, ideas=frozenset())
         search = Search(encoded, objective, effort, self.clock, report)
         if encoded.shared and Idea.CHAINS in effort.ideas:
-            search.rescue = lambda: self._chained(encoded, effort)
+            chained = partial(self._chained, encoded, effort)
+            if self._point is None:
+                search.scout = chained
+            else:
+                search.rescue = chained
         if self.known is not None and self._point is None:
-            search.adopt(self.known)
+            search.scout = self._recalled
         found = search.minimise(None if first else self._start(encoded), first=first)
         if found.values is not None:
             self._point = Point(encoded, found.values, self.tight)
         return found
+
+    def _recalled(self) -> Floats | None:
+        return self.known
 
     def _chained(self, encoded: Encoded, effort: Effort) -> Floats | None:
         """Flows of a plan found by way of the chained restriction, in a part of the time."""
@@ -278,19 +287,16 @@ class Stages:
         left = self.clock.left
         budget = _CHAIN_SECONDS if left is None else min(_CHAIN_SECONDS, left / 2)
         objective = self._linear(restricted, "travel")
-        search = Search(restricted, objective, effort, self.clock.within(budget), _unheard)
-        found = search.any_by_lp()
-        return None if found is None else found[restricted.flows]
+        return first_flows(restricted, objective, effort, self.clock.within(budget))
 
     def _restricted(self, encoded: Encoded) -> Encoded:
         """The chained model within the bounds and kept rows of the exact one."""
-        kept = self._kept
-        restricted = tight(self.setting, encoded.level, chain=True)
+        restricted = chain_model(self.setting, encoded.level)
         model = restricted.model
         upper = model.upper.copy()
         upper[restricted.flows] = encoded.model.upper[encoded.flows]
         restricted = replace(restricted, model=model.with_bounds(model.lower, upper))
-        return self._with_rows(restricted, kept)
+        return self._with_rows(restricted, self._kept)
 
     def _start(self, encoded: Encoded) -> Floats | None:
         """The present point, where it is one of this model too."""
@@ -300,10 +306,6 @@ class Stages:
         return point.values if encoded.model.violation(point.values) < _FEASIBLE else None
 
 
-def _unheard(*_: object) -> None:
-    """Reports of a search on a restriction are nobody's business: its bounds are not true ones."""
-
-
 _FEASIBLE = 1e-6
-_CHAIN_SECONDS = 60.0
+_CHAIN_SECONDS = 15.0
 _LINEAR = frozenset({"travel", "cost", "agents", "own"})

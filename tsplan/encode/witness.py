@@ -143,7 +143,7 @@ class WitnessEncoder:
                 self._demand(needed.bounds, step, literal)
             else:
                 able = [b for b in needed.bounds if self._outlook.within_reach(b, step)]
-                options = self._options(literal, len(able), "some state")
+                options = self._options(literal, [step] * len(able), "some state")
                 for bound, option in zip(able, options, strict=True):
                     self._demand((bound,), step, option)
 
@@ -166,7 +166,8 @@ class WitnessEncoder:
     def _(self, node: Or, requests: Mapping[int, list[Literal]]) -> None:
         for step, literal in _each(requests):
             able = [child for child in node.children if self._outlook.possible(child, step)]
-            for child, option in zip(able, self._options(literal, len(able), "or"), strict=True):
+            options = self._options(literal, [step] * len(able), "or")
+            for child, option in zip(able, options, strict=True):
                 self._ask(child, step, option)
 
     @_pass_on.register
@@ -185,7 +186,7 @@ class WitnessEncoder:
         for literal, steps in by_literal.items():
             for step in () if literal in repeated else steps:
                 times = self._times(node, step)
-                options = self._options(literal, len(times), "eventually")
+                options = self._options(literal, times, "eventually")
                 for time, option in zip(times, options, strict=True):
                     self._ask(node.child, time, option)
 
@@ -197,7 +198,7 @@ class WitnessEncoder:
             for step in steps
         ]
         times = sorted({time for _, window in windows for time in window})
-        column = dict(zip(times, self._choices.free(len(times)).tolist(), strict=True))
+        column = dict(zip(times, self._choices.free(times).tolist(), strict=True))
         for literal, window in windows:
             members = tuple(column[time] for time in window)
             self._choices.cover(_ints(members), literal, "eventually")
@@ -219,7 +220,7 @@ class WitnessEncoder:
             if not times:
                 self._choices.refute(literal, "chain")
                 return
-            columns = self._choices.choose(literal, len(times), "chain")
+            columns = self._choices.choose(literal, times, "chain")
             if former is not None:
                 self._choices.follow(former, (columns, times), length, "chain")
             former = (columns, times)
@@ -239,7 +240,7 @@ class WitnessEncoder:
                     times.append(time)
                 if not self._outlook.possible(node.left, time):
                     break
-            options = self._options(literal, len(times), "until")
+            options = self._options(literal, times, "until")
             for time, option in zip(times, options, strict=True):
                 self._ask(node.right, time, option)
             for time in range(step, max(times, default=step)):
@@ -259,7 +260,7 @@ class WitnessEncoder:
                 if self._outlook.possible(node.left, time):
                     times.append(time)
             never = [last] if endless and self._outlook.possible(node.right, last) else []
-            options = self._options(literal, len(times + never), "release")
+            options = self._options(literal, times + never, "release")
             for time, option in zip(times, options, strict=False):
                 self._ask(node.left, time, option)
             for time in range(first, last + 1):
@@ -267,14 +268,14 @@ class WitnessEncoder:
                 if held:
                     self._ask(node.right, time, _union(held))
 
-    def _options(self, literal: Literal, count: int, kind: str) -> list[Literal]:
-        """One literal per option; a single option needs no column of its own."""
-        if count == 0:
+    def _options(self, literal: Literal, steps: Sequence[int], kind: str) -> list[Literal]:
+        """One literal per option, by the steps they begin; a single one needs no column."""
+        if not steps:
             self._choices.refute(literal, kind)
             return []
-        if count == 1:
+        if len(steps) == 1:
             return [literal]
-        return [(column,) for column in self._choices.choose(literal, count, kind).tolist()]
+        return [(column,) for column in self._choices.choose(literal, steps, kind).tolist()]
 
 
 def _each(requests: Mapping[int, list[Literal]]) -> Iterable[tuple[int, Literal]]:

@@ -54,7 +54,7 @@ def claim(
         for step in spot.steps:
             made[step] = above[step]
             if _claimable(spot, everywhere) and possible(node, step):
-                column = int(choices.free(1)[0])
+                column = int(choices.free([step])[0])
                 by_depth[spot.depth].append(column)
                 requests.append((node, step, (column,)))
                 cover = _cover(column, above[step], draft, leaf=spot.depth == deepest)

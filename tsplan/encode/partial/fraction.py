@@ -184,7 +184,7 @@ class FractionEncoder:
         if len(options) == 1:
             chosen: list[Literal] = [literal]
         else:
-            columns = self._choices.optional(literal, len(options), "best")
+            columns = self._choices.optional(literal, [time for _, time in options], "best")
             chosen = [(column,) for column in columns.tolist()]
         pairs = zip(options, chosen, strict=True)
         keys = [key for option, under in pairs for key in self._ask(*option, under)]
@@ -198,10 +198,11 @@ class FractionEncoder:
         step: int,
     ) -> None:
         """Options that are all or nothing: the indicator of the one chosen is the value."""
+        times = [time for _, time in options]
         if len(options) == 1 and not literal:
-            columns = self._choices.free(1)
+            columns = self._choices.free(times)
         else:
-            columns = self._choices.optional(literal, len(options), "part")
+            columns = self._choices.optional(literal, times, "part")
         for (child, time), column in zip(options, columns.tolist(), strict=True):
             self.requests.append((positive(child), time, (column,)))
         self._ledger.enter((node, step, literal), Sum.of(columns.tolist()))
@@ -220,7 +221,7 @@ class FractionEncoder:
                 if literal:
                     self._ledger.tie(columns, Sum.of(literal))
             else:
-                options = self._choices.optional(literal, len(window), "window").tolist()
+                options = self._choices.optional(literal, window, "window").tolist()
                 columns = self._draft.columns(len(window), upper=1.0).tolist()
                 for time, option, column in zip(window, options, columns, strict=True):
                     self._ledger.tie([column], Sum.of([option]))
@@ -235,7 +236,7 @@ class FractionEncoder:
     def _until(self, node: Until, step: int, literal: Literal) -> None:
         """One switch step; the left side's value at a step is shared out between later switches."""
         switches = list(range(step + node.low, step + node.high + 1))
-        chosen = self._choices.optional(literal, len(switches), "switch").tolist()
+        chosen = self._choices.optional(literal, switches, "switch").tolist()
         parts = [
             (key, Fraction(1, switch - step + 1))
             for switch, column in zip(switches, chosen, strict=True)

@@ -50,7 +50,9 @@ class Improving:
         bound = root.objective
         point = known
         if point is None or self._value(point) > bound + max(self.step, 1e-6):
-            dived = dive(lp, self.encoded.indicators, root, self.clock.within(_FIRST), None)
+            turns = 20 + len(self.encoded.indicators) // 10
+            clock = self.clock.within(_FIRST)
+            dived = dive(lp, self.encoded.indicators, root, clock, turns=turns)
             if dived.values is not None:
                 found = self._held(model, dived.values, (), point, _FIRST)
                 point = point if found is None else found

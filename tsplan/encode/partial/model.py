@@ -79,7 +79,7 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
                 worth.append(parts.encode(wish.tree))
                 requests += parts.requests
             else:
-                (column,) = encoder.choices.free(1).tolist()
+                (column,) = encoder.choices.free([0]).tolist()
                 worth.append(Sum.of([column]))
                 requests.append((wish.whole, 0, (column,)))
         witnesses = encoder.encode_all(requests)
