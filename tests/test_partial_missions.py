@@ -302,6 +302,17 @@ def test_a_formula_too_large_for_its_depths_is_refused():
         tsplan.plan(mission)
 
 
+def test_a_formula_whose_tree_is_vast_is_told_in_part():
+    deep = "A"
+    for _ in range(11):
+        deep = f"({deep}) <=> B"
+    mission = mission_from_text(partial(f"({deep}) && F[0,4] sum(C) >= 9"))
+    plan = tsplan.plan(mission)
+    assert plan.satisfaction.fraction == Fraction(1, 2)
+    assert len(plan.satisfaction.nodes) == 5000
+    assert check(mission, Plan.from_json(plan.to_json())).ok
+
+
 def test_an_interrupted_search_keeps_true_bounds():
     mission = mission_from_text(partial(FAR))
     stopped = tsplan.plan(mission, on_event=lambda _: True)

@@ -26,6 +26,9 @@ from tsplan.logic.traces import Trace
 
 Pair: TypeAlias = "tuple[Formula, int]"
 
+MOST_PARTS = 5_000
+"""Parts that are told of one tree; written out, a small formula with many <=> may have millions."""
+
 MOST_PAIRS = 200_000
 """Pairs of a tree that are told apart by their depth; a formula with more is too large for that."""
 
@@ -63,11 +66,14 @@ class _Place(NamedTuple):
 
 
 def parts(tree: Formula, trace: Trace) -> tuple[Part, ...]:
-    """Every sub-formula of a tree, parents before their children, in the order of the text."""
+    """Every sub-formula of a tree, parents before their children, in the order of the text.
+
+    Of a tree with more than `MOST_PARTS` the last ones are left out.
+    """
     values = shares(tree, trace)
     places: list[_Place] = []
     stack = [_Place(tree, 0, (0,), counted=True)]
-    while stack:
+    while stack and len(places) < MOST_PARTS:
         places.append(stack.pop())
         stack += reversed(list(_below(places[-1], values)))
     found = []

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.results.plan import Bundle
 
+MOST_LETTERS = 1000
+"""Letters of a part of a formula in a plan; longer ones are cut off."""
+
 
 def count_trace(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> CountTrace:
     """Counts by state and step of agents with each capability that the mission's formulas name."""
@@ -72,6 +75,7 @@ def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node,
     from tsplan import logic  # noqa: PLC0415  (slow to import)
     from tsplan.logic.fraction import tree_of  # noqa: PLC0415
     from tsplan.logic.fulfilment import parts  # noqa: PLC0415
+    from tsplan.logic.printing import text_of  # noqa: PLC0415
 
     interval = mission.task_interval
     written: dict[Formula, Formula] = {
@@ -79,9 +83,16 @@ def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node,
         for node in logic.walk(formula)
         if isinstance(node, logic.Task | logic.Limit)
     }
+    shown: dict[Formula, Formula] = {}
+
+    def show(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        shown[node] = written[node] if node in written else node.over(below)
+        return shown[node]
+
+    logic.fold(tree_of(formula, interval), show)
     return tuple(
         Node(
-            str(logic.substitute(part.node, written)),
+            text_of(shown[part.node], MOST_LETTERS),
             part.depth,
             part.first,
             part.last,

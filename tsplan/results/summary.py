@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from textwrap import shorten
 from typing import TYPE_CHECKING
 
 from tsplan.mission.data import OBJECTIVES
@@ -23,6 +24,7 @@ MOST_PATHS = 40
 MOST_PARTS = 40
 """Parts of a formula that are listed with how much of them holds."""
 
+_LONGEST = 80  # letters of a part of a formula
 _NUMBERED = re.compile(r"(.*-)(\d+)\Z")
 _LIMITS = {
     StoppedBy.TIME_LIMIT: "at the time limit",
@@ -110,7 +112,8 @@ def _node_lines(nodes: Sequence[Node]) -> list[str]:
         )
         other = "" if node.counted else ", another part stands for it"
         indent = "    " + "  " * node.depth
-        lines.append(f"{indent}{_share(node.fraction)}: {node.text} ({when}{other})")
+        text = shorten(node.text, _LONGEST, placeholder=" ...")
+        lines.append(f"{indent}{_share(node.fraction)}: {text} ({when}{other})")
     if len(lines) > MOST_PARTS:
         rest = len(lines) - MOST_PARTS
         return [*lines[:MOST_PARTS], f"    ... and {rest:,} more parts; the JSON plan has them all"]

@@ -9,6 +9,8 @@ tight encoding of that stands behind it.
 
 * Literals that exclude each other are added up before a node is passed on. What the merged literal
   is worth is then shared out between those who asked.
+* A node that is asked for under many literals which do not exclude each other is valued once, under
+  none of them, so that formulas that share their parts stay small.
 * An eventuality that is asked for at several steps under one literal (F under G) does not hand its
   witnesses down: the child is valued once at each step, and each window picks from these values.
 """
@@ -42,6 +44,7 @@ Key: TypeAlias = tuple[Formula, int, Literal]
 Asked: TypeAlias = Mapping[int, Sequence[Literal]]
 
 _ONE = Fraction(1)
+_MOST_GROUPS = 4  # of literals under which a node is valued at one step
 
 
 class FractionEncoder:
@@ -94,6 +97,9 @@ class FractionEncoder:
                     break
             else:
                 groups.append([literal])
+        if len(groups) > _MOST_GROUPS or (ALWAYS in literals and len(groups) > 1):
+            self._share_freely(node, step, literals)
+            return [ALWAYS]
         merged = []
         for group in groups:
             union = tuple(sorted({column for literal in group for column in literal}))
@@ -101,6 +107,15 @@ class FractionEncoder:
             if len(group) > 1:
                 self._share_out(node, step, group, union)
         return list(dict.fromkeys(merged))
+
+    def _share_freely(self, node: Formula, step: int, literals: Sequence[Literal]) -> None:
+        """Literals that do not exclude each other: the node is valued once, whatever they are."""
+        for literal in literals:
+            if literal != ALWAYS:
+                columns = self._draft.columns(1, upper=1.0).tolist()
+                self._ledger.enter((node, step, literal), Sum.of(columns))
+                self._ledger.tie(columns, Sum.of(literal))
+                self._ledger.tie(columns, Sum(), [(node, step, ALWAYS)])
 
     def _share_out(
         self, node: Formula, step: int, group: Sequence[Literal], union: Literal
