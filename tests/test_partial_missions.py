@@ -304,7 +304,7 @@ def test_a_formula_too_large_for_its_depths_is_refused():
 
 def test_a_formula_whose_tree_is_vast_is_told_in_part():
     deep = "A"
-    for _ in range(11):
+    for _ in range(10):
         deep = f"({deep}) <=> B"
     mission = mission_from_text(partial(f"({deep}) && F[0,4] sum(C) >= 9"))
     plan = tsplan.plan(mission)
