@@ -29,6 +29,7 @@ Tell = Callable[[str, Point | None, float | None, float | None], None]
 _PART = 0.8  # of the time limit that settling may take
 _PATIENCE = 30.0  # seconds before the general solver takes over
 _TRIAL = 3.0  # seconds in which a plan for the whole formula is looked for first
+_TRIED = 0.25  # of the time that is left, if that is less
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,10 +67,12 @@ class Settling:
     def whole(self, goal: Formula) -> Outcome:
         """A quick try for a plan that satisfies everything; it may be refuted, or stay open."""
         self.tell(self.name, None, None, None)
+        left = self.clock.left
+        seconds = _TRIAL if left is None else min(_TRIAL, _TRIED * left)
         stages = Stages(
             setting=replace(self.setting, goal=goal),
             effort=self.effort,
-            clock=self.clock.within(_TRIAL),
+            clock=self.clock.within(seconds),
             measure=_unmeasured,
             tell=_unheard,
             objective=(),
