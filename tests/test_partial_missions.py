@@ -11,6 +11,7 @@ import pytest
 import tsplan
 from tsplan.cli import main
 from tsplan.errors import MissionError, PlanError, SolverError
+from tsplan.explanation import explain
 from tsplan.logic import parse
 from tsplan.mission import Group, Mission, Preference, mission_from_text
 from tsplan.results import Plan, certify, check
@@ -311,6 +312,30 @@ def test_a_formula_whose_tree_is_vast_is_told_in_part():
     assert plan.satisfaction.fraction == Fraction(1, 2)
     assert len(plan.satisfaction.nodes) == 5000
     assert check(mission, Plan.from_json(plan.to_json())).ok
+
+
+def test_explanations_speak_about_what_must_hold():
+    wished = mission_from_text(TEXT)
+    assert explain(wished).status == "feasible"
+    impossible = mission_from_text(TEXT.replace("F[0,4] C", "F[0,2] C"))
+    made = explain(impossible)
+    assert [part.text for conflict in made.conflicts for part in conflict.parts] == [
+        "F[0,2] C",
+        "a starts at 'p'",
+    ]
+    assert {change.mission.prefer for change in made.changes} == {impossible.prefer}
+    assert {change.mission.objective for change in made.changes} == {impossible.objective}
+    assert all(tsplan.plan(change.mission).has_paths for change in made.changes)
+
+
+def test_a_formula_that_holds_in_part_is_explained_as_a_whole():
+    mission = mission_from_text(partial(FAR))
+    made = explain(mission)
+    assert made.status == "explained"
+    assert made.conflicts
+    assert all(change.mission.partial for change in made.changes)
+    shares = [tsplan.plan(change.mission).satisfaction.fraction for change in made.changes]
+    assert set(shares) == {1}
 
 
 def test_an_interrupted_search_keeps_true_bounds():
