@@ -18,8 +18,10 @@ BEST = {
     "farm_harvest": [1, 93],
     "farm_overbooked": None,
     "farm_patrol": [7, 3],
+    "farm_shortage": [0.75],
     "office_cleaning": [20, 11],
     "office_delivery": [1, 16, 80],
+    "office_wishes": [5.2],
     "reef_drift": [2, 0],
     "reef_regroup": [0, 7, 620],
     "reef_relay": [1, 13, 20],
@@ -30,7 +32,13 @@ BEST = {
     "warehouse_orders": [11, 56],
     "warehouse_stocktaking": [1, 114],
 }
-QUICK = ("farm_overbooked", "office_delivery", "rescue_evacuation")
+QUICK = (
+    "farm_overbooked",
+    "farm_shortage",
+    "office_delivery",
+    "office_wishes",
+    "rescue_evacuation",
+)
 
 
 def test_there_are_enough():

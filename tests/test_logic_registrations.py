@@ -67,6 +67,7 @@ def missing(operation):
 def test_the_operations_are_found():
     assert {name.split(".")[0] for name in operations()} == {
         "evaluate",
+        "fraction",
         "naming",
         "normal",
         "printing",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 
 from tsplan.errors import MissionError
 from tsplan.logic import parse, tighten
-from tsplan.mission import Group, Mission, SwarmBounds, SwarmRules, load_mission
+from tsplan.mission import Group, Mission, Preference, SwarmBounds, SwarmRules, load_mission
 
 MAP = """\
 name: yard
@@ -162,6 +163,18 @@ def test_one_mistake_is_found_at_its_place(folder, base, change, place, words):
     found = findings(folder, base.replace(*change, 1))
     line = next((line for line in found if line.startswith(f"{place}: ")), str(found))
     assert all(word in line for word in words), line
+
+
+def test_preferences_and_satisfaction_are_for_teams(folder):
+    wish = ONE + '  prefer:\n    - {formula: "F[0,2] home"}\n'
+    (found,) = findings(folder, wish)
+    assert found.startswith("9:5: preferences are for teams, and this mission is for a swarm; ")
+    (found,) = findings(folder, ONE + "objective: [{satisfaction: weighted}]\n")
+    assert found.startswith("8:13: objective 'satisfaction' is for teams")
+    swarm = read(folder, ONE.replace("formula:", "must:"))
+    with pytest.raises(MissionError, match="preferences are for teams") as caught:
+        replace(swarm, prefer=(Preference(swarm.formula, swarm.text),))
+    assert len(caught.value.findings) == 1
 
 
 def test_teams_and_swarms_are_kept_apart(folder):

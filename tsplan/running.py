@@ -32,6 +32,7 @@ from tsplan.results import (
     Timings,
     certify,
 )
+from tsplan.results.satisfaction import Satisfaction
 
 FoundT = TypeVar("FoundT")
 Listener = Callable[[Event], "bool | None"]
@@ -65,7 +66,8 @@ class Settings:
 class Result(Generic[FoundT]):
     """How a search ended: what it found, what is proven, and the size of its model.
 
-    `size` counts columns, integer columns, rows and nonzeros.
+    `size` counts columns, integer columns, rows and nonzeros. `satisfaction` has what is proven
+    about a formula that may hold in part; the check fills in what holds.
     """
 
     found: FoundT | None
@@ -74,6 +76,7 @@ class Result(Generic[FoundT]):
     infeasible: bool
     stopped_by: Stopped | None
     size: tuple[int, int, int, int]
+    satisfaction: Satisfaction | None = None
 
     @property
     def status(self) -> Status:
@@ -191,6 +194,7 @@ class Run(ABC, Generic[FoundT]):
             mission=MissionRef(mission.name, mission.digest),
             horizon=mission.horizon,
             objective=tuple(item for item in reached if item.name != "own"),
+            satisfaction=result.satisfaction,
             notes=tuple(_own(item) for item in reached if item.name == "own"),
             solver=used,
             size=ModelSize(

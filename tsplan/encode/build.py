@@ -18,7 +18,7 @@ from tsplan.encode.outlook import Outlook
 from tsplan.encode.reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.staffing import Family, SiteColumns, Staffing
-from tsplan.encode.witness import WitnessEncoder
+from tsplan.encode.witness import WitnessEncoder, Witnesses
 from tsplan.logic import Count, Formula, capabilities, walk
 from tsplan.milp.model import Draft, Ints, Model
 from tsplan.mission import Mission
@@ -69,16 +69,22 @@ class Encoded:
 
 
 def prepare(
-    mission: Mission, constraints: Sequence[Constraint] = (), ideas: frozenset[Idea] = ALL_IDEAS
+    mission: Mission,
+    constraints: Sequence[Constraint] = (),
+    ideas: frozenset[Idea] = ALL_IDEAS,
+    goal: Formula | None = None,
 ) -> Setting:
-    """Sort the team into classes and reduce their graphs."""
+    """Sort the team into classes and reduce their graphs.
+
+    `goal` is a positive formula in place of the mission's own goal.
+    """
     system = mission.system
     arrays = map_arrays(system)
-    goal = mission.goal
+    goal = mission.goal if goal is None else goal
     named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
     classes = agent_classes(system, mission.team, {name for name in named if name is not None})
     interests = [
-        _interest(mission, item.graph.capabilities, arrays, constraints) for item in classes
+        _interest(mission, goal, item.graph.capabilities, arrays, constraints) for item in classes
     ]
     reduced = None
     if Idea.REDUCTION in ideas and _paid_by_duration(mission, classes):
@@ -122,6 +128,7 @@ def _paid_by_duration(mission: Mission, classes: Sequence[AgentClass]) -> bool:
 
 def _interest(
     mission: Mission,
+    goal: Formula,
     able: frozenset[str],
     arrays: MapArrays,
     constraints: Sequence[Constraint],
@@ -129,7 +136,7 @@ def _interest(
     """Which states the problem counts agents with these capabilities at, and which it limits."""
     relevant = np.zeros(len(arrays.names), dtype=np.bool_)
     limited = np.zeros(len(arrays.names), dtype=np.bool_)
-    for node in walk(mission.goal):
+    for node in walk(goal):
         if isinstance(node, Count) and (node.capability is None or node.capability in able):
             states = arrays.states_with(mission.system, node.label)
             relevant[states] = True
@@ -149,6 +156,15 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     With `chain` eventualities under an always get as few witnesses as possible: a restriction,
     whose flow columns are the same, for finding a first plan.
     """
+    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, chain=chain)
+
+
+Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
+"""Asks an encoder for what is to hold; it may add columns and rows of its own to the draft."""
+
+
+def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = False) -> Encoded:
+    """The tight model of what `ask` requires; its formulas are parts of the setting's goal."""
     draft = Draft()
     graphs = [item.graph for item in setting.reduced]
     finish = [~graph.wait for graph in graphs] if setting.monotone else None
@@ -159,7 +175,7 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     read = setting.requirement(level)
     outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
     encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas, chain=chain)
-    witnesses = encoder.encode(setting.goal)
+    witnesses = ask(encoder, draft, network)
     staffing = Staffing(network, draft, joint=Idea.FAMILIES in setting.ideas)
     staffing.write(
         witnesses, cuts=Idea.VISITS in setting.ideas, together=Idea.TOGETHER in setting.ideas

@@ -63,6 +63,28 @@ class Choices:
         self.groups.append(columns)
         return columns
 
+    def optional(self, parent: Literal, steps: Sequence[int], kind: str) -> Ints:
+        """Columns of which at most one is 1 where `parent` is 1, and none elsewhere."""
+        options = len(steps)
+        columns = self._draft.columns(options, upper=1.0, integer=True)
+        self._draft.rows(
+            np.zeros(options + len(parent), dtype=np.int64),
+            np.concatenate([columns, _array(parent)]),
+            np.concatenate([np.ones(options), -np.ones(len(parent))]),
+            lower=-np.inf,
+            upper=0.0 if parent else 1.0,
+            kind=kind,
+        )
+        above = self.lineage(parent)
+        for column in columns.tolist():
+            self._lineage[column] = {**above, self._count: frozenset((column,))}
+        self._count += 1
+        self.columns += columns.tolist()
+        self.steps += steps
+        if options > 1:
+            self.groups.append(columns)
+        return columns
+
     def free(self, steps: Sequence[int]) -> Ints:
         """Columns that exclude nothing: each may be 1 whenever its own sub-formula holds."""
         columns = self._draft.columns(len(steps), upper=1.0, integer=True)

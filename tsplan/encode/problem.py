@@ -10,6 +10,7 @@ from tsplan.encode.build import Encoded, Setting, prepare, reference, tight
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import Constraint, CountTerm, Expression
 from tsplan.encode.ideas import ALL_IDEAS, Idea
+from tsplan.encode.partial.planning import is_soft, plan_soft, prepare_soft
 from tsplan.encode.readout import Measure
 from tsplan.encode.search import Effort
 from tsplan.encode.stages import Outcome, Point, Stages
@@ -89,7 +90,8 @@ class Problem:
             terms = self._objective.terms
             watched = Constraint(terms, -float("inf"), float("inf"), "objective")
             constraints = [*self._constraints, *([watched] if terms else [])]
-            self._setting = prepare(self.mission, constraints, ALL_IDEAS - self.tuning.without)
+            make = prepare_soft if is_soft(self.mission) else prepare
+            self._setting = make(self.mission, constraints, ALL_IDEAS - self.tuning.without)
         return self._setting
 
     def encode(self, level: int = 0) -> Encoded:
@@ -127,4 +129,4 @@ class Problem:
             own=self._objective.terms,
             tight=self.tuning.encoding == "tight",
         )
-        return stages.run()
+        return plan_soft(stages) if is_soft(self.mission) else stages.run()

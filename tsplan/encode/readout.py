@@ -11,8 +11,8 @@ from tsplan.encode.build import Encoded, Setting
 from tsplan.encode.classes import AgentClass
 from tsplan.encode.reduction import Reduced, whole
 from tsplan.encode.stages import Measured, Point
+from tsplan.logic import Formula, robustness
 from tsplan.logic import labels as labels_of
-from tsplan.logic import robustness
 from tsplan.logic.evaluate import CountTrace
 from tsplan.milp.model import Floats, Ints
 from tsplan.mission import Agent
@@ -98,8 +98,16 @@ def _members(setting: Setting, group: int) -> Iterable[Agent]:
 
 def availability(setting: Setting, moves: Iterable[tuple[AgentClass, Moves]]) -> float:
     """Robustness of the goal at step 0 under the counts that the moves imply."""
+    trace = counts_of(setting, setting.goal, moves)
+    return float(robustness(setting.goal, trace)[..., 0])
+
+
+def counts_of(
+    setting: Setting, formula: Formula, moves: Iterable[tuple[AgentClass, Moves]]
+) -> CountTrace:
+    """The counts that the moves imply at the labels of a formula."""
     system = setting.mission.system
-    named = sorted(labels_of(setting.goal))
+    named = sorted(labels_of(formula))
     site = {label: setting.arrays.states_with(system, label) for label in named}
     watched = np.unique(np.concatenate([*site.values(), np.empty(0, dtype=np.int64)]))
     shape = (len(watched), setting.horizon + 1)
@@ -117,7 +125,7 @@ def availability(setting: Setting, moves: Iterable[tuple[AgentClass, Moves]]) ->
             counts.setdefault(capability, np.zeros(shape))
             counts[capability] += present
     labels = {label: np.searchsorted(watched, states) for label, states in site.items()}
-    return float(robustness(setting.goal, CountTrace(counts, labels))[..., 0])
+    return CountTrace(counts, labels)
 
 
 def makespan(moves: Iterable[tuple[AgentClass, Moves]]) -> int:

@@ -65,18 +65,27 @@ class Search:
     """One search for the least value of `objective` on one model.
 
     `scout` and `rescue`, where set, are asked for the flows of some plan: before the first LP, and
-    after it if there may be a plan and none is known.
+    after it if there may be a plan and none is known. `step` is the least distance of two values
+    that plans can have; by default 1 for whole coefficients.
     """
 
     def __init__(
-        self, encoded: Encoded, objective: Floats, effort: Effort, clock: Clock, report: Reporter
+        self,
+        encoded: Encoded,
+        objective: Floats,
+        effort: Effort,
+        clock: Clock,
+        report: Reporter,
+        *,
+        step: float | None = None,
     ) -> None:
         self._encoded = encoded
         self._model = encoded.model.with_objective(objective)
         self._effort = effort
         self._clock = clock
         self._report = report
-        self._step = 1.0 if bool((objective == np.round(objective)).all()) else 0.0
+        whole = bool((objective == np.round(objective)).all())
+        self._step = float(whole) if step is None else step
         self._values: Floats | None = None
         self._value = np.inf
         self._bound = -np.inf
@@ -84,6 +93,7 @@ class Search:
         self._began = clock.elapsed
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
+        self.patience = _PATIENCE
 
     def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
         """The least value, or with `first` any point. `start` is a known point of this model."""
@@ -115,15 +125,19 @@ class Search:
     def _send(self, scout: Callable[[], Floats | None] | None) -> None:
         """Keep the point of this model that has the flows which `scout` brings, if there is one."""
         flows = scout() if scout is not None and self._values is None else None
-        if flows is None:
-            return
+        if flows is not None:
+            self.adopt(flows)
+
+    def adopt(self, flows: Floats) -> Floats | None:
+        """Keep and return the best point of this model with the given flows, if there is one."""
         columns = self._encoded.flows
         lower, upper = self._model.lower.copy(), self._model.upper.copy()
         lower[columns] = upper[columns] = np.round(flows)
         fixed = self._model.with_bounds(lower, upper)
-        values = self._call(fixed, Options(first=True), self._clock.within(5.0)).values
+        values = self._call(fixed, Options(), self._clock.within(5.0)).values
         if values is not None:
             self._accept(values)
+        return values
 
     def _accept(self, values: Floats) -> None:
         """Keep a point of whole agents if it is better than the one known."""
@@ -231,7 +245,7 @@ class Search:
             return False
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
         tree = Tree(lp, witnessing, max(self._step, _WHOLE))
-        budget = max(_PATIENCE, 15 * (self._clock.elapsed - self._began))
+        budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         cutoff = None if self._values is None else self._value
         grown = tree.grow(again, self._clock.within(budget), cutoff, first=first)
         self._raise_bound(grown.bound)

@@ -63,6 +63,7 @@ class Outcome:
     infeasible: bool
     stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
+    levels: tuple[Reached, ...] = ()  # what an objective consists of that is settled in steps
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,7 @@ class Stages:
     objective: tuple[str, ...]
     own: tuple[tuple[CountTerm, float], ...] = ()
     tight: bool = True
+    known: Floats | None = None  # flows of a plan that is known
     _point: Point | None = field(default=None, init=False)
     _kept: Kept = field(default=Kept(), init=False)
     _stopped: StoppedBy | None = field(default=None, init=False)
@@ -269,10 +271,15 @@ class Stages:
                 search.scout = chained
             else:
                 search.rescue = chained
+        if self.known is not None and self._point is None:
+            search.scout = self._recalled
         found = search.minimise(None if first else self._start(encoded), first=first)
         if found.values is not None:
             self._point = Point(encoded, found.values, self.tight)
         return found
+
+    def _recalled(self) -> Floats | None:
+        return self.known
 
     def _chained(self, encoded: Encoded, effort: Effort) -> Floats | None:
         """Flows of a plan found by way of the chained restriction, in a part of the time."""

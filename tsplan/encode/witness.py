@@ -20,6 +20,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import singledispatchmethod
+from typing import TypeAlias
 
 import numpy as np
 
@@ -36,9 +37,12 @@ from tsplan.logic import (
     Or,
     Release,
     Until,
-    walk,
+    walk_all,
 )
 from tsplan.milp.model import Draft, Ints
+
+Request: TypeAlias = tuple[Formula, int, Literal]
+"""A formula that must hold at a step where a literal is 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,17 +93,32 @@ class WitnessEncoder:
         self.result = Witnesses(Choices(draft))
         self._choices = self.result.choices
 
+    @property
+    def choices(self) -> Choices:
+        """The literals of this encoder, to ask for more under literals of their own."""
+        return self._choices
+
+    @property
+    def outlook(self) -> Outlook:
+        """What can hold at best."""
+        return self._outlook
+
     def encode(self, root: Formula) -> Witnesses:
         """Require `root` at step 0 and return the demands."""
-        self._ask(root, 0, ALWAYS)
-        order = list(walk(root))
+        return self.encode_all([(root, 0, ALWAYS)])
+
+    def encode_all(self, requests: Sequence[Request]) -> Witnesses:
+        """Require each formula at its step where its literal is 1, and return the demands."""
+        for node, step, literal in requests:
+            self._ask(node, step, literal)
+        order = list(walk_all(dict.fromkeys(node for node, _, _ in requests)))
         for node in reversed(order):
             asked = self._requests.pop(node, None)
             if asked is not None:
-                requests = {
+                merged = {
                     step: self._choices.merged(literals) for step, literals in sorted(asked.items())
                 }
-                self._pass_on(node, requests)
+                self._pass_on(node, merged)
         return self.result
 
     def _ask(self, node: Formula, step: int, literal: Literal) -> None:

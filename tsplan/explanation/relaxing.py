@@ -28,8 +28,8 @@ Dropped = frozenset[Element]
 
 
 def any_plan(mission: Mission) -> Mission:
-    """The mission that asks for no more than that its formula holds."""
-    return replace(mission, objective=(), warnings=())
+    """The mission that asks for no more than that its formula holds, as a whole."""
+    return replace(mission, objective=(), prefer=(), warnings=())
 
 
 def relaxed(mission: Mission, dropped: Iterable[Element]) -> Problem:

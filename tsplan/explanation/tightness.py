@@ -63,7 +63,7 @@ def _most_robust(mission: Mission, oracle: Oracle) -> Plan | None:
         return None
     left = oracle.clock.left
     limit = _PATIENCE if left is None else min(_PATIENCE, max(left / 2, 1.0))
-    asked = replace(mission, objective=("availability",), warnings=())
+    asked = replace(mission, objective=("availability",), prefer=(), warnings=())
     found = plan(asked, time_limit=limit, solver=oracle.solver)
     return found if found.has_paths else None
 

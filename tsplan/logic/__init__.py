@@ -52,7 +52,7 @@ from tsplan.logic.simplifying import simplify
 from tsplan.logic.tightening import tighten
 from tsplan.logic.timing import horizon
 from tsplan.logic.translation import resolve_percent, translate
-from tsplan.logic.walking import fold, substitute, walk
+from tsplan.logic.walking import fold, substitute, walk, walk_all
 
 if TYPE_CHECKING:
     from tsplan.logic.evaluate import CountTrace, SignalTrace, holds, robustness
@@ -112,6 +112,7 @@ __all__ = [
     "translate",
     "variables",
     "walk",
+    "walk_all",
 ]
 
 _EVALUATION = frozenset({"CountTrace", "SignalTrace", "holds", "robustness"})

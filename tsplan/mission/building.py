@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tsplan.errors import Finding, InputError, MissionError
-from tsplan.mission.data import Group
+from tsplan.mission.data import Group, Preference
 from tsplan.mission.reading import mission_from_document
 
 if TYPE_CHECKING:
@@ -41,6 +41,7 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
         "format": "tsplan-mission/1",
         **{key: value for key, value in values.items() if value is not None},
         "map": map_to_yaml(system) if system is not None else str(given),
+        "spec": _spec(values["spec"]),
     }
     if values.get("team") is not None:
         written["team"] = [_member(group) for group in values["team"]]
@@ -71,6 +72,21 @@ def _member(group: Any) -> Any:
         "at": dict(starts),
         "capabilities": sorted(group.capabilities),
     }
+
+
+def _spec(spec: Mapping[str, Any]) -> dict[str, Any]:
+    """The formulas as a file writes them."""
+    if "prefer" not in spec:
+        return dict(spec)
+    return {**spec, "prefer": [_wish(wish) for wish in spec["prefer"]]}
+
+
+def _wish(wish: Any) -> Any:
+    if not isinstance(wish, Preference):
+        return wish
+    written = {"formula": wish.formula, "weight": wish.weight, "level": wish.level}
+    name = {"name": wish.name} if wish.name else {}
+    return {**written, **name, "partial": wish.partial}
 
 
 def _plain(value: Any) -> Any:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.errors import FormulaError, nearest
@@ -25,7 +26,7 @@ from tsplan.mission.swarms import swarm_problems
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
-    from tsplan.mission.data import Group, Mission
+    from tsplan.mission.data import Group, Mission, Preference
     from tsplan.ts import TransitionSystem
 
 
@@ -33,11 +34,65 @@ def problems_of(mission: Mission) -> list[Problem]:
     """Everything that does not fit together in a mission."""
     return [
         *objective_problems(mission.objective, mission.swarm),
+        *wish_problems(mission.objective, mission.prefer, mission.swarm),
         *team_problems(mission.team, mission.system, mission.swarm),
         *map_problems(mission.system, mission.team),
         *formula_problems(mission.formula, mission.system, mission.team, mission.swarm),
         *horizon_problems(mission.formula, mission.task_interval, mission.horizon),
+        *(
+            problem
+            for number, wish in enumerate(mission.prefer)
+            for problem in preferred_problems(wish, number, mission)
+        ),
     ]
+
+
+def preferred_problems(wish: Preference, number: int, mission: Mission) -> list[Problem]:
+    """What does not fit in a preferred formula of a mission."""
+    found = [
+        *formula_problems(wish.formula, mission.system, mission.team, mission.swarm),
+        *horizon_problems(wish.formula, mission.task_interval, mission.horizon),
+    ]
+    return moved(found, preferred(number))
+
+
+def preferred(number: int) -> Place:
+    """Where the formula of a preference stands."""
+    return ("spec", "prefer", number, "formula")
+
+
+def moved(problems: Iterable[Problem], place: Place) -> list[Problem]:
+    """Problems of a formula that stands elsewhere than the mission's own."""
+    return [replace(item, path=place) if item.path == FORMULA else item for item in problems]
+
+
+def wish_problems(
+    objective: Sequence[str], prefer: Sequence[Preference], swarm: SwarmRules | None
+) -> list[Problem]:
+    """Objectives about what holds that are out of place, and preferences of one name."""
+    if swarm is not None:
+        what = "preferences are for teams, and this mission is for a swarm"
+        remedy = "remove 'prefer', and demand with 'formula' what has to hold"
+        return [Problem(("spec", "prefer"), what, remedy)] if prefer else []
+    problems = []
+    for place, name in enumerate(objective):
+        path: Place = ("objective", place)
+        if place and name in ("satisfaction", "preferences"):
+            what = f"'{name}' comes after other objectives"
+            problems.append(Problem(path, what, "name it first: it is settled first"))
+        if name == "preferences" and not prefer:
+            what = "'preferences' are an objective and none are there"
+            problems.append(Problem(path, what, "add 'prefer: [...]' to the spec"))
+        if name == "satisfaction" and prefer:
+            what = "what must hold cannot hold in part"
+            remedy = "remove 'satisfaction', and prefer with 'partial: true' what may"
+            problems.append(Problem(path, what, remedy))
+    names = [wish.name for wish in prefer]
+    for number, name in enumerate(names):
+        if name in names[:number]:
+            path = ("spec", "prefer", number, "name")
+            problems.append(Problem(path, f"two preferences are called '{name}'", "rename one"))
+    return problems
 
 
 def objective_problems(objective: Sequence[str], swarm: SwarmRules | None) -> list[Problem]:

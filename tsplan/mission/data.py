@@ -27,12 +27,16 @@ if TYPE_CHECKING:
 
 Language: TypeAlias = Literal["catl", "mtl", "stl"]
 TaskInterval: TypeAlias = Literal["closed", "half-open"]
+Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 Sense: TypeAlias = Literal["maximise", "minimise"]
 
 LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl")
 TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
+ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
 OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
     {
+        "satisfaction": "maximise",
+        "preferences": "maximise",
         "availability": "maximise",
         "travel": "minimise",
         "cost": "minimise",
@@ -131,6 +135,23 @@ class SwarmRules:
 
 
 @dataclass(frozen=True, slots=True)
+class Preference:
+    """A formula that is met if possible, and how much that is worth.
+
+    Levels are settled one after the other, the highest first; within a level the summed weights
+    of what is met are maximised. A `partial` preference counts by its fraction, any other one as
+    a whole or not at all.
+    """
+
+    formula: Formula
+    text: str
+    weight: Fraction = Fraction(1)
+    name: str = ""
+    level: int = 0
+    partial: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class SolverChoice:
     """What the mission asks of the solver; None leaves it to the planner."""
 
@@ -148,6 +169,9 @@ class Mission:
     `text` is the formula as it was written and `formula` what it parses to; `goal` is what is
     encoded. `horizon` is the last step, at least the formula's own. `objective` is
     lexicographic, the first name matters most; without any, every plan is as good as another.
+    With the objective `satisfaction` the formula need not hold: as much of it as possible does, in
+    the order `satisfaction`. `prefer` holds formulas that are met as far as possible beside it;
+    then `preferences` comes first among the objectives.
     With `swarm` rules every class of the team is a swarm, whose agents move as sub-swarms.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
@@ -166,6 +190,8 @@ class Mission:
     task_interval: TaskInterval = "closed"
     solver: SolverChoice = SolverChoice()
     swarm: SwarmRules | None = None
+    satisfaction: Order = "weighted"
+    prefer: tuple[Preference, ...] = ()
     digest: str = ""
     warnings: tuple[Finding, ...] = ()
     parse_seconds: float = field(default=0.0, compare=False, repr=False)
@@ -174,6 +200,8 @@ class Mission:
     def __post_init__(self) -> None:
         from tsplan.mission.checks import problems_of  # noqa: PLC0415  (imports this module)
 
+        if self.prefer and self.swarm is None and "preferences" not in self.objective:
+            object.__setattr__(self, "objective", ("preferences", *self.objective))
         errors = [problem for problem in problems_of(self) if problem.serious]
         if errors:
             raise MissionError(problem.finding() for problem in errors)
@@ -198,6 +226,11 @@ class Mission:
         if self.swarm is not None and self.swarm.margin:
             formula = logic.tighten(formula, self.having, self.swarm.spare)
         return logic.simplify(formula)
+
+    @property
+    def partial(self) -> bool:
+        """Whether the formula may hold in part only."""
+        return "satisfaction" in self.objective
 
     @cached_property
     def agents(self) -> tuple[Agent, ...]:
@@ -252,9 +285,11 @@ class Mission:
         swarms: Iterable[Mapping[str, Any]] | None = None,
         max_subswarms: int | None = None,
         margin: str | int | None = None,
-        formula: str | bool | Formula | Sequence[str | bool],
+        formula: str | bool | Formula | Sequence[str | bool] | None = None,
+        must: str | bool | Formula | Sequence[str | bool] | None = None,
+        prefer: Iterable[Preference | Mapping[str, Any]] = (),
         language: Language | None = None,
-        objective: Sequence[str] | None = None,
+        objective: Sequence[str | Mapping[str, str]] | None = None,
         task_interval: TaskInterval = "closed",
         horizon: int | None = None,
         solver: SolverChoice | Mapping[str, Any] | None = None,
@@ -265,12 +300,15 @@ class Mission:
         `map` is a transition system or the path of a map file. Each member of `team` is a Group
         or a mapping with the keys of a mission file; instead of a team there may be one `swarm`
         or several `swarms`, mappings with those keys, and for them `max_subswarms` and `margin`.
-        `formula` is a text, several texts (their conjunction) or a parsed formula. Without a
-        `language`, that of teams is "catl" and that of swarms "mtl". Raises MissionError with
-        all findings.
+        `formula` is a text, several texts (their conjunction) or a parsed formula; `must` is
+        another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
+        and that of swarms "mtl". Raises MissionError with all findings.
         """
         from tsplan.mission.building import mission_from_values  # noqa: PLC0415  (imports this)
 
+        given = {"formula": formula, "must": must}
+        spec: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
+        wishes = list(prefer)
         values = {
             "name": name,
             "map": map,
@@ -279,7 +317,11 @@ class Mission:
             "swarms": None if swarms is None else list(swarms),
             "max_subswarms": max_subswarms,
             "margin": margin,
-            "spec": {"language": language or ("catl" if team else "mtl"), "formula": formula},
+            "spec": {
+                "language": language or ("catl" if team else "mtl"),
+                **spec,
+                **({"prefer": wishes} if wishes else {}),
+            },
             "objective": None if objective is None else list(objective),
             "task_interval": task_interval,
             "horizon": horizon,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import time
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -15,15 +16,21 @@ from tsplan.mission.checks import (
     formula_problems,
     horizon_problems,
     map_problems,
+    moved,
     objective_problems,
+    preferred,
     team_problems,
+    wish_problems,
 )
 from tsplan.mission.data import (
     DEFAULT_OBJECTIVE,
     DEFAULT_SWARM_OBJECTIVE,
     LANGUAGES,
+    ORDERS,
     Group,
     Mission,
+    Order,
+    Preference,
     SolverChoice,
     SwarmRules,
 )
@@ -35,7 +42,7 @@ if TYPE_CHECKING:
 
     from tsplan.document import Document
     from tsplan.logic import Formula
-    from tsplan.mission.schema import Member, MissionFile, Swarm
+    from tsplan.mission.schema import Member, MissionFile, Swarm, Wish
     from tsplan.ts import TransitionSystem
 
 
@@ -78,7 +85,7 @@ def mission_from_document(
     draft.judge_kind()
     draft.system = system if system is not None else draft.read_map(folder)
     began = time.perf_counter()
-    draft.read_formula()
+    draft.read_formulas()
     draft.seconds = time.perf_counter() - began
     if file is not None:
         draft.read_agents(file)
@@ -125,7 +132,9 @@ class _Draft:
     swarm: SwarmRules | None = None
     text: str = ""
     seconds: float = 0.0
-    places: dict[Formula, Span] = field(default_factory=dict)
+    where: Place = FORMULA
+    wishes: dict[int, tuple[Formula, str] | None] = field(default_factory=dict)
+    places: dict[tuple[Place, Formula], Span] = field(default_factory=dict)
 
     def read_map(self, folder: Path) -> TransitionSystem | None:
         """The map, inline or from the file beside the mission."""
@@ -149,33 +158,54 @@ class _Draft:
             self._report(("map",), what, "correct the map first")
             return None
 
-    def read_formula(self) -> None:
-        """The formula; a list of texts means their conjunction."""
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+    def read_formulas(self) -> None:
+        """The formula that must hold, and those that are preferred."""
+        from tsplan.logic import TRUE  # noqa: PLC0415  (the parser is slow to import)
 
         spec = self.document.data.get("spec") if isinstance(self.document.data, dict) else None
-        if not isinstance(spec, dict) or "formula" not in spec:
+        if not isinstance(spec, dict):
             return
-        given = spec["formula"]
+        prefer = spec.get("prefer")
+        wishes = prefer if isinstance(prefer, list) else []
+        for number, wish in enumerate(wishes):
+            if isinstance(wish, dict) and "formula" in wish:
+                self.wishes[number] = self._formula_at(preferred(number))
+        if "formula" in spec and "must" in spec:
+            what = "the formula is there twice, as 'formula' and as 'must'"
+            self._report(("spec", "must"), what, "keep one of them")
+        self.where = ("spec", "must") if "must" in spec else FORMULA
+        if self.where[-1] in spec:
+            read = self._formula_at(self.where)
+            self.formula, self.text = (None, "") if read is None else read
+        elif wishes:
+            self.formula, self.text = TRUE, "true"
+        else:
+            self._report(("spec",), "'formula' is missing", "add 'formula: ...'")
+
+    def _formula_at(self, where: Place) -> tuple[Formula, str] | None:
+        """A formula and its text; a list of texts means their conjunction."""
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+        given = self.document.at(where)
         entries = given if isinstance(given, list) else [given]
         paths: list[Place] = [
-            (*FORMULA, n) if isinstance(given, list) else FORMULA for n in range(len(entries))
+            (*where, n) if isinstance(given, list) else where for n in range(len(entries))
         ]
         if not entries:
-            self._report(FORMULA, "the list of formulas is empty", "write true for no demand")
-            return
+            self._report(where, "the list of formulas is empty", "write true for no demand")
+            return None
         texts = [self._text(entry, path) for entry, path in zip(entries, paths, strict=True)]
         parsed = [
-            self._parsed(text, str(spec.get("language")), path)
+            self._parsed(text, path, where)
             for text, path in zip(texts, paths, strict=True)
             if text is not None
         ]
         formulas = [formula for formula in parsed if formula is not None]
         if len(formulas) < len(entries):
-            return
+            return None
         known = [text for text in texts if text is not None]
-        self.text = known[0] if len(known) == 1 else " && ".join(f"({text})" for text in known)
-        self.formula = formulas[0] if len(formulas) == 1 else logic.And(tuple(formulas))
+        text = known[0] if len(known) == 1 else " && ".join(f"({text})" for text in known)
+        return formulas[0] if len(formulas) == 1 else logic.And(tuple(formulas)), text
 
     def _text(self, value: Any, path: Place) -> str | None:
         if isinstance(value, bool):
@@ -185,9 +215,10 @@ class _Draft:
         self._report(path, "the formula is not a text", "write it in quotes or after a bar |")
         return None
 
-    def _parsed(self, text: str, language: str, path: Place) -> Formula | None:
+    def _parsed(self, text: str, path: Place, where: Place) -> Formula | None:
         from tsplan.logic.parsing import parse_with_places  # noqa: PLC0415  (slow to import)
 
+        language = str(self.document.data["spec"].get("language"))
         known = next((name for name in LANGUAGES if name == language), None)
         if known is None:
             return None  # an unknown language is the schema's finding
@@ -202,7 +233,7 @@ class _Draft:
             return None
         for node, found in places.items():
             if found:
-                self.places.setdefault(node, Span(path, text, found[0]))
+                self.places.setdefault((where, node), Span(path, text, found[0]))
         return formula
 
     def judge_kind(self) -> None:
@@ -266,22 +297,40 @@ class _Draft:
 
     def judge(self, file: MissionFile) -> None:
         """Report what does not fit together, as far as the parts are known."""
-        problems = objective_problems(self.objective(file), self.swarm)
+        names, wishes = self.objective(file), self.preferences(file.spec.prefer)
+        problems = objective_problems(names, self.swarm) + wish_problems(names, wishes, self.swarm)
         problems += team_problems(self.team, self.system, self.swarm)
         if self.system is not None:
             problems += map_problems(self.system, self.team)
-        if self.formula is not None:
-            problems += formula_problems(self.formula, self.system, self.team, self.swarm)
-            _, empty = formula_horizon(self.formula, file.task_interval)
-            problems += empty or horizon_problems(self.formula, file.task_interval, file.horizon)
+        formulas = [(self.where, self.formula)]
+        formulas += [(preferred(n), read and read[0]) for n, read in self.wishes.items()]
+        for where, formula in formulas:
+            if formula is not None:
+                found = formula_problems(formula, self.system, self.team, self.swarm)
+                _, empty = formula_horizon(formula, file.task_interval)
+                found += empty or horizon_problems(formula, file.task_interval, file.horizon)
+                problems += moved(found, where)
         for problem in problems:
             self._file(problem)
 
     def objective(self, file: MissionFile) -> tuple[str, ...]:
         """The objectives, by default those of the mission's kind."""
         if file.objective is not None:
-            return tuple(file.objective)
+            return objective_names(file.objective)
         return DEFAULT_OBJECTIVE if self.swarm is None else DEFAULT_SWARM_OBJECTIVE
+
+    def preferences(self, wishes: Iterable[Wish]) -> tuple[Preference, ...]:
+        """The preferences whose formulas could be read, named by their text if by nothing else."""
+        made = []
+        for number, wish in enumerate(wishes):
+            read = self.wishes.get(number)
+            if read is not None:
+                formula, text = read
+                place = ("spec", "prefer", number, "name")
+                name = self._word(wish.name, place) if wish.name else text.strip()
+                weight = Fraction(str(wish.weight))
+                made.append(Preference(formula, text, weight, name, wish.level, wish.partial))
+        return tuple(made)
 
     def _report(self, path: Place, message: str, remedy: str) -> None:
         self._file(Problem(path, message, remedy))
@@ -289,7 +338,7 @@ class _Draft:
     def _file(self, problem: Problem) -> None:
         """Turn a problem into a finding at its place."""
         line, column = self.document.place(problem.path)
-        span = self.places.get(problem.node) if problem.node is not None else None
+        span = self.places.get((problem.path, problem.node)) if problem.node is not None else None
         if span is not None:
             line, column = self.document.inside(span.path, *span.find(problem.word))
         finding = Finding(problem.message, problem.remedy, self.document.source, line, column)
@@ -305,7 +354,10 @@ class _Draft:
 
     def mission(self, file: MissionFile, system: TransitionSystem, formula: Formula) -> Mission:
         """The mission, when nothing serious is wrong."""
-        own, _ = formula_horizon(formula, file.task_interval)
+        prefer = self.preferences(file.spec.prefer)
+        formulas = (formula, *(wish.formula for wish in prefer))
+        own = max(formula_horizon(item, file.task_interval)[0] or 0 for item in formulas)
+        order = objective_order(file.objective or ())
         solver: Mapping[str, Any] = file.solver.model_dump() if file.solver else {}
         return Mission(
             name=file.name,
@@ -314,13 +366,28 @@ class _Draft:
             language=file.spec.language,
             text=self.text,
             formula=formula,
-            horizon=file.horizon if file.horizon is not None else own or 0,
+            horizon=file.horizon if file.horizon is not None else own,
             objective=self.objective(file),
             task_interval=file.task_interval,
             solver=SolverChoice(**solver),
             swarm=self.swarm,
+            satisfaction=order,
+            prefer=prefer,
             digest=self.document.digest,
             warnings=tuple(self.warnings),
             parse_seconds=self.seconds,
             origin=self.document,
         )
+
+
+_ORDERED = {f"satisfaction: {order}": order for order in ORDERS}
+
+
+def objective_names(objective: Iterable[str]) -> tuple[str, ...]:
+    """The objectives without the order of satisfaction."""
+    return tuple("satisfaction" if name in _ORDERED else name for name in objective)
+
+
+def objective_order(objective: Iterable[str]) -> Order:
+    """The order of satisfaction that is asked for."""
+    return next((_ORDERED[name] for name in objective if name in _ORDERED), "weighted")

@@ -9,6 +9,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
 
 from tsplan.document.fields import complaint, shown
+from tsplan.errors import nearest
+from tsplan.mission.data import ORDERS
 
 FORMAT = "tsplan-mission/1"
 _SHARE = re.compile(r"([0-9]+(?:\.[0-9]+)?)\s*%")
@@ -36,6 +38,20 @@ def _starts(value: Any) -> Any:
     """A single start state stands for a mapping to the group's count, which the reader fills in."""
     one = isinstance(value, str | int) and not isinstance(value, bool)
     return {str(value): 1} if one else value
+
+
+def _aim(value: Any) -> Any:
+    """An objective with an order, `{satisfaction: weighted}`, is read as one text."""
+    if not isinstance(value, dict):
+        return value
+    order = value.get("satisfaction")
+    if set(value) != {"satisfaction"}:
+        remedy = "write its name, or {satisfaction: weighted}"
+        raise complaint("a mapping is no objective", remedy)
+    if order not in ORDERS:
+        remedy = nearest(str(order), ORDERS)
+        raise complaint(f"{shown(order)} is no order of satisfaction", remedy)
+    return f"satisfaction: {order}"
 
 
 Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
@@ -71,11 +87,23 @@ class NamedSwarm(Swarm):
     name: Name
 
 
+class Wish(_Part):
+    """A preferred formula; the formula itself is read elsewhere."""
+
+    formula: Any
+    weight: Annotated[float, Field(gt=0, allow_inf_nan=False)] = 1
+    name: Name | None = None
+    level: Whole = 0
+    partial: bool = False
+
+
 class Spec(_Part):
     """The formula and its language. The formula itself is read elsewhere, with its places."""
 
     language: Literal["catl", "mtl", "stl"]
-    formula: Any
+    formula: Any = None
+    must: Any = None
+    prefer: list[Wish] = []
 
 
 class Solver(_Part):
@@ -101,7 +129,7 @@ class MissionFile(_Part):
     min_subswarm: Any = None  # belongs into a swarm, which the reader says
     margin: Annotated[Any, BeforeValidator(_margin)] = 0
     spec: Spec
-    objective: list[Name] | None = None
+    objective: list[Annotated[Name, BeforeValidator(_aim)]] | None = None
     task_interval: Literal["closed", "half-open"] = "closed"
     horizon: Whole | None = None
     solver: Solver | None = None

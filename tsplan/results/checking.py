@@ -16,7 +16,13 @@ import numpy as np
 
 from tsplan.errors import Finding, SolverError
 from tsplan.mission.data import SENSES, Mission
-from tsplan.results.counting import counts_robustness
+from tsplan.results.judging import (
+    completed,
+    count_trace,
+    false_claims,
+    fulfilments_of,
+    satisfaction_of,
+)
 from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
 from tsplan.results.occupancy import interval_counts, state_counts
@@ -26,6 +32,7 @@ from tsplan.results.swarmjudge import judged_swarms, swarm_completed, swarm_fact
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from tsplan.results.satisfaction import Fulfilment, Satisfaction
     from tsplan.ts import TransitionSystem
 
 Journeys: TypeAlias = "list[tuple[Bundle, tuple[Leg, ...]]]"
@@ -69,7 +76,7 @@ def check(mission: Mission, plan: Plan) -> Report:
         return Report(_shortened(findings), ())
     findings += _claims(mission, plan, values)
     facts = _facts(mission, plan, values) if not findings else ()
-    return Report(_shortened(findings), facts, values["availability"], values)
+    return Report(_shortened(findings), facts, values.availability, values.objectives)
 
 
 def certify(mission: Mission, plan: Plan) -> Plan:
@@ -93,8 +100,18 @@ def certify(mission: Mission, plan: Plan) -> Plan:
     return replace(plan, verified=True)
 
 
-def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], dict[str, float] | None]:
-    """What is wrong with the paths, and every objective's value unless a path is impossible."""
+@dataclass(frozen=True)
+class _Worth:
+    """What a plan is worth: its formula's availability, its objectives, and what it satisfies."""
+
+    availability: float
+    objectives: Mapping[str, float]
+    satisfaction: Satisfaction | None = None
+    preferences: tuple[Fulfilment, ...] = ()
+
+
+def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], _Worth | None]:
+    """What is wrong with the paths, and what they are worth unless a path is impossible."""
     findings = _horizon(mission, plan)
     if plan.agents or mission.swarm is None:
         findings += _team(mission, plan)
@@ -107,25 +124,47 @@ def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], dict[str, floa
     if mission.swarm is not None:
         verdict = judged_swarms(mission, plan, journeys)
         findings = [_finding(problem) for problem in verdict.problems]
-        return findings, None if verdict.values is None else dict(verdict.values)
+        values = verdict.values
+        return findings, None if values is None else _Worth(values["availability"], values)
     findings += _crowded_states(mission.system, plan)
     findings += _crowded_edges(mission.system, plan, journeys)
-    availability = formula_robustness(mission, plan.bundles, plan.horizon)
-    if availability < 0:
+    worth = _worth(mission, plan, journeys)
+    if worth.availability < 0 and not mission.partial:
         findings.append(
-            _finding(f"the formula does not hold (its availability is {availability:g})")
+            _finding(f"the formula does not hold (its availability is {worth.availability:g})")
         )
+    return findings, worth
+
+
+def _worth(mission: Mission, plan: Plan, journeys: Journeys) -> _Worth:
+    """What the paths of a plan are worth; availability as an objective is that of what holds."""
+    availability = formula_robustness(mission, plan.bundles, plan.horizon)
     values = {name: float(measure(journeys)) for name, measure in MEASURES.items()}
-    return findings, values | {"availability": availability}
+    values["availability"] = availability
+    if not mission.partial and not mission.prefer:
+        return _Worth(availability, values)
+    trace = count_trace(mission, plan.bundles, plan.horizon)
+    satisfaction, preferences = satisfaction_of(mission, trace), fulfilments_of(mission, trace)
+    if satisfaction is not None and satisfaction.fraction is not None:
+        spare = satisfaction.availability
+        values["availability"] = math.inf if spare is None else spare
+        values["satisfaction"] = float(satisfaction.fraction)
+    values["preferences"] = float(sum(item.worth for item in preferences))
+    return _Worth(availability, values, satisfaction, preferences)
 
 
-def _completed(mission: Mission, plan: Plan, values: Mapping[str, float]) -> Plan:
+def _completed(mission: Mission, plan: Plan, worth: _Worth) -> Plan:
     """The plan with what it leaves open filled in."""
-    finite = {name: value if math.isfinite(value) else None for name, value in values.items()}
+    finite = {
+        name: value if math.isfinite(value) else None for name, value in worth.objectives.items()
+    }
+    actual = worth.availability if math.isfinite(worth.availability) else None
     items = plan.objective or tuple(ObjectiveValue(name, None) for name in mission.objective)
     return replace(
         plan,
-        availability=finite["availability"] if plan.availability is None else plan.availability,
+        availability=actual if plan.availability is None else plan.availability,
+        satisfaction=completed(plan.satisfaction, worth.satisfaction),
+        preferences=plan.preferences or worth.preferences,
         objective=tuple(
             replace(item, value=finite.get(item.name)) if item.value is None else item
             for item in items
@@ -143,21 +182,14 @@ def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
         if verdict.values is None:
             raise SolverError("\n".join(verdict.problems))
         return dict(verdict.values)
-    values = {name: float(measure(journeys)) for name, measure in MEASURES.items()}
-    return values | {"availability": formula_robustness(mission, plan.bundles, plan.horizon)}
+    return dict(_worth(mission, plan, journeys).objectives)
 
 
 def formula_robustness(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> float:
     """Counting robustness at step 0 of the mission's formula as written, on the agents' counts."""
-    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+    from tsplan.logic.evaluate import robustness  # noqa: PLC0415  (the parser is slow to import)
 
-    formula = mission.counted
-    states = tuple(mission.system.states)
-    counts = {
-        name: state_counts(bundles, states, horizon, name)
-        for name in (None, *sorted(logic.capabilities(formula)))
-    }
-    return counts_robustness(mission.system, formula, counts)
+    return float(robustness(mission.counted, count_trace(mission, bundles, horizon))[0])
 
 
 def _horizon(mission: Mission, plan: Plan) -> list[Finding]:
@@ -253,15 +285,15 @@ def _over(
     ]
 
 
-def _claims(mission: Mission, plan: Plan, values: Mapping[str, float]) -> list[Finding]:
+def _claims(mission: Mission, plan: Plan, worth: _Worth) -> list[Finding]:
     """Whether what the plan says about itself is so."""
-    findings = []
-    actual = values["availability"] if math.isfinite(values["availability"]) else None
+    findings = false_claims(plan, worth.satisfaction, worth.preferences)
+    actual = worth.availability if math.isfinite(worth.availability) else None
     if plan.availability != actual:
         findings.append(
             _finding(f"the plan claims availability {plan.availability} and has {actual}")
         )
-    return findings + _objective(mission, plan, values)
+    return findings + _objective(mission, plan, worth.objectives)
 
 
 def _objective(mission: Mission, plan: Plan, values: Mapping[str, float]) -> list[Finding]:
@@ -306,16 +338,16 @@ def _bound(item: ObjectiveValue, actual: float, status: Status) -> list[Finding]
     return []
 
 
-def _facts(mission: Mission, plan: Plan, values: Mapping[str, float]) -> tuple[str, ...]:
+def _facts(mission: Mission, plan: Plan, worth: _Worth) -> tuple[str, ...]:
     def number(value: float) -> str:
         return f"{value:g}" if math.isfinite(value) else "unbounded"
 
     values_found = (
-        f"the formula holds, with availability {number(values['availability'])}",
-        *(f"{name} is {number(values[name])}" for name in mission.objective),
+        *_held(worth, number(worth.availability)),
+        *(f"{name} is {number(worth.objectives[name])}" for name in mission.objective),
     )
     if mission.swarm is not None:
-        return (*swarm_facts(mission, plan, values), *values_found)
+        return (*swarm_facts(mission, plan, worth.objectives), *values_found)
     capacities = any(state.capacity is not None for state in mission.system.states.values())
     fits = ["every capacity is kept"] if capacities or mission.system.capacity_groups else []
     return (
@@ -324,6 +356,20 @@ def _facts(mission: Mission, plan: Plan, values: Mapping[str, float]) -> tuple[s
         *fits,
         *values_found,
     )
+
+
+def _held(worth: _Worth, availability: str) -> list[str]:
+    """What holds of the formula and of the preferences."""
+    if worth.satisfaction is not None and worth.satisfaction.fraction != 1:
+        facts = [f"the formula holds in part, with satisfaction {worth.satisfaction.fraction}"]
+    else:
+        facts = [f"the formula holds, with availability {availability}"]
+    return facts + [
+        f"preference '{item.name}' is met"
+        if item.met
+        else f"preference '{item.name}' is not met (its fraction is {item.fraction})"
+        for item in worth.preferences
+    ]
 
 
 def _shortened(findings: list[Finding]) -> tuple[Finding, ...]:

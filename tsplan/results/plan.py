@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from tsplan.results.groups import SubSwarm
     from tsplan.results.moves import Move, Node
     from tsplan.results.requirements import Requirement
+    from tsplan.results.satisfaction import Fulfilment, Satisfaction
     from tsplan.results.simulation import Simulation
 
 Stay: TypeAlias = tuple[int, int, str]
@@ -165,6 +166,7 @@ class Plan:
     `agents` is empty unless `status` is optimal or feasible. `availability` is the counting
     robustness of the formula at step 0, None where it is infinite. `verified` says that the
     independent check accepted the paths. `notes` are sentences for the reader of the plan.
+    `satisfaction` and `preferences` tell what holds where the mission does not demand it all.
 
     The plan of a swarm mission has the `moves` of every swarm, by its name, and `groups`, the
     sub-swarms that they make; `agents` are there if they were asked for, or are few.
@@ -186,6 +188,8 @@ class Plan:
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)
     notes: tuple[str, ...] = ()
+    satisfaction: Satisfaction | None = None
+    preferences: tuple[Fulfilment, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "status", Status(self.status))

@@ -7,6 +7,7 @@ import math
 import os
 import shutil
 from dataclasses import asdict
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -23,11 +24,16 @@ from tsplan.results.plan import (
     Timings,
     contradictions,
 )
+from tsplan.results.satisfaction import Depth, Fulfilment, Node, Satisfaction
 from tsplan.results.swarmfile import groups_of, groups_text, moves_of, moves_text
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from tsplan.document import Document
+    from tsplan.results.planschema import Node as NodeFile
     from tsplan.results.planschema import PlanFile
+    from tsplan.results.planschema import Satisfaction as PartialFile
 
 FORMAT = "tsplan-plan/1"
 _LOCATED = 2_000_000  # characters up to which a faulty file is read again for lines and columns
@@ -46,6 +52,7 @@ def plan_to_json(plan: Plan) -> str:
             for item in plan.objective
         ],
         "availability": _number(plan.availability),
+        **_partial(plan),
         "verified": plan.verified,
         "moves": None,
         "groups": None,
@@ -66,6 +73,51 @@ def plan_to_json(plan: Plan) -> str:
         for key, value in entries.items()
     ]
     return "{" + ",\n ".join(lines) + "}\n"
+
+
+def _partial(plan: Plan) -> dict[str, Any]:
+    """What the plan satisfies, where its mission does not demand everything."""
+    entries: dict[str, Any] = {}
+    if plan.satisfaction is not None:
+        made = plan.satisfaction
+        entries["satisfaction"] = {
+            "order": made.order,
+            **_fraction(made.fraction or Fraction(0)),
+            "availability": _number(made.availability),
+            "depths": [asdict(item) for item in made.depths],
+            "nodes": [_node(node) for node in made.nodes],
+        }
+    if plan.preferences:
+        entries["preferences"] = [_fulfilment(item) for item in plan.preferences]
+    return entries
+
+
+def _fulfilment(item: Fulfilment) -> dict[str, Any]:
+    return {
+        "name": item.name,
+        "weight": _number(float(item.weight)),
+        "level": item.level,
+        "partial": item.partial,
+        "met": item.met,
+        **_fraction(item.fraction),
+        "nodes": [_node(node) for node in item.nodes],
+    }
+
+
+def _node(node: Node) -> dict[str, Any]:
+    return {
+        "text": node.text,
+        "depth": node.depth,
+        "steps": [node.first, node.last],
+        "met": node.met,
+        **_fraction(node.fraction),
+        "counted": node.counted,
+    }
+
+
+def _fraction(value: Fraction) -> dict[str, Any]:
+    """A fraction as a number to read and as the exact one."""
+    return {"fraction": _number(float(value)), "exact": str(value)}
 
 
 def _agents(plan: Plan) -> str:
@@ -248,4 +300,35 @@ def _built(file: PlanFile) -> Plan:
         size=ModelSize(**file.size.model_dump()),
         timings=Timings(**file.timings.model_dump()),
         notes=tuple(file.notes),
+        satisfaction=_satisfaction(file.satisfaction),
+        preferences=tuple(
+            Fulfilment(
+                item.name,
+                Fraction(str(item.weight)),
+                item.level,
+                item.partial,
+                Fraction(item.exact),
+                _nodes(item.nodes),
+            )
+            for item in file.preferences
+        ),
+    )
+
+
+def _satisfaction(part: PartialFile | None) -> Satisfaction | None:
+    if part is None:
+        return None
+    return Satisfaction(
+        part.order,
+        Fraction(part.exact),
+        part.availability,
+        tuple(Depth(item.depth, item.value, item.bound) for item in part.depths),
+        _nodes(part.nodes),
+    )
+
+
+def _nodes(nodes: Iterable[NodeFile]) -> tuple[Node, ...]:
+    return tuple(
+        Node(item.text, item.depth, *item.steps, Fraction(item.exact), item.counted)
+        for item in nodes
     )

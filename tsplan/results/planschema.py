@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Annotated, Any, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
@@ -13,6 +14,7 @@ Whole = Annotated[int, Field(strict=True, ge=0)]
 Positive = Annotated[int, Field(strict=True, ge=1)]
 Word = Annotated[str, Field(min_length=1)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
+_ROUNDING = 1e-9
 Outcome = Annotated[Status, Field()]
 
 
@@ -135,6 +137,60 @@ class Timings(_Part):
     total: Finite = 0.0
 
 
+class _Portion(_Part):
+    """A fraction, as a number to read and as the exact one."""
+
+    fraction: Finite
+    exact: Annotated[str, Field(pattern=r"^[0-9]{1,4000}(/[0-9]{0,3999}[1-9][0-9]{0,3999})?$")]
+
+    @model_validator(mode="after")
+    def _same(self) -> Self:
+        value = Fraction(self.exact)
+        if not 0 <= value <= 1:
+            raise ValueError(f"the fraction {self.exact} is not between 0 and 1")
+        if abs(float(value) - self.fraction) > _ROUNDING:
+            raise ValueError(f"the fraction {self.fraction} is not {self.exact}")
+        return self
+
+
+class Node(_Portion):
+    """How much of one part of a formula holds."""
+
+    text: str
+    depth: Whole
+    steps: tuple[Whole, Whole]
+    met: bool
+    counted: bool = True
+
+
+class Depth(_Part):
+    """How much holds of one depth."""
+
+    depth: Whole
+    value: Whole
+    bound: Whole | None = None
+
+
+class Satisfaction(_Portion):
+    """How much of the mission's formula holds."""
+
+    order: Literal["weighted", "hierarchical", "depth"]
+    availability: Finite | None = None
+    depths: list[Depth] = []
+    nodes: list[Node] = []
+
+
+class Fulfilment(_Portion):
+    """What became of one preferred formula."""
+
+    name: str
+    weight: Annotated[Finite, Field(gt=0)]
+    level: Whole
+    partial: bool
+    met: bool
+    nodes: list[Node] = []
+
+
 class PlanFile(_Part):
     """A whole plan file."""
 
@@ -145,6 +201,8 @@ class PlanFile(_Part):
     horizon: Annotated[int, Field(strict=True, ge=0, le=MOST_STEPS)]
     objective: list[Objective] = []
     availability: Finite | None = None
+    satisfaction: Satisfaction | None = None
+    preferences: list[Fulfilment] = []
     verified: Annotated[bool, Field(strict=True)] = False
     agents: list[Agent] | None = None
     moves: dict[Word, Moves] = {}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from textwrap import shorten
 from typing import TYPE_CHECKING
 
 from tsplan.mission.data import SENSES
@@ -12,12 +13,19 @@ from tsplan.results.timeline import timeline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from fractions import Fraction
 
     from rich.console import Console, RenderableType
+
+    from tsplan.results.satisfaction import Node
 
 MOST_PATHS = 40
 """Distinct paths that are listed; the rest is only counted."""
 
+MOST_PARTS = 40
+"""Parts of a formula that are listed with how much of them holds."""
+
+_LONGEST = 80  # letters of a part of a formula
 _NUMBERED = re.compile(r"(.*-)(\d+)\Z")
 _LIMITS = {
     StoppedBy.TIME_LIMIT: "at the time limit",
@@ -44,6 +52,7 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += [f"  {objective_line(item)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, infinite='unbounded')}")
+        lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
         lines += ["", *(_happenings(plan) if plan.groups else _table(plan)), ""]
     return [*lines, *_work(plan)]
 
@@ -72,6 +81,50 @@ def objective_line(item: ObjectiveValue) -> str:
     side = "at most" if SENSES.get(item.name) == "maximise" else "at least"
     gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
     return f"{item.name} {value} (any plan has {side} {number(item.bound)}; gap {gap:.1%})"
+
+
+def satisfaction_lines(plan: Plan) -> list[str]:
+    """What holds of a mission that need not hold as a whole, and when."""
+    lines = []
+    if plan.satisfaction is not None:
+        made = plan.satisfaction
+        lines.append(f"  satisfied: {made.fraction} ({made.order})")
+        if made.depths:
+            counts = ", ".join(f"{item.value} at depth {item.depth}" for item in made.depths)
+            lines.append(f"  by depth: {counts}")
+        lines += _node_lines(made.nodes)
+    for item in plan.preferences:
+        gain = f"weight {number(float(item.weight))}, level {item.level}"
+        lines.append(f"  {item.name}: {_share(item.fraction)} ({gain})")
+        lines += _node_lines(item.nodes) if item.partial and not item.met else []
+    return lines
+
+
+def _node_lines(nodes: Sequence[Node]) -> list[str]:
+    """The parts that hold and do not lie in one that does, and what they lie in."""
+    lines: list[str] = []
+    inside: int | None = None  # the depth of a part that is told as one
+    for node in nodes:
+        if inside is not None and node.depth > inside:
+            continue
+        inside = node.depth if node.met or not node.fraction or not node.counted else None
+        when = (
+            f"step {node.first}" if node.first == node.last else f"steps {node.first}-{node.last}"
+        )
+        other = "" if node.counted else ", another part stands for it"
+        indent = "    " + "  " * node.depth
+        text = shorten(node.text, _LONGEST, placeholder=" ...")
+        lines.append(f"{indent}{_share(node.fraction)}: {text} ({when}{other})")
+    if len(lines) > MOST_PARTS:
+        rest = len(lines) - MOST_PARTS
+        return [*lines[:MOST_PARTS], f"    ... and {rest:,} more parts; the JSON plan has them all"]
+    return lines
+
+
+def _share(fraction: Fraction) -> str:
+    if fraction == 1:
+        return "met"
+    return f"{fraction} met" if fraction else "not met"
 
 
 def number(value: float | None, infinite: str = "open") -> str:

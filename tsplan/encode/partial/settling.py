@@ -1,0 +1,209 @@
+"""Settling what is to hold: the best that a plan can satisfy, level by level."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from math import floor, lcm
+
+import numpy as np
+
+from tsplan.encode.build import Encoded, Setting
+from tsplan.encode.clock import Clock
+from tsplan.encode.ideas import Idea
+from tsplan.encode.partial.aims import Aim, by_depth, chunks
+from tsplan.encode.partial.improving import Improving
+from tsplan.encode.partial.model import Claimed, Wish, claimed, valued
+from tsplan.encode.partial.rivals import Rivals, without_rivalry
+from tsplan.encode.partial.sums import Sum
+from tsplan.encode.search import Effort, Found, Search
+from tsplan.encode.stages import Measured, Outcome, Point, Reached, Stages
+from tsplan.logic import Formula
+from tsplan.logic.fulfilment import spots
+from tsplan.milp.model import Floats
+from tsplan.milp.solution import StoppedBy
+
+Tell = Callable[[str, Point | None, float | None, float | None], None]
+
+_PART = 0.8  # of the time limit that settling may take
+_PATIENCE = 30.0  # seconds before the general solver takes over
+_TRIAL = 3.0  # seconds in which a plan for the whole formula is looked for first
+_TRIED = 0.25  # of the time that is left, if that is less
+
+
+@dataclass(frozen=True, eq=False)
+class Settled:
+    """The best point known, what is proven of each level, and what ended the search."""
+
+    point: Point | None
+    levels: tuple[Reached, ...]
+    proven: bool
+    infeasible: bool
+    stopped_by: StoppedBy | None
+    size: tuple[int, int, int, int]
+
+
+@dataclass(eq=False)
+class Settling:
+    """Searches one setting for what holds at best; `name` is what the objective is called."""
+
+    setting: Setting
+    effort: Effort
+    clock: Clock
+    tell: Tell
+    name: str
+    _point: Point | None = field(default=None, init=False)
+    _levels: list[Reached] = field(default_factory=list, init=False)
+    _proven: bool = field(default=True, init=False)
+    _stopped: StoppedBy | None = field(default=None, init=False)
+    _size: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), init=False)
+
+    def __post_init__(self) -> None:
+        left = self.clock.left
+        if left is not None:
+            self.clock = self.clock.within(_PART * left)
+
+    def whole(self, goal: Formula) -> Outcome:
+        """A quick try for a plan that satisfies everything; it may be refuted, or stay open."""
+        self.tell(self.name, None, None, None)
+        left = self.clock.left
+        seconds = _TRIAL if left is None else min(_TRIAL, _TRIED * left)
+        stages = Stages(
+            setting=replace(self.setting, goal=goal),
+            effort=self.effort,
+            clock=self.clock.within(seconds),
+            measure=_unmeasured,
+            tell=_unheard,
+            objective=(),
+        )
+        return stages.run()
+
+    # --- weights -----------------------------------------------------------------------------
+
+    def weights(
+        self,
+        demand: Formula,
+        wishes: Sequence[Wish],
+        levels: Mapping[int, Sequence[tuple[int, Fraction]]],
+        *,
+        refuted: bool = False,
+    ) -> Settled:
+        """Maximise the weighted worth of wishes, the highest level first.
+
+        `levels` has the numbers of wishes and their weights. `refuted` says that no plan reaches
+        everything at the first of them.
+        """
+        model = valued(self.setting, demand, wishes)
+        encoded = model.encoded
+        for level in sorted(levels, reverse=True):
+            entries = levels[level]
+            total = Sum.total((model.worth[number], weight) for number, weight in entries)
+            units = lcm(*(wishes[n].denominator * weight.denominator for n, weight in entries))
+            most = sum((weight for _, weight in entries), Fraction(0))
+            aim = Aim.of(total, units, most, encoded.model.size.columns)
+            if refuted and not self._levels:
+                encoded = aim.below(encoded, most)
+            found = self._best(encoded, aim, model.rivals)
+            certain = self._noted(found)
+            if found.objective is None:
+                return self._settled(infeasible=found.proven)
+            bound = found.objective if certain else found.bound
+            reached = min(aim.shown(bound), float(most))
+            self._levels.append(Reached(str(level), aim.shown(found.objective), reached))
+            encoded = aim.kept(encoded, found.objective)
+        return self._settled()
+
+    # --- depths ------------------------------------------------------------------------------
+
+    def depths(self, tree: Formula, *, together: bool, refuted: bool) -> Settled:
+        """Maximise how many pairs hold at each depth without an ancestor, depth by depth.
+
+        `together` settles several depths in one go where exact weights allow it. `refuted` says
+        that the whole tree holds in no plan.
+        """
+        deepest = max(spot.depth for spot in spots(tree))
+        every = claimed(self.setting, tree, deepest).claims.by_depth
+        counts = [len(columns) for columns in every]
+        counts[0] = 0 if refuted else counts[0]
+        known: dict[int, tuple[float, float]] = {0: (0.0, 0.0)} if refuted else {}
+        bounds: dict[int, float | None] = {d: 0.0 for d, n in enumerate(counts) if not n}
+        for chunk in chunks(counts, together=together) or [(0,)]:  # some plan is needed
+            model = claimed(self.setting, tree, chunk[-1])
+            columns = model.encoded.model.size.columns
+            aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
+            found = self._best(_within(model, known), aim, model.rivals)
+            surest, certain = self._proven, self._noted(found)
+            if found.values is None:
+                return self._settled(infeasible=found.proven)
+            made = {d: float(found.values[model.claims.by_depth[d]].round().sum()) for d in chunk}
+            known |= {d: (n, n if surest and certain else np.inf) for d, n in made.items()}
+            if not surest:
+                bounds |= dict.fromkeys(chunk)
+            elif certain:
+                bounds |= made
+            else:
+                unit = -aim.vector.min()
+                first = min(floor(-found.bound / unit + 1e-6), counts[chunk[0]])
+                bounds |= {**dict.fromkeys(chunk), chunk[0]: float(first)}
+        values = {depth: known.get(depth, (0.0, 0.0))[0] for depth in range(len(counts))}
+        self._levels = [Reached(str(d), value, bounds.get(d)) for d, value in values.items()]
+        return self._settled()
+
+    # --- search ------------------------------------------------------------------------------
+
+    def _best(self, encoded: Encoded, aim: Aim, rivals: Rivals) -> Found:
+        encoded = without_rivalry(encoded, aim.vector, rivals, self.clock)
+
+        def report(values: Floats | None, value: float | None, bound: float | None) -> None:
+            point = None if values is None else Point(encoded, values, tight=True)
+            shown = [None if n is None else aim.shown(n) for n in (value, bound)]
+            self.tell(self.name, point, *shown)
+
+        size = encoded.model.size
+        self._size = (size.columns, size.integers, size.rows, size.nonzeros)
+        effort = replace(self.effort, ideas=self.effort.ideas - {Idea.CONTINUOUS})
+        search = Search(encoded, aim.vector, effort, self.clock, report, step=aim.step)
+        search.patience = _PATIENCE
+        former = None
+        if self._point is not None:
+            former = search.adopt(self._point.values[self._point.encoded.flows])
+        start = Improving(encoded, aim.vector, self.effort, self.clock, aim.step).best(former)
+        found = search.minimise(start)
+        if found.values is not None:
+            self._point = Point(encoded, found.values, tight=True)
+        return found
+
+    def _noted(self, found: Found) -> bool:
+        """Whether a search was carried to its end; if not, nothing after it is certain."""
+        certain = found.proven and found.stopped_by is None
+        self._proven = self._proven and certain
+        self._stopped = self._stopped or found.stopped_by
+        return certain
+
+    def _settled(self, *, infeasible: bool = False) -> Settled:
+        proven = self._proven and self._point is not None
+        stopped = None if proven or infeasible else self._stopped or StoppedBy.TIME_LIMIT
+        levels = tuple(self._levels)
+        none = infeasible and self._point is None
+        return Settled(self._point, levels, proven, none, stopped, self._size)
+
+
+def _within(model: Claimed, known: Mapping[int, tuple[float, float]]) -> Encoded:
+    """The model with as many claims at the depths settled before."""
+    inner = model.encoded.model
+    for depth, (least, most) in known.items():
+        vector = np.zeros(inner.size.columns)
+        vector[model.claims.by_depth[depth]] = 1.0
+        if vector.any():
+            inner = inner.with_row(vector, least, most, "kept")
+    return replace(model.encoded, model=inner)
+
+
+def _unheard(*_: object) -> None:
+    """A try's bounds are not those of the objective."""
+
+
+def _unmeasured(_: Point) -> Measured:
+    """Any plan will do."""
+    return Measured(0.0, 0)
