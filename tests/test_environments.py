@@ -22,10 +22,10 @@ BEST = {
     "office_cleaning": [20, 11],
     "office_delivery": [1, 16, 80],
     "office_wishes": [5.2],
-    "reef_drift": [2, 0],
-    "reef_regroup": [0, 7, 620],
-    "reef_relay": [1, 13, 20],
-    "reef_survey": [2, 0, 30],
+    "reef_drift": [1],
+    "reef_regroup": [0, 7],
+    "reef_relay": [2],
+    "reef_survey": [2, 8],
     "reef_thin": None,
     "rescue_evacuation": [117, 30],
     "rescue_search": [88],
@@ -37,6 +37,7 @@ QUICK = (
     "farm_shortage",
     "office_delivery",
     "office_wishes",
+    "reef_thin",
     "rescue_evacuation",
 )
 
@@ -96,3 +97,32 @@ def test_plans(name):
     assert plan.status == "optimal"
     assert plan.verified
     assert [goal.value for goal in plan.objective] == pytest.approx(BEST[name])
+
+
+def test_one_bound_alone_makes_the_thin_survey_infeasible():
+    survey, thin = (load_mission(FOLDER / f"reef_{name}.yaml") for name in ("survey", "thin"))
+    assert (survey.goal, survey.horizon, survey.team) == (thin.goal, thin.horizon, thin.team)
+    assert [m.swarm.each["swarm"].most for m in (survey, thin)] == [3, 2]
+    assert survey.swarm.each["swarm"].least == thin.swarm.each["swarm"].least
+
+
+@pytest.mark.long
+def test_one_sub_swarm_more_makes_the_thin_survey_feasible():
+    plan = tsplan.plan(load_mission(FOLDER / "reef_survey.yaml"))
+    assert max(len(plan.groups_at(step)) for step in range(plan.horizon + 1)) == 3
+
+
+@pytest.mark.long
+def test_the_halves_of_the_swarm_that_regroups_meet_early():
+    plan = tsplan.plan(load_mission(FOLDER / "reef_regroup.yaml"))
+    met = next(step for step in range(plan.horizon) if len(plan.groups_at(step)) == 1)
+    # apart, the halves would only meet at the lagoon, a step before the beacon, by nine moves
+    assert met <= 6
+
+
+@pytest.mark.long
+def test_the_drifting_swarm_has_room_enough():
+    mission = load_mission(FOLDER / "reef_drift.yaml")
+    assert mission.swarm.margin == tsplan.margin_for(mission, 0.99)
+    found = tsplan.plan(mission, time_limit=60).simulate(mission, runs=2000)
+    assert found.formula.rate >= 0.99
