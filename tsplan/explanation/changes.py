@@ -77,7 +77,8 @@ class Repairs:
     """Looks for changes of the mission that an oracle knows.
 
     `cores` are conflicts of the mission and `everything` all its elements. A change that leaves a
-    conflict impossible is ruled out by that alone, which is quicker than with the whole mission.
+    fact, or a conflict that is impossible by itself, is ruled out by that alone: it is quicker than
+    with the whole mission.
     """
 
     oracle: Oracle
@@ -160,8 +161,11 @@ class Repairs:
             changed = applied(self.oracle.mission, amounts)
         except MissionError:
             return False  # for example more robots at a state than it holds
+        if find_facts(View.of(changed)):
+            return False
         for core in self.cores:
-            if self.oracle.asked(relaxed(changed, self.everything - core)) is False:
+            others = [item for item in self.everything - core if item.kind == "formula"]
+            if self.oracle.asked(relaxed(changed, others)) is False:
                 return False
         return self.oracle.met(changed)
 

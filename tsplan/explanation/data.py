@@ -43,10 +43,15 @@ class Element(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A place in the mission file, or, for a mission without one, in the text of its formula."""
+    """A place in the mission file, or, for a mission without one, in the text of its formula.
+
+    The end, where it is known, is just after the last character.
+    """
 
     line: int | None = None
     column: int | None = None
+    end_line: int | None = None
+    end_column: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
