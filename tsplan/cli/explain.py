@@ -100,4 +100,4 @@ def _write(mission: Mission, found: Explanation, asked: argparse.Namespace) -> N
     written = rewritten(mission, changed, asked.mission.parent, output.parent)
     output.write_text(written.text, encoding="utf-8")
     if written.comments_lost:
-        sys.stderr.write(f"{output}: the comments of the mission could not be kept\n")
+        sys.stderr.write(f"{output}: some comments of the mission could not be kept\n")

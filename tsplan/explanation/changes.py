@@ -171,11 +171,12 @@ class Repairs:
 
     def _change(self, amounts: Sequence[tuple[Dimension, int]], *, proven: bool) -> Change:
         mission = self.oracle.mission
-        used = [item for item in amounts if item[1]]
+        used = tuple(item for item in amounts if item[1])
         largest = max(used, key=lambda item: item[1])[0]
         text = "; and ".join(dimension.words(mission, amount) for dimension, amount in used)
         changed = applied(mission, used)
-        return Change(largest.kind, text, sum(amount for _, amount in used), proven, changed)
+        total = sum(amount for _, amount in used)
+        return Change(largest.kind, text, total, proven, changed, used)
 
 
 def applied(mission: Mission, amounts: Sequence[tuple[Dimension, int]]) -> Mission:
