@@ -135,7 +135,7 @@ class Run(ABC, Generic[FoundT]):
         self.prepare()
         self._seconds["reduce"] = time.perf_counter() - began
         began = time.perf_counter()
-        with _on_interrupt(self._stop):
+        with on_interrupt(self._stop):
             result = self.search(effort, self._clock, self._tell)
         self._seconds["solve"] = time.perf_counter() - began
         return self._finished(
@@ -220,7 +220,7 @@ def _own(item: ObjectiveValue) -> str:
 
 
 @contextmanager
-def _on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
+def on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
     """Ctrl-C asks the search to stop and keep its best plan; a second one interrupts for good."""
     if threading.current_thread() is not threading.main_thread():
         yield

@@ -39,6 +39,7 @@ def parser() -> argparse.ArgumentParser:
     top.add_argument("--version", action="version", version=f"tsplan {__version__}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _plan(commands)
+    _explain(commands)
     _check(commands)
     _simulate(commands)
     _parse(commands)
@@ -78,6 +79,24 @@ def _plan(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     plan.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
     plan.add_argument("--json", action="store_true", help="print the JSON alone")
     plan.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _explain(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    explain = commands.add_parser(
+        "explain",
+        help="say why there is no plan and what would help; what is tight where there is one",
+        epilog="exit codes: 0 explained, 2 bad input or usage, 4 no answer within the time limit",
+    )
+    explain.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
+    explain.add_argument("--all", action="store_true", help="several different conflicts")
+    explain.add_argument(
+        "--slack", action="store_true", help="how much sooner each deadline of a plan could be"
+    )
+    explain.add_argument("--solver", metavar="NAME", help="highs (default), gurobi, pulp, ...")
+    explain.add_argument("--time-limit", type=_positive, metavar="S", help="seconds of search")
+    explain.add_argument("--fix", type=_count, metavar="N", help="write the mission after change N")
+    explain.add_argument("-o", "--output", type=Path, metavar="FILE", help="where --fix writes it")
+    explain.add_argument("--json", action="store_true", help="print the JSON alone")
 
 
 def _check(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tsplan.errors import Finding, InputError, PlanError
+from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.mission import load_mission
 from tsplan.results.fitting import refuse_misfit, refuse_pathless
 from tsplan.results.planfile import load_plan
@@ -74,3 +75,27 @@ def mission_beside(path: Path, plan: Plan) -> Mission | None:
         except InputError:
             continue
     return None
+
+
+def refuse_place(path: Path | None, what: str) -> None:
+    """Say at once that a file could not be written, not after the search."""
+    if path is None:
+        return
+    folder = path.resolve().parent
+    if path.is_dir():
+        why = "this is a directory"
+    elif not folder.is_dir():
+        why = "its directory does not exist"
+    elif not os.access(path if path.exists() else folder, os.W_OK):
+        why = "no permission"
+    else:
+        return
+    raise InputError([Finding(f"cannot write {what}: {why}", "choose another file", str(path))])
+
+
+def refuse_solver(name: str) -> None:
+    """A misspelt solver is wrong usage; one that is missing or not licensed fails later."""
+    from tsplan.milp.solver import SOLVERS  # noqa: PLC0415  (needs numpy and scipy)
+
+    if name.partition(":")[0] not in SOLVERS:
+        raise InputError([Finding(f"there is no solver '{name}'", nearest(name, SOLVERS))])

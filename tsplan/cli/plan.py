@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import os
 import sys
 import time
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_of
-from tsplan.errors import Finding, InputError, SolverError, nearest
+from tsplan.cli.inputs import mission_of, refuse_place, refuse_solver
+from tsplan.errors import SolverError
 from tsplan.results.assigning import assign
 from tsplan.results.plan import Plan, Status
 from tsplan.results.planfile import save_plan
 
 if TYPE_CHECKING:
     import argparse
-    from pathlib import Path
 
     from tsplan.mission import Mission
 
@@ -33,11 +31,11 @@ _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 def run(asked: argparse.Namespace) -> Exit:
     """Plan, show the plan, and say by the exit code how it ended."""
-    _refuse_place(asked.output)
+    refuse_place(asked.output, "the plan")
     began = time.perf_counter()
     mission = mission_of(asked.mission)
     loaded = time.perf_counter() - began
-    _refuse_solver(asked.solver or mission.solver.name or "highs")
+    refuse_solver(asked.solver or mission.solver.name or "highs")
     try:
         plan = _timed(_planned(asked, mission), mission, loaded)
     except KeyboardInterrupt:
@@ -53,6 +51,8 @@ def run(asked: argparse.Namespace) -> Exit:
         sys.stdout.write(plan.to_json())
     elif not asked.quiet:
         _summarise(plan)
+    if plan.status is Status.INFEASIBLE and not asked.quiet:
+        sys.stderr.write(f"to see why, and what would help: tsplan explain {asked.mission}\n")
     return _CODES[plan.status]
 
 
@@ -71,30 +71,6 @@ def _planned(asked: argparse.Namespace, mission: Mission) -> Plan:
     )
     with Progress(quiet=asked.quiet) as progress:
         return planned(mission, order, progress)
-
-
-def _refuse_place(path: Path | None) -> None:
-    """Say at once that the plan could not be written, not after the search."""
-    if path is None:
-        return
-    folder = path.resolve().parent
-    if path.is_dir():
-        what = "cannot write the plan: this is a directory"
-    elif not folder.is_dir():
-        what = "cannot write the plan: its directory does not exist"
-    elif not os.access(path if path.exists() else folder, os.W_OK):
-        what = "cannot write the plan: no permission"
-    else:
-        return
-    raise InputError([Finding(what, "choose another file", str(path))])
-
-
-def _refuse_solver(name: str) -> None:
-    """A misspelt solver is wrong usage; one that is missing or not licensed fails later."""
-    from tsplan.milp.solver import SOLVERS  # noqa: PLC0415  (needs numpy and scipy)
-
-    if name.partition(":")[0] not in SOLVERS:
-        raise InputError([Finding(f"there is no solver '{name}'", nearest(name, SOLVERS))])
 
 
 def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:

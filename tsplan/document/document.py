@@ -97,6 +97,14 @@ class Document:
         """A scalar exactly as written (`01` where `data` says 1); None for collections."""
         return self._node(path).text
 
+    def span(self, path: Path) -> tuple[int, int]:
+        """Offsets into `content` of the value at a path: its first character, and after its last.
+
+        White space and comments that follow a block may be counted with it.
+        """
+        node = self._node(path)
+        return node.start, node.end
+
     def finding(self, path: Path, message: str, remedy: str = "") -> Finding:
         """A finding at the place of a path."""
         return Finding(message, remedy, self.source, *self.place(path))

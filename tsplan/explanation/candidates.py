@@ -85,9 +85,7 @@ def _below(view: View, leaf: Leaf) -> frozenset[Element]:
     return frozenset(of_leaf(item) for item in leaves(view.mission.formula, leaf.way))
 
 
-def _more_agents(
-    view: View, entry: int, conflict: frozenset[Element]
-) -> Iterator[Candidate]:
+def _more_agents(view: View, entry: int, conflict: frozenset[Element]) -> Iterator[Candidate]:
     mission = view.mission
     group = mission.team[entry]
     most = useful_number(mission)

@@ -77,7 +77,8 @@ class Repairs:
     """Looks for changes of the mission that an oracle knows.
 
     `cores` are conflicts of the mission and `everything` all its elements. A change that leaves a
-    conflict impossible is ruled out by that alone, which is quicker than with the whole mission.
+    fact, or a conflict that is impossible by itself, is ruled out by that alone: it is quicker than
+    with the whole mission.
     """
 
     oracle: Oracle
@@ -160,18 +161,22 @@ class Repairs:
             changed = applied(self.oracle.mission, amounts)
         except MissionError:
             return False  # for example more robots at a state than it holds
+        if find_facts(View.of(changed)):
+            return False
         for core in self.cores:
-            if self.oracle.asked(relaxed(changed, self.everything - core)) is False:
+            others = [item for item in self.everything - core if item.kind == "formula"]
+            if self.oracle.asked(relaxed(changed, others)) is False:
                 return False
         return self.oracle.met(changed)
 
     def _change(self, amounts: Sequence[tuple[Dimension, int]], *, proven: bool) -> Change:
         mission = self.oracle.mission
-        used = [item for item in amounts if item[1]]
+        used = tuple(item for item in amounts if item[1])
         largest = max(used, key=lambda item: item[1])[0]
         text = "; and ".join(dimension.words(mission, amount) for dimension, amount in used)
         changed = applied(mission, used)
-        return Change(largest.kind, text, sum(amount for _, amount in used), proven, changed)
+        total = sum(amount for _, amount in used)
+        return Change(largest.kind, text, total, proven, changed, used)
 
 
 def applied(mission: Mission, amounts: Sequence[tuple[Dimension, int]]) -> Mission:

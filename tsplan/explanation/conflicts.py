@@ -101,9 +101,7 @@ class Finder:
         half = (len(parts) + 1) // 2
         early, late = parts[:half], parts[half:]
         from_late = self._explained(background.union(*early), late, grown=True)
-        from_early = self._explained(
-            background.union(*from_late), early, grown=bool(from_late)
-        )
+        from_early = self._explained(background.union(*from_late), early, grown=bool(from_late))
         return [*from_early, *from_late]
 
     def _impossible(self, elements: Set) -> bool:

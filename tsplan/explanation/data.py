@@ -8,6 +8,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 if TYPE_CHECKING:
+    from tsplan.explanation.dimensions import Dimension
     from tsplan.mission import Mission
 
 PartKind: TypeAlias = Literal["formula", "team", "start", "capacity", "swarm"]
@@ -43,10 +44,15 @@ class Element(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A place in the mission file, or, for a mission without one, in the text of its formula."""
+    """A place in the mission file, or, for a mission without one, in the text of its formula.
+
+    The end, where it is known, is just after the last character.
+    """
 
     line: int | None = None
     column: int | None = None
+    end_line: int | None = None
+    end_column: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +95,7 @@ class Change:
     """A change of the mission after which it can be met, by the least `amount`.
 
     With `proven`, a verified plan shows that the changed mission can be met, and that it could not
-    with one less. `mission` is the changed mission.
+    with one less. `mission` is the changed mission, `steps` says how far each dimension went.
     """
 
     kind: ChangeKind
@@ -97,6 +103,7 @@ class Change:
     amount: int
     proven: bool
     mission: Mission = field(repr=False, compare=False)
+    steps: tuple[tuple[Dimension, int], ...] = field(default=(), repr=False, compare=False)
 
 
 @dataclass(frozen=True)

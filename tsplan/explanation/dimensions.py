@@ -129,15 +129,15 @@ class LowerNeed:
         node = node_at(mission.formula, leaf.way)
         if isinstance(node, Task):
             asked = node.needs[leaf.pair or 0][1]
-        elif isinstance(node, Count) and node.relation == ">=" and isinstance(node.bound, int):
-            asked = node.bound
+        elif isinstance(node, Count) and node.relation in _ASKING and isinstance(node.bound, int):
+            asked = node.bound + _ASKING[node.relation]
         else:
             return None
         return cls(leaf, was, asked) if asked > 0 else None
 
     def applied(self, mission: Mission, amount: int) -> Mission:
         """The mission that asks for fewer agents."""
-        return edited(mission, self.leaf, _counting(mission, self.leaf, self.most - amount))
+        return edited(mission, self.leaf, _counting(mission, self.leaf, -amount))
 
     def words(self, mission: Mission, amount: int) -> str:
         """The need, from what to what."""
@@ -162,8 +162,8 @@ class LooserLimit:
         node = node_at(mission.formula, leaf.way)
         if isinstance(node, Limit):
             allowed = node.needs[leaf.pair or 0][1] if node.needs else 0
-        elif isinstance(node, Count) and node.relation == "<=" and isinstance(node.bound, int):
-            allowed = node.bound
+        elif isinstance(node, Count) and node.relation in _ALLOWING and isinstance(node.bound, int):
+            allowed = node.bound + _ALLOWING[node.relation]
         else:
             return None
         most = mission.size - max(allowed, 0)
@@ -171,7 +171,7 @@ class LooserLimit:
 
     def applied(self, mission: Mission, amount: int) -> Mission:
         """The mission that allows more agents."""
-        return edited(mission, self.leaf, _counting(mission, self.leaf, self.now + amount))
+        return edited(mission, self.leaf, _counting(mission, self.leaf, amount))
 
     def words(self, mission: Mission, amount: int) -> str:
         """The limit, from what to what."""
@@ -180,16 +180,25 @@ class LooserLimit:
         return f"loosen the limit at '{label}' from {self.now} to {more} in {self.was}"
 
 
-def _counting(mission: Mission, leaf: Leaf, amount: int) -> Formula:
-    """An atom with another number of agents."""
+_ASKING = {">=": 0, ">": 1}
+"""Relations that ask for agents, with how many more than the bound."""
+
+_ALLOWING = {"<=": 0, "<": -1}
+"""Relations that limit agents, with how many more than the bound are allowed."""
+
+
+def _counting(mission: Mission, leaf: Leaf, more: int) -> Formula:
+    """An atom with a number of agents that is larger by `more`."""
     node = node_at(mission.formula, leaf.way)
     if isinstance(node, Count):
-        return replace(node, bound=amount)
+        assert isinstance(node.bound, int)
+        return replace(node, bound=node.bound + more)
     assert isinstance(node, Task | Limit)
     if not node.needs:  # nobody at all may be there
-        return Count("max", node.label, None, "<=", amount)
+        return Count("max", node.label, None, "<=", more)
     needs = list(node.needs)
-    needs[leaf.pair or 0] = (needs[leaf.pair or 0][0], amount)
+    name, number = needs[leaf.pair or 0]
+    needs[leaf.pair or 0] = (name, number + more)
     return replace(node, needs=tuple(needs))
 
 

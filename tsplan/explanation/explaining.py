@@ -16,6 +16,7 @@ from tsplan.explanation.data import Change, Conflict, Explanation, Fact, Status
 from tsplan.explanation.facts import View, find_facts
 from tsplan.explanation.oracle import Oracle
 from tsplan.explanation.surroundings import EdgeTime
+from tsplan.running import on_interrupt
 
 if TYPE_CHECKING:
     from tsplan.explanation.dimensions import Dimension
@@ -56,7 +57,8 @@ def explain(
     """
     limit = mission.solver.time_limit if time_limit is None else time_limit
     run = _Run(mission, Clock(limit), solver, on_stage or (lambda _: None))
-    return run.explanation(conflicts, slack=slack)
+    with on_interrupt(run.oracle.stop):
+        return run.explanation(conflicts, slack=slack)
 
 
 @dataclass(eq=False)

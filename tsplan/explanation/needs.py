@@ -75,9 +75,7 @@ def demands(mission: Mission) -> tuple[Demand, ...]:
     return tuple(demands_below(mission, (), mission.formula, Span(0, 0)))
 
 
-def demands_below(
-    mission: Mission, way: Way, node: Formula, span: Span
-) -> Iterator[Demand]:
+def demands_below(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Demand]:
     """What a sub-formula asks for that must hold from some step of `span` on."""
     open_ = [(way, node, span)]
     while open_:

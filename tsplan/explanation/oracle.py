@@ -46,6 +46,10 @@ class Oracle:
         """Whether no more questions are answered."""
         return self.interrupted or self.clock.over
 
+    def stop(self) -> None:
+        """Answer no more questions."""
+        self.interrupted = True
+
     def without(self, dropped: Iterable[Element]) -> Answer:
         """Whether the mission without some of its elements can be met."""
         gone = frozenset(dropped)
@@ -73,7 +77,7 @@ class Oracle:
         self.solves += 1
         self.seconds += time.perf_counter() - began
         if found.stopped_by is StoppedBy.INTERRUPT:
-            self.interrupted = True
+            self.stop()
         if found.has_paths:
             return True
         return False if found.status is Status.INFEASIBLE else None

@@ -132,10 +132,16 @@ class Sources:
         stretch = source.pair(Leaf(way, leaf.pair))
         if stretch is None:
             return self._begin()
-        line, column = source.line_and_column(stretch.begin)
+        first = self.in_file(source, stretch.begin)
+        line, column = self.in_file(source, max(stretch.end - 1, stretch.begin))
+        return Place(*first, line, column + 1)
+
+    def in_file(self, source: Source, offset: int) -> tuple[int, int]:
+        """Line and column in the mission file of a character of one of the texts."""
+        place = source.line_and_column(offset)
         if self._document is None or source.path is None:
-            return Place(line, column)
-        return Place(*self._document.inside(source.path, line, column))
+            return place
+        return self._document.inside(source.path, *place)
 
     def _begin(self) -> Place:
         """The whole formula."""

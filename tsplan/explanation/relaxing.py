@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from tsplan.encode.problem import Problem
+from tsplan.encode.problem import Problem, Tuning
 from tsplan.explanation.data import Element
 from tsplan.explanation.elements import leaf_of
 from tsplan.explanation.occurrences import without
@@ -32,7 +32,7 @@ def any_plan(mission: Mission) -> Mission:
     return replace(mission, objective=(), prefer=(), warnings=())
 
 
-def relaxed(mission: Mission, dropped: Iterable[Element]) -> Problem:
+def relaxed(mission: Mission, dropped: Iterable[Element], tuning: Tuning = Tuning()) -> Problem:
     """The problem without some elements of the mission."""
     gone = frozenset(dropped)
     leaves = [leaf_of(item) for item in gone if item.kind == "formula"]
@@ -44,8 +44,8 @@ def relaxed(mission: Mission, dropped: Iterable[Element]) -> Problem:
         system=_roomier(mission.system, gone),
     )
     if any(item.kind in ("team", "start") for item in gone):
-        return _Depots(left, gone).problem()
-    return Problem(left)
+        return _Depots(left, gone).problem(tuning)
+    return Problem(left, tuning)
 
 
 def _roomier(system: TransitionSystem, gone: Dropped) -> TransitionSystem:
@@ -107,7 +107,7 @@ class _Depots:
     mission: Mission
     gone: Dropped
 
-    def problem(self) -> Problem:
+    def problem(self, tuning: Tuning) -> Problem:
         """The mission one step later, begun from depots."""
         mission = self.mission
         system = mission.system
@@ -129,7 +129,8 @@ class _Depots:
                 formula=formula,
                 text=str(formula),
                 horizon=mission.horizon + 1,
-            )
+            ),
+            tuning,
         )
         if not self._late_is_harmless:
             self._hurry(problem, open_, all_)
@@ -146,7 +147,11 @@ class _Depots:
             yield self._name(number, 0), count, self._anywhere(group)
             return
         for place, (state, count) in enumerate(group.starts):
-            yield self._name(number, place), many if self._without("team", number) else count, [state]
+            yield (
+                self._name(number, place),
+                many if self._without("team", number) else count,
+                [state],
+            )
 
     def _name(self, number: int, place: int) -> str:
         name = f"depot {number}.{place}"

@@ -115,9 +115,7 @@ def _quicker(edge: Edge, amount: int) -> Edge:
     return replace(edge, duration={k: max(v - amount, 1) for k, v in edge.duration.items()})
 
 
-def _with_edge(
-    mission: Mission, pair: tuple[str, str], edit: Callable[[Edge], Edge]
-) -> Mission:
+def _with_edge(mission: Mission, pair: tuple[str, str], edit: Callable[[Edge], Edge]) -> Mission:
     system = mission.system
     pairs = {pair, *((pair[::-1],) if system.edges[pair].both_ways else ())}
     edges = [edit(edge) if edge.pair in pairs else edge for edge in system.edges.values()]

@@ -182,5 +182,7 @@ def _slack(view: View, oracle: Oracle, way: Way) -> Fact:
     else:
         steps = found.amount - 1
         sure = "" if found.proven else " at least"
-        text = f"could be{sure} {steps} step{'s' if steps > 1 else ''} sooner, at {node.high - steps}"
+        text = (
+            f"could be{sure} {steps} step{'s' if steps > 1 else ''} sooner, at {node.high - steps}"
+        )
     return Fact("slack", f"the deadline {node.high} {text}, in {whole}", place)

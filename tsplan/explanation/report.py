@@ -1,0 +1,112 @@
+"""An explanation for people: the formula with its conflicting parts marked, a table of changes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.data import Conflict, Explanation, Fact, Part, Status
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from rich.console import Console
+    from rich.table import Table
+
+    from tsplan.mission import Mission
+
+_OUTCOME = {
+    Status.EXPLAINED: "there is no plan",
+    Status.FEASIBLE: "there is a plan",
+    Status.NO_ANSWER: "whether there is a plan stays open; try a longer time limit",
+}
+
+
+def print_explanation(explanation: Explanation, mission: Mission, console: Console) -> None:
+    """Print everything that an explanation says."""
+    for line in lines_of(explanation, mission):
+        console.out(line, highlight=False)
+    if explanation.changes:
+        console.out("\nchanges after which there is a plan:", highlight=False)
+        with console.capture() as text:
+            console.print(_changes(explanation), highlight=False, markup=False)
+        for line in text.get().splitlines():
+            console.out(line.rstrip(), highlight=False)
+    console.out(f"\n  {explanation.timings.get('total', 0.0):.2f} s", highlight=False)
+
+
+def lines_of(explanation: Explanation, mission: Mission) -> Iterator[str]:
+    """Outcome, facts and conflicts, line by line."""
+    yield f"{explanation.name or 'mission'}: {_OUTCOME[explanation.status]}"
+    if explanation.facts:
+        feasible = explanation.status is Status.FEASIBLE
+        yield "\nwhat is tight:" if feasible else "\nwhat already forbids every plan:"
+        yield from (f"  {_at(fact)}{fact.text}" for fact in explanation.facts)
+    source = _Source(mission)
+    for number, conflict in enumerate(explanation.conflicts, start=1):
+        yield f"\n{_title(conflict, number, len(explanation.conflicts))}"
+        yield from source.marked([part for part in conflict.parts if part.kind == "formula"])
+        yield from (
+            f"  {_at(part)}{part.text}" for part in conflict.parts if part.kind != "formula"
+        )
+
+
+def _title(conflict: Conflict, number: int, count: int) -> str:
+    which = f"conflict {number}" if count > 1 else "conflict"
+    if not conflict.minimal:
+        return f"{which}: these cannot hold together (not proven minimal: the time was up)"
+    if len(conflict.parts) == 1:
+        return f"{which}: this alone cannot hold"
+    return f"{which}: these cannot hold together, and without any one of them the rest can"
+
+
+def _at(item: Fact | Part) -> str:
+    """Where something is, before what it says."""
+    return "" if item.place.line is None else f"{item.place.line}:{item.place.column}: "
+
+
+class _Source:
+    """The text that places speak about, to show parts of it."""
+
+    def __init__(self, mission: Mission) -> None:
+        text = mission.text if mission.origin is None else mission.origin.content
+        self._lines = text.splitlines()
+
+    def marked(self, parts: Sequence[Part]) -> Iterator[str]:
+        """The lines of the parts, each with a line of marks below."""
+        marks: dict[int, set[int]] = {}
+        for part in parts:
+            if part.place.line is None or part.place.end_line is None:
+                yield f"  {part.text}"
+            for line, columns in self._columns(part):
+                marks.setdefault(line, set()).update(columns)
+        width = len(str(max(marks, default=0)))
+        for line in sorted(marks):
+            text = self._lines[line - 1]
+            below = "".join("^" if n in marks[line] else " " for n in range(1, len(text) + 1))
+            yield f"  {line:>{width}} | {text}"
+            yield f"  {'':>{width}} | {below.rstrip()}"
+
+    def _columns(self, part: Part) -> Iterator[tuple[int, Iterable[int]]]:
+        """The columns of each line that a part covers, without indentation."""
+        place = part.place
+        if place.line is None or place.end_line is None:
+            return
+        for line in range(place.line, min(place.end_line, len(self._lines)) + 1):
+            text = self._lines[line - 1]
+            first = place.column if line == place.line else len(text) - len(text.lstrip()) + 1
+            last = place.end_column if line == place.end_line else len(text.rstrip()) + 1
+            yield line, range(first or 1, last or 1)
+
+
+def _changes(explanation: Explanation) -> Table:
+    from rich.table import Table  # noqa: PLC0415  (slow to import)
+
+    table = Table(box=None, pad_edge=False, show_edge=False, padding=(0, 1))
+    table.add_column("fix", justify="right")
+    table.add_column("change", overflow="fold", ratio=1)
+    table.add_column("by", justify="right")
+    table.add_column("least")
+    for number, change in enumerate(explanation.changes, start=1):
+        sure = "proven" if change.proven else "not proven"
+        table.add_row(str(number), change.text, str(change.amount), sure)
+    return table
