@@ -102,13 +102,17 @@ class Search:
         if start is not None:
             self._accept(start)
         self._send(self.scout)
-        if first and self._values is not None:
-            return self._found(proven=False)
+        if self._closed or (first and self._values is not None):
+            return self._found(proven=self._closed)
         if self._effort.ideas & {Idea.DIVE, Idea.TREE}:
             proven = self._by_lp(first=first)
             if proven or (first and self._values is not None) or self._clock.over:
                 return self._found(proven=proven)
         return self._by_solver(first=first)
+
+    def know(self, bound: float) -> None:
+        """Take over a bound that has been proven elsewhere."""
+        self._raise_bound(bound)
 
     def dive_for(self, pick: Picker) -> Floats | None:
         """The point that a dive by `pick` finds, however often it goes wrong, or None."""
@@ -147,7 +151,8 @@ class Search:
             self._report(values, value, self._bound if np.isfinite(self._bound) else None)
 
     def _raise_bound(self, bound: float) -> None:
-        rounded = np.ceil(bound - 1e-5) if self._step and np.isfinite(bound) else bound
+        trusted = bound - max(1e-5, 1e-9 * abs(bound))
+        rounded = np.ceil(trusted) if self._step and np.isfinite(bound) else bound
         if rounded > self._bound:
             self._bound = float(rounded)
             self._report(None, None if self._values is None else self._value, self._bound)

@@ -13,11 +13,11 @@ goes where comes from "Temporal Logic Swarm Control with Splitting and Merging" 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from tsplan.encode.network import ClassColumns, ClassGraph, Network, laid_out
+from tsplan.encode.network import ClassColumns, ClassGraph, laid_out
 from tsplan.milp.model import Draft, Floats, Ints
 
 
@@ -144,19 +144,3 @@ def split_terms(swarms: Sequence[Occupancy]) -> tuple[Ints, Floats]:
         columns += [entered, left]
         values += [np.ones(len(entered)), -np.ones(len(left))]
     return np.concatenate(columns), np.concatenate(values)
-
-
-def group_network(swarms: Sequence[Occupancy], most: Sequence[int]) -> Network:
-    """The groups as if they were agents, at most so many of each swarm at a step.
-
-    Only what is true of groups may be built on it: that a state with a group is left by one, and
-    that a group which is somewhere was there or has come. One group may become several.
-    """
-    classes = []
-    for swarm, limit in zip(swarms, most, strict=True):
-        graph = swarm.entered.graph
-        start = np.minimum(graph.start, 1)
-        start[np.flatnonzero(start)[:1]] += max(limit - int(start.sum()), 0)
-        classes.append(replace(swarm.entered, graph=replace(graph, start=start)))
-    first = swarms[0]
-    return Network(tuple(classes), first.horizon, len(first.entered.graph.start))

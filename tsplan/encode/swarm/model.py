@@ -9,30 +9,44 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
-from tsplan.encode.atoms import Bound, Requirement, requirement
+from tsplan.encode.atoms import Bound
 from tsplan.encode.build import Encoded
 from tsplan.encode.capacities import capacity_rows
-from tsplan.encode.classes import MapArrays, agent_classes, map_arrays
+from tsplan.encode.classes import MapArrays, map_arrays
 from tsplan.encode.literals import Literal
-from tsplan.encode.network import ClassColumns, ClassGraph, Network, unroll
-from tsplan.encode.outlook import Outlook
+from tsplan.encode.network import ClassColumns, Network, unroll
 from tsplan.encode.staffing import Family, SiteColumns, Staffing
 from tsplan.encode.swarm.groups import (
     Occupancy,
     bound_groups,
-    group_network,
     occupancy,
     split_terms,
 )
-from tsplan.encode.together import Together
-from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses
-from tsplan.logic import Count
+from tsplan.encode.swarm.presence import (
+    group_network,
+    most_groups,
+    presence_rows,
+    split_rows,
+    swarm_graphs,
+    witnesses_of,
+)
+from tsplan.encode.witness import Demand, Witnesses
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import Mission
 from tsplan.mission.data import SwarmBounds
+
+
+class EdgeFlows(NamedTuple):
+    """Agents that enter edges: the edges' ends, the steps, and how many agents."""
+
+    tail: Ints
+    head: Ints
+    step: Ints
+    agents: Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +58,18 @@ class SwarmModel:
     occupied: Encoded
     counted: Encoded
     names: tuple[str, ...]
+
+
+def moves_of(model: SwarmModel, point: Floats) -> list[EdgeFlows]:
+    """Where the agents of each swarm go in a point of the counted model, waits included."""
+    found = []
+    for item in model.agents.classes:
+        edge, step, column = item.unrolled()
+        count = np.round(point[column]).astype(np.int64)
+        some = np.flatnonzero(count)
+        tail, head = item.graph.tail[edge[some]], item.graph.head[edge[some]]
+        found.append(EdgeFlows(tail, head, step[some], count[some]))
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +84,7 @@ class _Plot:
 
 def swarm_model(mission: Mission) -> SwarmModel:
     """Encode a mission of swarms."""
+    graphs = swarm_graphs(mission)
     rules = mission.swarm
     assert rules is not None
     plot = _Plot(
@@ -66,13 +93,12 @@ def swarm_model(mission: Mission) -> SwarmModel:
         tuple(rules.each[group.class_name] for group in mission.team),
         Draft(),
     )
-    graphs = [_graph(mission, number) for number in range(len(mission.team))]
     swarms = tuple(occupancy(graph, mission.horizon, plot.draft) for graph in graphs)
     _bound(plot, swarms, rules.together)
-    witnesses = _witnesses(plot, swarms, graphs)
-    groups = group_network(swarms, _most(plot, graphs, rules.together))
+    laid = [swarm.entered for swarm in swarms]
+    witnesses = witnesses_of(mission, laid, plot.draft)
+    groups = group_network(laid, most_groups(mission), mission.horizon)
     staffing = _occupied_rows(plot, groups, swarms, witnesses)
-    _split_rows(plot, swarms, witnesses)
     entered = np.concatenate([swarm.entered.unrolled()[2] for swarm in swarms])
     occupied = _encoded(plot, groups, swarms, witnesses, staffing.families, entered)
     before = plot.draft.column_count
@@ -84,21 +110,6 @@ def swarm_model(mission: Mission) -> SwarmModel:
     return SwarmModel(swarms, agents, occupied, counted, plot.arrays.names)
 
 
-def _graph(mission: Mission, number: int) -> ClassGraph:
-    """The graph of one swarm, with the capability that atoms name it by."""
-    group = mission.team[number]
-    return agent_classes(mission.system, [group], group.capabilities)[0].graph
-
-
-def _most(plot: _Plot, graphs: Sequence[ClassGraph], together: int | None) -> list[int]:
-    """The most sub-swarms that each swarm can have at a step."""
-    most = []
-    for graph, bounds in zip(graphs, plot.bounds, strict=True):
-        limits = [graph.agents // bounds.least, bounds.most, together]
-        most.append(min(limit for limit in limits if limit is not None))
-    return most
-
-
 def _bound(plot: _Plot, swarms: Sequence[Occupancy], together: int | None) -> None:
     for swarm, bounds in zip(swarms, plot.bounds, strict=True):
         if bounds.most is not None:
@@ -107,69 +118,19 @@ def _bound(plot: _Plot, swarms: Sequence[Occupancy], together: int | None) -> No
         bound_groups(swarms, together, plot.draft)
 
 
-def _witnesses(plot: _Plot, swarms: Sequence[Occupancy], graphs: Sequence[ClassGraph]) -> Witnesses:
-    """The demands of the formula, under literals of the draft."""
-    everyone = Network(
-        tuple(swarm.entered for swarm in swarms), plot.mission.horizon, len(graphs[0].start)
-    )
-
-    def read(atom: Count) -> Requirement:
-        return requirement(atom, plot.mission.system, plot.arrays)
-
-    goal = plot.mission.goal
-    return WitnessEncoder(plot.draft, Outlook(goal, everyone, read), read).encode(goal)
-
-
 def _occupied_rows(
     plot: _Plot, groups: Network, swarms: Sequence[Occupancy], witnesses: Witnesses
 ) -> Staffing:
     """Where the formula wants agents there is some group, where it wants none there is none."""
-    some = [
-        replace(demand, bound=replace(demand.bound, amount=1))
-        for demand in witnesses.demands
-        if not demand.bound.upper and demand.bound.amount > 0
-    ]
-    staffing = Staffing(groups, plot.draft)
-    # one group may become several in a region, so its visits as a whole say nothing
-    staffing.write(Witnesses(witnesses.choices, some, witnesses.covers), cuts=True, together=False)
-    for capability in {demand.bound.capability for demand in some}:
-        mine = [demand for demand in some if demand.bound.capability == capability]
-        Together(mine, witnesses.choices).rule_out(groups.agents(capability))
+    staffing = presence_rows(groups, witnesses, plot.draft)
     for demand in witnesses.demands:
         if demand.bound.upper and demand.bound.amount <= 0:
             _empty(plot, swarms, demand)
         elif not demand.bound.upper and demand.bound.amount > 1:
             _nobody_else(plot, swarms, demand)
-    return staffing
-
-
-def _split_rows(plot: _Plot, swarms: Sequence[Occupancy], witnesses: Witnesses) -> None:
-    """A witness that wants agents at several places at once costs the splits to be there.
-
-    Whoever is at so many places at one step has come from the starts by splitting.
-    """
-    wanted = [
-        replace(demand, bound=replace(demand.bound, amount=1))
-        for demand in witnesses.demands
-        if not demand.bound.upper and demand.bound.amount > 0
-    ]
     begin = sum(int((swarm.entered.graph.start > 0).sum()) for swarm in swarms)
-    always, needs = Together(wanted, witnesses.choices).most()
-    costs = {column: need - begin for column, need in needs.items() if need > begin}
-    splits = split_terms(swarms)
-    rows = witnesses.choices.families(costs)
-    unconditional: list[list[int]] = [[]] if always > begin else []
-    for family in unconditional + rows:
-        columns = np.array(family, dtype=np.int64)
-        price = np.array([costs[column] for column in family], dtype=np.float64)
-        plot.draft.rows(
-            np.zeros(len(splits[0]) + len(columns)),
-            np.concatenate([splits[0], columns]),
-            np.concatenate([splits[1], -price]),
-            lower=np.array([0.0 if family else float(always - begin)]),
-            upper=np.inf,
-            kind="splits",
-        )
+    split_rows(split_terms(swarms), begin, witnesses, plot.draft)
+    return staffing
 
 
 def _nobody_else(plot: _Plot, swarms: Sequence[Occupancy], demand: Demand) -> None:

@@ -17,10 +17,11 @@ import numpy as np
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
 from tsplan.encode.ideas import Idea
-from tsplan.encode.search import Effort, Found, Search
+from tsplan.encode.search import Effort, Found, Reporter, Search
 from tsplan.encode.stages import Reached
 from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, late
-from tsplan.encode.swarm.model import SwarmModel, swarm_model
+from tsplan.encode.swarm.model import SwarmModel, moves_of, swarm_model
+from tsplan.encode.swarm.scouting import scout
 from tsplan.encode.swarm.shares import even_shares, sizes, with_smallest
 from tsplan.milp.model import INFINITY, Floats, Model
 from tsplan.milp.solution import Options, Solution, Status, StoppedBy
@@ -160,8 +161,14 @@ class _Stages:
         """The least value of an objective: by groups alone if that settles it."""
         self.tell(name, None, None, None)
         bound = -np.inf
+        if name == "splits" and kept == _Kept():
+            bound = self._scouted(first=first)
+            known = np.inf if self._point is None else self._value(name, self._point)
+            if known <= bound or (first and self._point is not None):
+                value = None if self._point is None else known
+                return Found(self._point, value, bound, proven=known <= bound)
         if name in OF_GROUPS and kept.of_groups:
-            found = self._by_groups(name, kept, first=first)
+            found = self._by_groups(name, kept, bound, first=first)
             settled = found.values is not None or (found.proven and found.objective is None)
             if settled or self.clock.over:
                 return found
@@ -171,27 +178,49 @@ class _Stages:
         found = self._by_counts(name, kept, first=first)
         return replace(found, bound=max(found.bound, bound))
 
-    def _by_groups(self, name: str, kept: _Kept, *, first: bool) -> Found:
+    def _scouted(self, *, first: bool) -> float:
+        """A bound on the number of splits; plans that are found on the way are kept."""
+        bound = -np.inf
+        for splits, point in scout(
+            self.mission, self.model, self.clock, lambda model: self._solve(model, Options())
+        ):
+            if point is None:
+                bound = splits
+                self.tell("splits", None, None, bound)
+                continue
+            self._point = point
+            self.tell("splits", self._flows(point), splits, bound)
+            if first:
+                break
+        return bound
+
+    def _by_groups(self, name: str, kept: _Kept, bound: float, *, first: bool) -> Found:
         """Search where the groups are. Without values: no plan if proven, else undecided."""
         encoded = self._narrowed(self.model.occupied, kept)
         vector = VECTORS[name](self.model, encoded.model.size.columns)
-        best: list[Floats] = []
-
-        def report(values: Floats | None, value: float | None, bound: float | None) -> None:
-            point = None if values is None else self._counted(values, kept)
-            if point is not None:
-                best.append(point)
-                self._point = point
-            flows = None if point is None else self._flows(point)
-            self.tell(name, flows, value if values is None or point is not None else None, bound)
-
+        heard: list[Floats] = []
+        report = self._hearing(name, kept, heard)
         search = Search(encoded, vector, self.effort, self.clock, report)
+        search.know(bound)
         start = None if first else self._start(encoded)
         found = search.minimise(start, first=first)
         if found.values is None:
             return found
-        held = best and self._value(name, best[-1]) <= (found.objective or 0.0) + _FEASIBLE
+        held = heard and self._value(name, heard[-1]) <= (found.objective or 0.0) + _FEASIBLE
         return found if held else Found(None, found.objective, found.bound, proven=False)
+
+    def _hearing(self, name: str, kept: _Kept, heard: list[Floats]) -> Reporter:
+        """Hears of groups, counts agents into them, and keeps and tells what can be counted."""
+
+        def report(values: Floats | None, value: float | None, bound: float | None) -> None:
+            point = None if values is None else self._counted(values, kept)
+            if point is not None:
+                heard.append(point)
+                self._point = point
+            flows = None if point is None else self._flows(point)
+            self.tell(name, flows, value if values is None or point is not None else None, bound)
+
+        return report
 
     def _by_counts(self, name: str, kept: _Kept, *, first: bool) -> Found:
         encoded = self._narrowed(self.model.counted, kept)
@@ -354,20 +383,12 @@ class _Stages:
         """The moves of every swarm in a point."""
         names = self.model.names
         found = {}
-        for group, item in zip(self.mission.team, self.model.agents.classes, strict=True):
-            edge, step, column = item.unrolled()
-            count = np.round(point[column]).astype(np.int64)
-            some = np.flatnonzero(count)
-            tail, head = item.graph.tail[edge[some]], item.graph.head[edge[some]]
-            moves = (
+        for group, moves in zip(self.mission.team, moves_of(self.model, point), strict=True):
+            listed = (
                 Move(when, names[source], names[target], number)
-                for when, source, target, number in zip(
-                    step[some].tolist(),
-                    tail.tolist(),
-                    head.tolist(),
-                    count[some].tolist(),
-                    strict=True,
+                for source, target, when, number in zip(
+                    *(column.tolist() for column in moves), strict=True
                 )
             )
-            found[group.class_name] = tuple(sorted(moves))
+            found[group.class_name] = tuple(sorted(listed))
         return found

@@ -1,0 +1,108 @@
+"""Tokens bound the number of splits from below; what is found along their ways are real plans."""
+
+from __future__ import annotations
+
+from random import Random
+
+import numpy as np
+import pytest
+
+from tests.test_swarm_brute import best, solved
+from tsplan import Mission
+from tsplan.encode.clock import Clock
+from tsplan.encode.swarm.goals import VECTORS
+from tsplan.encode.swarm.model import swarm_model
+from tsplan.encode.swarm.scouting import scout
+from tsplan.encode.swarm.tokens import tokens
+from tsplan.milp.model import Model
+from tsplan.milp.solution import Options, Solution
+from tsplan.milp.solver import solver
+from tsplan.ts import Edge, State, TransitionSystem
+
+
+def ring() -> TransitionSystem:
+    """Four states in a ring, each with a label of its own; one may wait everywhere."""
+    names = ["a", "b", "c", "d"]
+    states = [State(name, labels=frozenset({name.upper()})) for name in names]
+    edges = [Edge(name, name) for name in names]
+    for number, name in enumerate(names):
+        other = names[(number + 1) % 4]
+        edges += [Edge(name, other), Edge(other, name)]
+    return TransitionSystem.build(states, edges, name="ring")
+
+
+def splitting(seed: int) -> Mission:
+    """Three agents at one place of a ring, wanted at several places at once."""
+    random = Random(seed)
+    parts = []
+    for _ in range(2):
+        low = random.randint(0, 2)
+        wanted = random.sample(["A", "B", "C", "D"], random.randint(1, 3))
+        parts.append(f"F[{low},{random.randint(low, 3)}] ({' && '.join(wanted)})")
+    return Mission.of(
+        map=ring(),
+        swarm={
+            "size": 3,
+            "at": {random.choice("abcd"): 3},
+            "max_subswarms": random.choice([None, 2, 3]),
+            "min_subswarm": random.choice([1, 1, 2]),
+        },
+        formula=" && ".join(parts),
+        objective=["splits"],
+        horizon=3,
+    )
+
+
+def solve(model: Model) -> Solution:
+    return solver("highs").solve(model, Options(time_limit=20.0))
+
+
+@pytest.mark.parametrize("block", range(4))
+def test_no_plan_has_fewer_splits_than_tokens_say(block: int) -> None:
+    for seed in range(40_000 + 6 * block, 40_006 + 6 * block):
+        mission = splitting(seed)
+        expected = best(mission)
+        bound = tokens(mission).fewest(Clock(20.0)).bound
+        assert bound - 1e-6 <= (np.inf if expected is None else expected[0])
+
+
+def test_bounds_are_met_and_infinite_often() -> None:
+    met = infinite = 0
+    for seed in range(40_000, 40_050):
+        mission = splitting(seed)
+        bound = tokens(mission).fewest(Clock(20.0)).bound
+        outcome = solved(mission)
+        if outcome.infeasible:
+            infinite += np.isinf(bound)
+        else:
+            value = outcome.reached[0].value
+            assert value is not None
+            met += bound > value - 1 + 1e-6 and value >= 1
+    assert met >= 10
+    assert infinite >= 10
+
+
+def test_where_merging_costs_a_split_the_whole_problem_decides() -> None:
+    mission = Mission.of(
+        map=ring(),
+        swarm={"size": 3, "at": {"a": 3}},
+        formula="F[1,1] (A && B) && G[2,2] sum(A) >= 100% && F[3,3] (A && B)",
+        objective=["splits"],
+    )
+    assert tokens(mission).fewest(Clock(20.0)).bound == pytest.approx(1)
+    assert solved(mission).reached[0].value == 2
+    assert best(mission) == (2.0,)
+
+
+def test_what_is_found_along_their_ways_is_a_point_of_the_whole_problem() -> None:
+    seen = 0
+    for seed in range(40_000, 40_060):
+        mission = splitting(seed)
+        model = swarm_model(mission)
+        for splits, point in scout(mission, model, Clock(20.0), solve):
+            if point is not None:
+                seen += 1
+                assert model.counted.model.violation(point) < 1e-6
+                vector = VECTORS["splits"](model, len(point))
+                assert vector @ point == pytest.approx(splits)
+    assert seen >= 20
