@@ -5,7 +5,8 @@
 - `oracle`, `relaxing`, `conflicts`: irreducible conflicts, decided by the ordinary planner.
 - `candidates`, `dimensions`, `surroundings`, `changes`: the smallest changes that help.
 - `tightness`, `critical`: what holds availability down, and how early deadlines could be.
-- `rewriting`: a changed mission as a file. `writing`, `report`: explanations as JSON and for people.
+- `rewriting`: a changed mission as a file.
+- `writing`, `report`: explanations as JSON, and for people.
 
 Conflicts of a formula speak about its parts by where they occur (`occurrences`, `places`).
 """

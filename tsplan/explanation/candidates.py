@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -131,7 +132,7 @@ def _quicker(view: View, entry: int, conflict: frozenset[Element]) -> Iterator[C
         for target in targets:
             if view.arrivals.between(group, origin, target) < inf:
                 way = view.arrivals.way(group, origin, target)
-                pairs.update(dict.fromkeys(zip(way, way[1:], strict=False)))
+                pairs.update(dict.fromkeys(pairwise(way)))
     for pair in list(pairs)[:MOST_EDGES]:
         edge = mission.system.edges[pair]
         longest = edge.duration if isinstance(edge.duration, int) else max(edge.duration.values())

@@ -141,7 +141,7 @@ def _places(view: View, need: Demand) -> list[tuple[str, list[Arrival]]]:
 def _too_late(view: View, need: Demand, state: str, arrivals: list[Arrival]) -> str:
     where = f"'{state}' ({need.label})" if need.reach != "together" else f"any {need.label} state"
     last = need.span.last
-    inside = sum(item.count for item in arrivals if item.step <= last)
+    inside = sum(item.robots for item in arrivals if item.step <= last)
     who = f"with {need.capability} " if need.capability else ""
     wanted = agents(need.amount, need.capability)
     known = f"only {inside} of the agents {who}" if inside else f"nobody {who}"

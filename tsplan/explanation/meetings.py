@@ -1,4 +1,4 @@
-"""Demands that get in each other's way: limits and capacities against needs, and too little time."""
+"""Demands in each other's way: limits and capacities against needs, and too little time."""
 
 from __future__ import annotations
 
@@ -156,8 +156,7 @@ def _asked(need: Demand) -> str:
         where = f"each of the {len(need.states)} states '{need.label}'"
     else:
         where = f"'{need.label}'"
-    verb = "must be" if need.amount > 1 else "must be"
-    return f"{agents(need.amount, need.capability)} {verb} at {where} {when}{how_long}"
+    return f"{agents(need.amount, need.capability)} must be at {where} {when}{how_long}"
 
 
 def _allowed(limit: Demand) -> str:

@@ -32,8 +32,9 @@ def any_plan(mission: Mission) -> Mission:
     return replace(mission, objective=(), prefer=(), warnings=())
 
 
-def relaxed(mission: Mission, dropped: Iterable[Element], tuning: Tuning = Tuning()) -> Problem:
+def relaxed(mission: Mission, dropped: Iterable[Element], tuning: Tuning | None = None) -> Problem:
     """The problem without some elements of the mission."""
+    tuning = tuning or Tuning()
     gone = frozenset(dropped)
     leaves = [leaf_of(item) for item in gone if item.kind == "formula"]
     formula = without(mission.formula, leaves)
@@ -112,7 +113,8 @@ class _Depots:
         mission = self.mission
         system = mission.system
         states, edges, team = [*system.states.values()], [*system.edges.values()], []
-        open_, all_ = [], []
+        open_: list[str] = []
+        all_: list[str] = []
         for number, group in enumerate(mission.team):
             for name, count, targets in self._depots(number, group):
                 states.append(State(name))

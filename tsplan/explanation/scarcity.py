@@ -86,4 +86,4 @@ def _at_once(needs: Sequence[Demand]) -> int:
         if need.reach != "each" and not taken & set(need.states):
             total += need.amount
             taken |= set(need.states)
-    return max(total, max(need.total for need in needs))
+    return max(total, *(need.total for need in needs))

@@ -85,7 +85,8 @@ class EdgeRoom:
         """The capacity, from what to what."""
         now = mission.system.edges[self.pair].capacity or 0
         source, target = self.pair
-        return f"raise the capacity of the edge from '{source}' to '{target}' from {now} to {now + amount}"
+        edge = f"the edge from '{source}' to '{target}'"
+        return f"raise the capacity of {edge} from {now} to {now + amount}"
 
 
 @dataclass(frozen=True)
