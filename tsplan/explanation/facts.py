@@ -17,7 +17,8 @@ from tsplan.explanation.arrivals import Arrival, Arrivals, latest_of
 from tsplan.explanation.data import Element, Fact
 from tsplan.explanation.elements import of_leaf
 from tsplan.explanation.needs import Demand, demands
-from tsplan.explanation.wording import Wording, agents
+from tsplan.explanation.numbers import agents
+from tsplan.explanation.wording import Wording
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -102,9 +103,17 @@ Finder = Callable[[View], Iterator[Fact]]
 def find_facts(view: View) -> tuple[Fact, ...]:
     """All facts that forbid every plan, those of the simplest kinds first."""
     from tsplan.explanation.meetings import contradictions, crowding, room  # noqa: PLC0415
-    from tsplan.explanation.scarcity import scarcity  # noqa: PLC0415  (both import this module)
+    from tsplan.explanation.scarcity import scarcity  # noqa: PLC0415  (all import this module)
+    from tsplan.explanation.swarms import divided  # noqa: PLC0415
 
-    finders: tuple[Finder, ...] = (scarcity, unreachable, crowding, contradictions, room)
+    finders: tuple[Finder, ...] = (
+        scarcity,
+        divided,
+        unreachable,
+        crowding,
+        contradictions,
+        room,
+    )
     found: dict[tuple[str, str], Fact] = {}
     for finder in finders:
         for fact in finder(view):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.data import Element
 from tsplan.explanation.facts import MOST_DEMANDS
-from tsplan.explanation.wording import agents
+from tsplan.explanation.numbers import agents
 
 if TYPE_CHECKING:
     from tsplan.explanation.data import Fact

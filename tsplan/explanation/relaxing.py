@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from tsplan.encode.problem import Problem, Tuning
+from tsplan.explanation.bounds import unbounded
 from tsplan.explanation.data import Element
 from tsplan.explanation.elements import leaf_of
 from tsplan.explanation.occurrences import without
@@ -32,8 +33,10 @@ def any_plan(mission: Mission) -> Mission:
     return replace(mission, objective=(), prefer=(), warnings=())
 
 
-def relaxed(mission: Mission, dropped: Iterable[Element], tuning: Tuning | None = None) -> Problem:
-    """The problem without some elements of the mission."""
+def relaxed(
+    mission: Mission, dropped: Iterable[Element], tuning: Tuning | None = None
+) -> Mission | Problem:
+    """The problem without some elements of the mission; of swarms, the mission itself."""
     tuning = tuning or Tuning()
     gone = frozenset(dropped)
     leaves = [leaf_of(item) for item in gone if item.kind == "formula"]
@@ -44,6 +47,8 @@ def relaxed(mission: Mission, dropped: Iterable[Element], tuning: Tuning | None 
         text=str(formula),
         system=_roomier(mission.system, gone),
     )
+    if mission.swarm is not None:
+        return replace(left, swarm=unbounded(mission.swarm, gone))
     if any(item.kind in ("team", "start") for item in gone):
         return _Depots(left, gone).problem(tuning)
     return Problem(left, tuning)

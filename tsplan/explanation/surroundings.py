@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.wording import many
+from tsplan.explanation.numbers import many
 from tsplan.mission import Group
 from tsplan.ts import Edge, TransitionSystem
 
