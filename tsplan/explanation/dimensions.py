@@ -156,6 +156,8 @@ class LowerNeed:
     def words(self, mission: Mission, amount: int) -> str:
         """The need, from what to what."""
         label, who = _subject(mission, self.leaf)
+        if amount == self.most:
+            return f"ask for no {who or 'agents'} at '{label}' in {self.was}"
         now, less = str(self.most), agents(self.most - amount, who)
         share = node_at(mission.formula, self.leaf.way)
         if isinstance(share, Count) and _shares(share):

@@ -158,14 +158,15 @@ def _too_late(view: View, need: Demand, state: str, arrivals: list[Arrival]) -> 
     missing = next(item for item in arrivals if item.step > last)
     group = view.mission.team[missing.entry]
     if missing.step == inf:
-        return f"{text}: there is no way for {group.class_name} from '{missing.start}'"
+        return f"{text}: there is no way for class {group.class_name} from '{missing.start}'"
     target = state
     if need.reach == "together":
         distance = {s: view.arrivals.between(group, missing.start, s) for s in need.states}
         target = min(need.states, key=lambda name: distance[name])
     way = view.arrivals.way(group, missing.start, target)
+    which = "next" if inside else "first"
     return (
-        f"{text}: the next is {group.class_name} from '{missing.start}' at step "
+        f"{text}: the {which} is one of class {group.class_name} from '{missing.start}', at step "
         f"{int(missing.step)} by {_shown(way)}"
     )
 

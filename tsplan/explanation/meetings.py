@@ -128,8 +128,8 @@ def _too_late(view: View, one: Demand, two: Demand) -> str | None:
         )
     both = one.total + two.total
     return (
-        f"{_asked(one)} and {_asked(two)}; that is {both} with the team's "
-        f"{view.having(one.capability)}, so somebody must see to both: {'; '.join(words)}"
+        f"{_asked(one)}, and {_asked(two)}: {both} in all, the team has "
+        f"{view.having(one.capability)}, so somebody must see to both; {'; '.join(words)}"
     )
 
 
@@ -150,8 +150,8 @@ def _between(view: View, one: Demand, two: Demand) -> float:
 def _asked(need: Demand) -> str:
     """A need with its steps."""
     first, last, lasts = need.span
-    when = f"from step {first}" if need.span.fixed else f"from one of the steps {first}..{last}"
-    how_long = f" for {lasts} steps more" if lasts else ""
+    when = f"at step {first}" if need.span.fixed else f"at one of the steps {first}..{last}"
+    how_long = f" and stay for {lasts} more" if lasts else ""
     if need.reach == "each" and len(need.states) > 1:
         where = f"each of the {len(need.states)} states '{need.label}'"
     else:

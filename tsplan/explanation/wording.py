@@ -85,7 +85,7 @@ class Wording:
             text = f"the team has {many(group.count, group.class_name)}"
             place = self._entry(number, "count")
         else:
-            text = f"{group.class_name} starts at {starts_of(group)}"
+            text = f"the agents of class {group.class_name} start at {starts_of(group)}"
             place = self._entry(number, "at")
         return Part(element.kind, text, place, frozenset({element}))
 
