@@ -94,9 +94,9 @@ def swarm_part(mission: Mission, element: Element, place: Place) -> Part:
     if element == MARGIN:
         text = f"every demand is met with {room_of(rules.margin)} to spare (margin)"
     elif element == TOGETHER:
-        text = f"all swarms together have at most {rules.together} sub-swarms at a step"
+        text = f"all swarms together have at most {sub_swarms(rules.together or 0)} at a step"
     elif what == "most":
-        text = f"{whose} has at most {rules.each[name].most} sub-swarms at a step"
+        text = f"{whose} has at most {sub_swarms(rules.each[name].most or 0)} at a step"
     else:
         text = f"every sub-swarm of {whose} has at least {agents(rules.each[name].least, None)}"
     return Part("swarm", text, place, frozenset({element}))
@@ -114,6 +114,11 @@ def path_of(mission: Mission, element: Element) -> tuple[str | int, ...]:
     names = list(mission.swarm.each)
     data = mission.origin.data if mission.origin is not None else {}
     return ("swarms", names.index(name), key) if "swarms" in data else ("swarm", key)
+
+
+def sub_swarms(number: int) -> str:
+    """A number of sub-swarms in words."""
+    return f"{number} sub-swarm{'' if number == 1 else 's'}"
 
 
 def room_of(margin: Fraction | int) -> str:

@@ -14,6 +14,7 @@ from tsplan.explanation.bounds import (
     least_of,
     most_of,
     room_of,
+    sub_swarms,
     with_bound,
 )
 from tsplan.explanation.data import Element, Fact
@@ -108,13 +109,14 @@ def _begun(view: View) -> Iterator[Fact]:
     for group in view.mission.team:
         name = group.class_name
         bounds = rules.each[name]
+        whose = f"the swarm '{name}'" if len(rules.each) > 1 else "the swarm"
         places = len(group.starts)
         if bounds.most is not None and places > bounds.most:
-            text = f"swarm '{name}' starts at {places} states, in as many sub-swarms"
+            text = f"{whose} starts at {places} states, in as many sub-swarms"
             yield _of_start(view, text, most_of(name))
         for state, count in group.starts:
             if 0 < count < bounds.least:
-                text = f"only {agents(count, None)} of swarm '{name}' start at '{state}'"
+                text = f"only {agents(count, None)} of {whose} start at '{state}'"
                 yield _of_start(view, text, least_of(name))
     begin = sum(len(group.starts) for group in view.mission.team)
     if rules.together is not None and begin > rules.together:
@@ -161,7 +163,7 @@ def _too_many(view: View, name: str, apart: list[tuple[Demand, str]]) -> Iterato
     whose = f"the swarm '{name}'" if len(rules.each) > 1 else "the swarm"
     for most, element in ((bounds.most, most_of(name)), (rules.together, TOGETHER)):
         if most is not None and most < len(apart):
-            text = f"{where}; {whose} may be divided into {most} sub-swarms at most"
+            text = f"{where}; {whose} may be divided into {sub_swarms(most)} at most"
             yield view.fact("swarm", text, needs, element)
     size = view.mission.having(needs[0].capability)
     sizes = [max(need.amount, bounds.least) for need in needs]
