@@ -20,7 +20,10 @@ BEST = {
     "farm_patrol": [7, 3],
     "farm_shortage": [0.75],
     "office_cleaning": [20, 11],
+    "office_closed": None,
     "office_delivery": [1, 16, 80],
+    "office_double": None,
+    "office_lift": None,
     "office_wishes": [5.2],
     "reef_drift": [1],
     "reef_regroup": [0, 7],
@@ -28,6 +31,7 @@ BEST = {
     "reef_survey": [2, 8],
     "reef_thin": None,
     "rescue_evacuation": [117, 30],
+    "rescue_late": None,
     "rescue_search": [88],
     "warehouse_orders": [11, 56],
     "warehouse_stocktaking": [1, 114],
@@ -35,10 +39,14 @@ BEST = {
 QUICK = (
     "farm_overbooked",
     "farm_shortage",
+    "office_closed",
     "office_delivery",
+    "office_double",
+    "office_lift",
     "office_wishes",
     "reef_thin",
     "rescue_evacuation",
+    "rescue_late",
 )
 
 

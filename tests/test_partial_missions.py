@@ -321,7 +321,7 @@ def test_explanations_speak_about_what_must_hold():
     made = explain(impossible)
     assert [part.text for conflict in made.conflicts for part in conflict.parts] == [
         "F[0,2] C",
-        "a starts at 'p'",
+        "the agents of class a start at 'p'",
     ]
     assert {change.mission.prefer for change in made.changes} == {impossible.prefer}
     assert {change.mission.objective for change in made.changes} == {impossible.objective}

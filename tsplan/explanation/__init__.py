@@ -4,8 +4,11 @@
 - `facts`, `scarcity`, `meetings`: what forbids every plan and is seen without a solver.
 - `oracle`, `relaxing`, `conflicts`: irreducible conflicts, decided by the ordinary planner.
 - `candidates`, `dimensions`, `surroundings`, `changes`: the smallest changes that help.
+- `several`: changes that only help together.
+- `bounds`, `swarms`: the bounds of swarms as elements, as facts and as changes.
 - `tightness`, `critical`: what holds availability down, and how early deadlines could be.
-- `rewriting`: a changed mission as a file. `writing`, `report`: explanations as JSON and for people.
+- `rewriting`: a changed mission as a file.
+- `writing`, `report`: explanations as JSON, and for people.
 
 Conflicts of a formula speak about its parts by where they occur (`occurrences`, `places`).
 """

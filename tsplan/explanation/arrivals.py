@@ -19,7 +19,7 @@ class Arrival(NamedTuple):
     """Robots of one entry of the team that can be somewhere from `step` on (inf: never)."""
 
     step: float
-    count: int
+    robots: int
     entry: int
     start: str
 
@@ -103,7 +103,7 @@ def latest_of(arrivals: list[Arrival], amount: int) -> float:
     if amount <= 0:
         return 0.0
     for item in arrivals:
-        amount -= item.count
+        amount -= item.robots
         if amount <= 0:
             return item.step
     return inf

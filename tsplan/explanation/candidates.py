@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from tsplan.explanation.elements import leaf_of, of_leaf
 from tsplan.explanation.occurrences import Leaf, leaves, node_at, nodes_along
 from tsplan.explanation.relaxing import useful_number
 from tsplan.explanation.surroundings import EdgeRoom, EdgeTime, MoreAgents, StateRoom
+from tsplan.explanation.swarms import LooserBound
 from tsplan.logic import Count, Limit, Task
 from tsplan.logic import labels as labels_of
 
@@ -56,6 +58,10 @@ def _of(view: View, element: Element, conflict: frozenset[Element]) -> Iterator[
         yield from _more_agents(view, element.key[0], conflict)
         if element.kind == "start":
             yield from _quicker(view, element.key[0], conflict)
+    elif element.kind == "swarm":
+        bound = LooserBound.of(view.mission, element)
+        if bound is not None:
+            yield Candidate(bound, frozenset({element}))
     elif element.kind == "capacity":
         within = frozenset({element})
         if len(element.key) == 1:
@@ -131,7 +137,7 @@ def _quicker(view: View, entry: int, conflict: frozenset[Element]) -> Iterator[C
         for target in targets:
             if view.arrivals.between(group, origin, target) < inf:
                 way = view.arrivals.way(group, origin, target)
-                pairs.update(dict.fromkeys(zip(way, way[1:], strict=False)))
+                pairs.update(dict.fromkeys(pairwise(way)))
     for pair in list(pairs)[:MOST_EDGES]:
         edge = mission.system.edges[pair]
         longest = edge.duration if isinstance(edge.duration, int) else max(edge.duration.values())

@@ -23,9 +23,6 @@ if TYPE_CHECKING:
     from tsplan.explanation.oracle import Oracle
     from tsplan.mission import Mission
 
-LARGEST_TOTAL = 40
-"""Largest sum of several changes that is looked for."""
-
 ORDER: tuple[ChangeKind, ...] = (
     "extend_deadline",
     "loosen_limit",
@@ -93,7 +90,7 @@ class Repairs:
         dimension = candidate.dimension
         if self._hopeless(candidate):
             return None
-        found = least(lambda amount: self._possible([(dimension, amount)]), dimension.most)
+        found = least(lambda amount: self.possible([(dimension, amount)]), dimension.most)
         if found is None:
             return None
         return self._change([(dimension, found.amount)], proven=found.proven)
@@ -111,33 +108,49 @@ class Repairs:
 
     def at_most(self, dimensions: Sequence[Dimension]) -> bool:
         """Whether the mission can be met when all of several dimensions are changed the most."""
-        return bool(self._possible([(item, item.most) for item in dimensions]))
+        return bool(self.possible([(item, item.most) for item in dimensions]))
 
-    def several(self, dimensions: Sequence[Dimension]) -> Change | None:
-        """The least total over several dimensions, of those that change more than one."""
-        if len(dimensions) < 2 or not self.at_most(dimensions):  # noqa: PLR2004  (one is no several)
-            return None
-        self._unsure = False
-        for total in range(2, LARGEST_TOTAL + 1):
+    def several(self, dimensions: Sequence[Dimension], below: int, most: int) -> Change | None:
+        """The least total over several dimensions, if it is less than `below`.
+
+        At most so many questions are asked; None where no total is found by then.
+        """
+        before = self.oracle.solves
+        for total in range(2, below):
+            self._last = before + most
             found = self._spread(dimensions, total, [])
+            if self._exhausted:
+                return None
             if found is not None:
-                return self._change(found, proven=not self._unsure)
-            if self.oracle.over:
-                break
+                return self.made(found)
         return None
 
-    _unsure: bool = field(default=False, init=False)
+    _last: int = field(default=0, init=False)
+
+    @property
+    def _exhausted(self) -> bool:
+        return self.oracle.over or self.oracle.solves >= self._last
+
+    def made(self, steps: Sequence[tuple[Dimension, int]]) -> Change:
+        """The change by some steps; it is proven if no step can be shorter beside the others."""
+        sure = self.possible(steps) is True
+        for place, (dimension, amount) in enumerate(steps):
+            less = [*steps[:place], (dimension, amount - 1), *steps[place + 1 :]]
+            sure = sure and (amount == 0 or self.possible(less) is False)
+        return self._change(steps, proven=sure)
 
     def _spread(
         self, dimensions: Sequence[Dimension], total: int, chosen: list[tuple[Dimension, int]]
     ) -> list[tuple[Dimension, int]] | None:
         """Amounts that sum to `total` and do; None if there are none."""
+        if self._exhausted:
+            return None
         first, rest = dimensions[len(chosen)], dimensions[len(chosen) + 1 :]
         if not rest:
             whole = [*chosen, (first, total)]
-            return whole if total <= first.most and self._possible(whole) else None
+            return whole if total <= first.most and self.possible(whole) else None
         generous = [*chosen, *((item, min(total, item.most)) for item in (first, *rest))]
-        if not self._possible(generous):
+        if not self.possible(generous):
             return None
         for amount in range(min(total, first.most), -1, -1):
             found = self._spread(dimensions, total - amount, [*chosen, (first, amount)])
@@ -145,13 +158,11 @@ class Repairs:
                 return found
         return None
 
-    def _possible(self, amounts: Sequence[tuple[Dimension, int]]) -> bool | None:
+    def possible(self, amounts: Sequence[tuple[Dimension, int]]) -> bool | None:
         """Whether the mission can be met after several changes."""
         key = tuple(item for item in amounts if item[1])
         if key not in self._answers:
             self._answers[key] = self._asked(key)
-        if self._answers[key] is None:
-            self._unsure = True
         return self._answers[key]
 
     def _asked(self, amounts: Sequence[tuple[Dimension, int]]) -> bool | None:

@@ -3,11 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import ceil
 from typing import TYPE_CHECKING, Protocol
 
+from tsplan.explanation.numbers import agents
 from tsplan.explanation.occurrences import Leaf, exchanged, node_at
-from tsplan.explanation.wording import agents
-from tsplan.logic import Count, Eventually, Formula, Limit, Task, Until, horizon, translate
+from tsplan.logic import (
+    Count,
+    Eventually,
+    Formula,
+    Limit,
+    Percent,
+    Task,
+    Until,
+    horizon,
+    translate,
+)
 
 if TYPE_CHECKING:
     from tsplan.explanation.data import ChangeKind
@@ -116,7 +128,7 @@ class Duration:
 
 @dataclass(frozen=True)
 class LowerNeed:
-    """Fewer agents asked for by a task's need or a count."""
+    """Fewer agents asked for by a task's need or a count; of a percentage, fewer hundredths."""
 
     leaf: Leaf
     was: str
@@ -131,6 +143,8 @@ class LowerNeed:
             asked = node.needs[leaf.pair or 0][1]
         elif isinstance(node, Count) and node.relation in _ASKING and isinstance(node.bound, int):
             asked = node.bound + _ASKING[node.relation]
+        elif isinstance(node, Count) and node.relation in _ASKING and _shares(node):
+            asked = ceil(_share(node))
         else:
             return None
         return cls(leaf, was, asked) if asked > 0 else None
@@ -142,13 +156,18 @@ class LowerNeed:
     def words(self, mission: Mission, amount: int) -> str:
         """The need, from what to what."""
         label, who = _subject(mission, self.leaf)
-        less = agents(self.most - amount, who)
-        return f"lower the need at '{label}' from {self.most} to {less} in {self.was}"
+        if amount == self.most:
+            return f"ask for no {who or 'agents'} at '{label}' in {self.was}"
+        now, less = str(self.most), agents(self.most - amount, who)
+        share = node_at(mission.formula, self.leaf.way)
+        if isinstance(share, Count) and _shares(share):
+            now, less = str(share.bound), str(_moved(share.bound, -amount))
+        return f"lower the need at '{label}' from {now} to {less} in {self.was}"
 
 
 @dataclass(frozen=True)
 class LooserLimit:
-    """More agents allowed by a limit or a count."""
+    """More agents allowed by a limit or a count; of a percentage, more hundredths."""
 
     leaf: Leaf
     was: str
@@ -164,6 +183,9 @@ class LooserLimit:
             allowed = node.needs[leaf.pair or 0][1] if node.needs else 0
         elif isinstance(node, Count) and node.relation in _ALLOWING and isinstance(node.bound, int):
             allowed = node.bound + _ALLOWING[node.relation]
+        elif isinstance(node, Count) and node.relation in _ALLOWING and _shares(node):
+            most = ceil(100 - _share(node))
+            return cls(leaf, was, 0, most) if most > 0 else None
         else:
             return None
         most = mission.size - max(allowed, 0)
@@ -176,8 +198,11 @@ class LooserLimit:
     def words(self, mission: Mission, amount: int) -> str:
         """The limit, from what to what."""
         label, who = _subject(mission, self.leaf)
-        more = agents(self.now + amount, who)
-        return f"loosen the limit at '{label}' from {self.now} to {more} in {self.was}"
+        now, more = str(self.now), agents(self.now + amount, who)
+        share = node_at(mission.formula, self.leaf.way)
+        if isinstance(share, Count) and _shares(share):
+            now, more = str(share.bound), str(_moved(share.bound, amount))
+        return f"loosen the limit at '{label}' from {now} to {more} in {self.was}"
 
 
 _ASKING = {">=": 0, ">": 1}
@@ -191,8 +216,7 @@ def _counting(mission: Mission, leaf: Leaf, more: int) -> Formula:
     """An atom with a number of agents that is larger by `more`."""
     node = node_at(mission.formula, leaf.way)
     if isinstance(node, Count):
-        assert isinstance(node.bound, int)
-        return replace(node, bound=node.bound + more)
+        return replace(node, bound=_moved(node.bound, more))
     assert isinstance(node, Task | Limit)
     if not node.needs:  # nobody at all may be there
         return Count("max", node.label, None, "<=", more)
@@ -200,6 +224,23 @@ def _counting(mission: Mission, leaf: Leaf, more: int) -> Formula:
     name, number = needs[leaf.pair or 0]
     needs[leaf.pair or 0] = (name, number + more)
     return replace(node, needs=tuple(needs))
+
+
+def _shares(node: Count) -> bool:
+    """Whether a count is compared with a percentage."""
+    return isinstance(node.bound, Percent)
+
+
+def _share(node: Count) -> Fraction:
+    assert isinstance(node.bound, Percent)
+    return node.bound.value
+
+
+def _moved(bound: int | Percent, more: int) -> int | Percent:
+    """A bound larger by `more`: agents, or hundredths, which stay between 0 % and 100 %."""
+    if isinstance(bound, Percent):
+        return Percent(min(max(bound.value + more, Fraction(0)), Fraction(100)))
+    return bound + more
 
 
 def _subject(mission: Mission, leaf: Leaf) -> tuple[str, str | None]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from tsplan.explanation.bounds import swarm_bounds
 from tsplan.explanation.data import Element
 from tsplan.explanation.occurrences import Leaf, conjuncts, leaves
 
@@ -34,13 +35,15 @@ def formula_groups(mission: Mission) -> tuple[tuple[Element, ...], ...]:
 def named_facts(mission: Mission) -> tuple[Element, ...]:
     """Everything that bounds the plans beside the formula, what matters most to people first.
 
-    How many robots an entry of the team has and where they start can be taken out of a team; a
-    swarm stays what it is, and so does the map, but for its capacities.
+    How many robots an entry of the team has and where they start can be taken out of a team, and
+    from a swarm how it may divide and its head-room; its size and its start stay, and so does the
+    map, but for its capacities.
     """
     entries = range(len(mission.team)) if mission.swarm is None else ()
     return (
         *(Element("team", (number,)) for number in entries),
         *(Element("start", (number,)) for number in entries),
+        *swarm_bounds(mission),
         *capacities(mission),
     )
 

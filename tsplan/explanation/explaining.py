@@ -15,11 +15,11 @@ from tsplan.explanation.conflicts import Core, Finder
 from tsplan.explanation.data import Change, Conflict, Explanation, Fact, Status
 from tsplan.explanation.facts import View, find_facts
 from tsplan.explanation.oracle import Oracle
+from tsplan.explanation.several import Several
 from tsplan.explanation.surroundings import EdgeTime
 from tsplan.running import on_interrupt
 
 if TYPE_CHECKING:
-    from tsplan.explanation.dimensions import Dimension
     from tsplan.mission import Mission
 
 Listener: TypeAlias = Callable[[str], object]
@@ -29,8 +29,6 @@ MOST_CONFLICTS = 10
 
 _PATIENCE = 30.0  # seconds for one question about a change
 _SHARE = 0.5  # of the time goes to the conflicts at most
-_TOGETHER = 6  # dimensions of which several may be changed
-_PER_CORE = 3  # of them belong to one conflict
 
 
 def explain(
@@ -154,7 +152,8 @@ class _Run:
             self.oracle.patience = min(_PATIENCE, self.clock.left / 4)
         found = self._singles(repairs, every)
         if not found:
-            together = repairs.several(self._together(finder, cores[0]))
+            several = Several(self.view, self.oracle, repairs)
+            together = several.change(cores[0].elements)
             found = [together] if together is not None else []
         return ranked([replace(change, mission=self._whole(change)) for change in found])
 
@@ -174,19 +173,6 @@ class _Run:
                 found.append(change)
                 helped.setdefault(candidate.family, candidate.rank)
         return found
-
-    def _together(self, finder: Finder, core: Core) -> list[Dimension]:
-        """Dimensions of conflicts that share nothing: something of each has to change."""
-        dimensions: dict[Dimension, None] = {}
-        rest = finder.everything
-        current: Core | None = core
-        while current is not None and len(dimensions) < _TOGETHER and not self.oracle.over:
-            own = candidates(self.view, current.elements)
-            own.sort(key=lambda item: (item.rank, ORDER.index(item.dimension.kind)))
-            dimensions.update((item.dimension, None) for item in own[:_PER_CORE])
-            rest -= current.elements
-            current = finder.within(rest)
-        return list(dimensions)[:_TOGETHER]
 
     def _whole(self, change: Change) -> Mission:
         """The changed mission with everything that the solves left out."""

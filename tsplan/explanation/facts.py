@@ -17,7 +17,8 @@ from tsplan.explanation.arrivals import Arrival, Arrivals, latest_of
 from tsplan.explanation.data import Element, Fact
 from tsplan.explanation.elements import of_leaf
 from tsplan.explanation.needs import Demand, demands
-from tsplan.explanation.wording import Wording, agents
+from tsplan.explanation.numbers import agents
+from tsplan.explanation.wording import Wording
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -102,9 +103,17 @@ Finder = Callable[[View], Iterator[Fact]]
 def find_facts(view: View) -> tuple[Fact, ...]:
     """All facts that forbid every plan, those of the simplest kinds first."""
     from tsplan.explanation.meetings import contradictions, crowding, room  # noqa: PLC0415
-    from tsplan.explanation.scarcity import scarcity  # noqa: PLC0415  (both import this module)
+    from tsplan.explanation.scarcity import scarcity  # noqa: PLC0415  (all import this module)
+    from tsplan.explanation.swarms import divided  # noqa: PLC0415
 
-    finders: tuple[Finder, ...] = (scarcity, unreachable, crowding, contradictions, room)
+    finders: tuple[Finder, ...] = (
+        scarcity,
+        divided,
+        unreachable,
+        crowding,
+        contradictions,
+        room,
+    )
     found: dict[tuple[str, str], Fact] = {}
     for finder in finders:
         for fact in finder(view):
@@ -141,7 +150,7 @@ def _places(view: View, need: Demand) -> list[tuple[str, list[Arrival]]]:
 def _too_late(view: View, need: Demand, state: str, arrivals: list[Arrival]) -> str:
     where = f"'{state}' ({need.label})" if need.reach != "together" else f"any {need.label} state"
     last = need.span.last
-    inside = sum(item.count for item in arrivals if item.step <= last)
+    inside = sum(item.robots for item in arrivals if item.step <= last)
     who = f"with {need.capability} " if need.capability else ""
     wanted = agents(need.amount, need.capability)
     known = f"only {inside} of the agents {who}" if inside else f"nobody {who}"
@@ -149,14 +158,15 @@ def _too_late(view: View, need: Demand, state: str, arrivals: list[Arrival]) -> 
     missing = next(item for item in arrivals if item.step > last)
     group = view.mission.team[missing.entry]
     if missing.step == inf:
-        return f"{text}: there is no way for {group.class_name} from '{missing.start}'"
+        return f"{text}: there is no way for class {group.class_name} from '{missing.start}'"
     target = state
     if need.reach == "together":
         distance = {s: view.arrivals.between(group, missing.start, s) for s in need.states}
         target = min(need.states, key=lambda name: distance[name])
     way = view.arrivals.way(group, missing.start, target)
+    which = "next" if inside else "first"
     return (
-        f"{text}: the next is {group.class_name} from '{missing.start}' at step "
+        f"{text}: the {which} is one of class {group.class_name} from '{missing.start}', at step "
         f"{int(missing.step)} by {_shown(way)}"
     )
 

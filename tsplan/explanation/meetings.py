@@ -1,4 +1,4 @@
-"""Demands that get in each other's way: limits and capacities against needs, and too little time."""
+"""Demands in each other's way: limits and capacities against needs, and too little time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.data import Element
 from tsplan.explanation.facts import MOST_DEMANDS
-from tsplan.explanation.wording import agents
+from tsplan.explanation.numbers import agents
 
 if TYPE_CHECKING:
     from tsplan.explanation.data import Fact
@@ -128,8 +128,8 @@ def _too_late(view: View, one: Demand, two: Demand) -> str | None:
         )
     both = one.total + two.total
     return (
-        f"{_asked(one)} and {_asked(two)}; that is {both} with the team's "
-        f"{view.having(one.capability)}, so somebody must see to both: {'; '.join(words)}"
+        f"{_asked(one)}, and {_asked(two)}: {both} in all, the team has "
+        f"{view.having(one.capability)}, so somebody must see to both; {'; '.join(words)}"
     )
 
 
@@ -150,14 +150,13 @@ def _between(view: View, one: Demand, two: Demand) -> float:
 def _asked(need: Demand) -> str:
     """A need with its steps."""
     first, last, lasts = need.span
-    when = f"from step {first}" if need.span.fixed else f"from one of the steps {first}..{last}"
-    how_long = f" for {lasts} steps more" if lasts else ""
+    when = f"at step {first}" if need.span.fixed else f"at one of the steps {first}..{last}"
+    how_long = f" and stay for {lasts} more" if lasts else ""
     if need.reach == "each" and len(need.states) > 1:
         where = f"each of the {len(need.states)} states '{need.label}'"
     else:
         where = f"'{need.label}'"
-    verb = "must be" if need.amount > 1 else "must be"
-    return f"{agents(need.amount, need.capability)} {verb} at {where} {when}{how_long}"
+    return f"{agents(need.amount, need.capability)} must be at {where} {when}{how_long}"
 
 
 def _allowed(limit: Demand) -> str:

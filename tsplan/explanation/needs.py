@@ -98,10 +98,8 @@ def _inside(node: Formula, span: Span) -> list[tuple[int, Span]]:
     if isinstance(node, Eventually):
         return [(0, _some_step(span, node.low, node.high))]
     if isinstance(node, Until):
-        right = (1, _some_step(span, node.low, node.high))
-        if node.low == 0:
-            return [right]
-        return [(0, Span(first, last, lasts + node.low - 1)), right]
+        left = [(0, Span(first, last, lasts + node.low - 1))] if node.low > 0 else []
+        return [*left, (1, _some_step(span, node.low, node.high))]
     if isinstance(node, Release) and node.low == 0:
         return [(1, span)]
     return []
@@ -125,9 +123,10 @@ def _atom(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Dem
             leaf = Leaf(way, number if len(node.needs) > 1 else None)
             yield Demand(leaf, states, name, amount, "each", False, during, node.label)
     elif isinstance(node, Limit):
-        for number, (name, amount) in enumerate(node.needs or ((None, 0),)):
+        nobody: list[tuple[str | None, int]] = [(None, 0)]
+        for number, (who, most) in enumerate(node.needs or nobody):
             leaf = Leaf(way, number if len(node.needs) > 1 else None)
-            yield Demand(leaf, states, name, amount, "each", True, span, node.label)
+            yield Demand(leaf, states, who, most, "each", True, span, node.label)
     else:
         yield from _count(mission, way, node, span)
 

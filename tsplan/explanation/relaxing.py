@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from tsplan.encode.problem import Problem, Tuning
+from tsplan.explanation.bounds import unbounded
 from tsplan.explanation.data import Element
 from tsplan.explanation.elements import leaf_of
 from tsplan.explanation.occurrences import without
@@ -32,8 +33,11 @@ def any_plan(mission: Mission) -> Mission:
     return replace(mission, objective=(), prefer=(), warnings=())
 
 
-def relaxed(mission: Mission, dropped: Iterable[Element], tuning: Tuning = Tuning()) -> Problem:
-    """The problem without some elements of the mission."""
+def relaxed(
+    mission: Mission, dropped: Iterable[Element], tuning: Tuning | None = None
+) -> Mission | Problem:
+    """The problem without some elements of the mission; of swarms, the mission itself."""
+    tuning = tuning or Tuning()
     gone = frozenset(dropped)
     leaves = [leaf_of(item) for item in gone if item.kind == "formula"]
     formula = without(mission.formula, leaves)
@@ -43,6 +47,8 @@ def relaxed(mission: Mission, dropped: Iterable[Element], tuning: Tuning = Tunin
         text=str(formula),
         system=_roomier(mission.system, gone),
     )
+    if mission.swarm is not None:
+        return replace(left, swarm=unbounded(mission.swarm, gone))
     if any(item.kind in ("team", "start") for item in gone):
         return _Depots(left, gone).problem(tuning)
     return Problem(left, tuning)
@@ -79,12 +85,23 @@ def bounded_above(mission: Mission) -> bool:
     )
 
 
+def waits_everywhere(mission: Mission) -> bool:
+    """Whether whoever is at a state can stay there and be counted at every step."""
+    system = mission.system
+    return all(
+        (edge := system.edges.get((name, name))) is not None
+        and edge.duration == 1
+        and edge.needs <= system.states[name].needs
+        for name in system.states
+    )
+
+
 def useful_number(mission: Mission) -> int:
     """As many robots of one kind as any plan could use.
 
     Whoever serves no atom can be left out. At one step those of one state (or of the states of a
     label, for a sum) serve the largest need for each capability; where nothing is bounded from
-    above they can stay there for good, otherwise others may come at every step.
+    above and waiting is free they can stay there for good, otherwise others may come at every step.
     """
     needs: dict[tuple[str, str | None, str], int] = {}
     for node in walk(mission.goal):
@@ -96,7 +113,8 @@ def useful_number(mission: Mission) -> int:
         amount * (1 if function == "sum" else len(labels[label]))
         for (label, _, function), amount in needs.items()
     )
-    steps = mission.horizon + 1 if bounded_above(mission) else 1
+    for_good = waits_everywhere(mission) and not bounded_above(mission)
+    steps = 1 if for_good else mission.horizon + 1
     return max(1, min(total * steps, MOST_ROBOTS // (2 * len(mission.team))))
 
 
@@ -112,7 +130,8 @@ class _Depots:
         mission = self.mission
         system = mission.system
         states, edges, team = [*system.states.values()], [*system.edges.values()], []
-        open_, all_ = [], []
+        open_: list[str] = []
+        all_: list[str] = []
         for number, group in enumerate(mission.team):
             for name, count, targets in self._depots(number, group):
                 states.append(State(name))
@@ -172,14 +191,7 @@ class _Depots:
     @property
     def _late_is_harmless(self) -> bool:
         """Whether leaving the depot later is as good as waiting where the robot starts."""
-        system = self.mission.system
-        waits = all(
-            (edge := system.edges.get((name, name))) is not None
-            and edge.duration == 1
-            and edge.needs <= system.states[name].needs
-            for name in system.states
-        )
-        return waits and not bounded_above(self.mission)
+        return waits_everywhere(self.mission) and not bounded_above(self.mission)
 
     def _hurry(self, problem: Problem, open_: list[str], all_: list[str]) -> None:
         """Robots leave their depot before the mission begins or, where they may, never."""

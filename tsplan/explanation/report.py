@@ -37,9 +37,11 @@ def print_explanation(explanation: Explanation, mission: Mission, console: Conso
 def lines_of(explanation: Explanation, mission: Mission) -> Iterator[str]:
     """Outcome, facts and conflicts, line by line."""
     yield f"{explanation.name or 'mission'}: {_OUTCOME[explanation.status]}"
+    if mission.partial and explanation.status is Status.EXPLAINED:
+        yield "  by which all of it holds; `tsplan plan` does as much of it as can be done"
     if explanation.facts:
         feasible = explanation.status is Status.FEASIBLE
-        yield "\nwhat is tight:" if feasible else "\nwhat already forbids every plan:"
+        yield "\nwhat is tight:" if feasible else "\nfacts that forbid every plan:"
         yield from (f"  {_at(fact)}{fact.text}" for fact in explanation.facts)
     source = _Source(mission)
     for number, conflict in enumerate(explanation.conflicts, start=1):

@@ -10,10 +10,12 @@ import json
 import os
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import InputError
+from tsplan.explanation.bounds import bound_of, path_of, swarm_bounds
 from tsplan.explanation.occurrences import Way
 from tsplan.explanation.places import Source, Sources
 from tsplan.logic import Count, Eventually, Formula, Release, Until, Window
@@ -24,7 +26,7 @@ from tsplan.ts.write import map_to_yaml
 
 if TYPE_CHECKING:
     from tsplan.document import Document
-    from tsplan.mission import Group, Mission
+    from tsplan.mission import Group, Mission, SwarmBounds
 
 
 class Written(NamedTuple):
@@ -67,6 +69,8 @@ def _says(text: str, changed: Mission, folder: Path) -> bool:
         and read.horizon == changed.horizon
         and read.objective == changed.objective
         and read.swarm == changed.swarm
+        and (read.prefer, read.satisfaction) == (changed.prefer, changed.satisfaction)
+        and read.task_interval == changed.task_interval
         and dict(read.system.states) == dict(changed.system.states)
         and dict(read.system.edges) == dict(changed.system.edges)
     )
@@ -86,6 +90,7 @@ def _edits(
     return [
         *_formula_edits(original, changed, document),
         *_team_edits(original, changed, document),
+        *_swarm_edits(original, changed, document),
         *_map_edits(original, changed, document, folders),
         *_horizon_edits(original, changed, document),
     ]
@@ -169,6 +174,21 @@ def _team_edits(original: Mission, changed: Mission, document: Document) -> Iter
             yield _exchanged(document, ("team", number), _member(after))
 
 
+def _swarm_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
+    """Bounds of swarms; their sizes and starts are never changed."""
+    if original.swarm is None or changed.swarm is None:
+        return
+    for element in swarm_bounds(original):
+        old, new = (bound_of(rules, element) for rules in (original.swarm, changed.swarm))
+        if old != new:
+            yield _exchanged(document, path_of(original, element), _bound(new))
+
+
+def _bound(value: Fraction | int | None) -> str:
+    """A bound as a mission file says it; a fraction of the swarm as a percentage."""
+    return f"{float(100 * value):g}%" if isinstance(value, Fraction) else json.dumps(value)
+
+
 def _team(mission: Mission) -> str:
     """The team in flow style, one entry a line."""
     return "[\n" + "".join(f"    {_member(group)},\n" for group in mission.team) + "  ]"
@@ -215,6 +235,53 @@ def _exchanged(document: Document, path: tuple[str | int, ...], text: str) -> _E
 # --- a new text ------------------------------------------------------------------------------
 
 
+def _who(mission: Mission) -> list[str]:
+    """The team, or the swarms with their bounds."""
+    rules = mission.swarm
+    if rules is None:
+        return ["team:", *(f"  - {_member(group)}" for group in mission.team)]
+    entries = [_swarm(group, rules.each[group.class_name]) for group in mission.team]
+    if mission.capabilities:
+        named = zip(mission.team, entries, strict=True)
+        lines = [f"  - {{name: {word(group.class_name)}, {entry}}}" for group, entry in named]
+        lines.insert(0, "swarms:")
+    else:
+        lines = [f"swarm: {{{entry}}}" for entry in entries]
+    if rules.together is not None:
+        lines.append(f"max_subswarms: {rules.together}")
+    return [*lines, *([f"margin: {_bound(rules.margin)}"] if rules.margin else [])]
+
+
+def _swarm(group: Group, bounds: SwarmBounds) -> str:
+    """The size, the start and the bounds of one swarm."""
+    where = ", ".join(f"{word(state)}: {count}" for state, count in group.starts)
+    most = "" if bounds.most is None else f", max_subswarms: {bounds.most}"
+    return f"size: {group.count}, at: {{{where}}}{most}, min_subswarm: {bounds.least}"
+
+
+def _wishes(mission: Mission) -> list[str]:
+    """What is preferred beside the formula, one entry a line."""
+    lines = ["  prefer:"] if mission.prefer else []
+    for wish in mission.prefer:
+        entry = {
+            "formula": str(wish.formula),
+            "weight": float(wish.weight),
+            "level": wish.level,
+            "partial": wish.partial,
+            **({"name": wish.name} if wish.name else {}),
+        }
+        lines.append(f"    - {json.dumps(entry, ensure_ascii=False)}")
+    return lines
+
+
+def _objectives(mission: Mission) -> list[str | dict[str, str]]:
+    """The objectives; that of satisfaction with its order."""
+    return [
+        {name: mission.satisfaction} if name == "satisfaction" else name
+        for name in mission.objective
+    ]
+
+
 def _anew(mission: Mission) -> str:
     """A whole mission file, with its map inside."""
     lines = [
@@ -222,13 +289,13 @@ def _anew(mission: Mission) -> str:
         f"name: {json.dumps(mission.name, ensure_ascii=False)}",
         "map:",
         *(f"  {line}" for line in map_to_yaml(mission.system).splitlines()),
-        "team:",
-        *(f"  - {_member(group)}" for group in mission.team),
+        *_who(mission),
         "spec:",
         f"  language: {mission.language}",
-        "  formula: |",
+        "  must: |" if mission.prefer else "  formula: |",
         f"    {mission.formula}",
-        f"objective: {json.dumps(list(mission.objective))}",
+        *_wishes(mission),
+        f"objective: {json.dumps(_objectives(mission))}",
         f"task_interval: {mission.task_interval}",
         f"horizon: {mission.horizon}",
     ]

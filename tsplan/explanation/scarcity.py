@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.needs import Demand, Span, demands_below
+from tsplan.explanation.numbers import agents
 from tsplan.explanation.occurrences import Way
-from tsplan.explanation.wording import agents
 from tsplan.logic import Always, And, Eventually, Formula
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ def scarcity(view: View) -> Iterator[Fact]:
             alone.add(need.capability)
             text = f"{_wanted(need)}; the team has {view.having(need.capability)}"
             yield view.fact("scarcity", text, [need], *view.team(need.capability, "team"))
-    for together in _moments(view):
+    for together in moments(view):
         capability = together[0].capability
         total = _at_once(together)
         if capability not in alone and total > view.mission.having(capability):
@@ -47,7 +47,7 @@ def _wanted(need: Demand) -> str:
     return f"{agents(need.amount, need.capability)} {verb} needed at {where}"
 
 
-def _moments(view: View) -> Iterator[list[Demand]]:
+def moments(view: View) -> Iterator[list[Demand]]:
     """Needs for one capability that begin at the same step, whenever that is."""
     for way, node in _anchors(view.mission.formula):
         now = [
@@ -86,4 +86,4 @@ def _at_once(needs: Sequence[Demand]) -> int:
         if need.reach != "each" and not taken & set(need.states):
             total += need.amount
             taken |= set(need.states)
-    return max(total, max(need.total for need in needs))
+    return max(total, *(need.total for need in needs))

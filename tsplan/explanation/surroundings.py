@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.wording import many
+from tsplan.explanation.numbers import many
 from tsplan.mission import Group
 from tsplan.ts import Edge, TransitionSystem
 
@@ -85,7 +85,8 @@ class EdgeRoom:
         """The capacity, from what to what."""
         now = mission.system.edges[self.pair].capacity or 0
         source, target = self.pair
-        return f"raise the capacity of the edge from '{source}' to '{target}' from {now} to {now + amount}"
+        edge = f"the edge from '{source}' to '{target}'"
+        return f"raise the capacity of {edge} from {now} to {now + amount}"
 
 
 @dataclass(frozen=True)

@@ -7,15 +7,16 @@ from dataclasses import replace
 from math import isinf
 from typing import TYPE_CHECKING
 
+from tsplan.explanation.bounds import MARGIN, bound_of, swarm_bounds, with_bound
 from tsplan.explanation.changes import least
 from tsplan.explanation.conflicts import Finder
 from tsplan.explanation.critical import Critical, critical_atoms
 from tsplan.explanation.data import Element, Fact, Place
 from tsplan.explanation.dimensions import edited
 from tsplan.explanation.elements import formula_groups, leaf_of
+from tsplan.explanation.numbers import agents
 from tsplan.explanation.occurrences import Leaf, Way, exchanged, node_at, nodes_along
 from tsplan.explanation.oracle import Oracle
-from tsplan.explanation.wording import agents
 from tsplan.logic import (
     FALSE,
     Count,
@@ -39,7 +40,12 @@ _PATIENCE = 30.0  # seconds for one question
 
 
 def tight_facts(view: View, oracle: Oracle) -> tuple[Fact, ...]:
-    """What keeps availability from being higher: in any plan, and in the best one found."""
+    """What keeps availability from being higher: in any plan, and in the best one found.
+
+    Swarms have no such objective, and so nothing is said of them here.
+    """
+    if view.mission.swarm is not None:
+        return ()
     best = _most_robust(view.mission, oracle)
     if best is None or best.availability is None or isinf(best.availability):
         return ()
@@ -144,9 +150,43 @@ def _tighter(mission: Mission, node: Formula, level: int) -> Formula:
 
 
 def slacks(view: View, oracle: Oracle) -> tuple[Fact, ...]:
-    """For every deadline, how much sooner it could be with a plan still there."""
+    """How much sooner each deadline, and how much tighter each bound of a swarm, could be."""
     oracle.patience = _PATIENCE
-    return tuple(_slack(view, oracle, way) for way in _deadlines(view.mission))
+    bounds = [item for item in swarm_bounds(view.mission) if item != MARGIN]
+    return (
+        *(_slack(view, oracle, way) for way in _deadlines(view.mission)),
+        *(_bound_slack(view, oracle, element) for element in bounds),
+    )
+
+
+def _bound_slack(view: View, oracle: Oracle, element: Element) -> Fact:
+    """How much tighter a bound of a swarm could be with a plan still there."""
+    mission = view.mission
+    assert mission.swarm is not None
+    now = bound_of(mission.swarm, element)
+    assert isinstance(now, int)
+    larger = element.key[1] == "least"
+    most = mission.size - now if larger else now - 1
+
+    def impossible(steps: int) -> bool | None:
+        value = now + steps if larger else now - steps
+        answer = oracle.met(replace(mission, swarm=with_bound(mission.swarm, element, value)))
+        return None if answer is None else not answer
+
+    found = least(impossible, most) if most > 0 else None
+    part = view.wording.fact(element)
+    if found is None:
+        far = most if most == 0 or impossible(most) is False else None
+    else:
+        far = found.amount - 1 if found.proven or found.amount > 1 else None
+    if far is None:
+        text = "how much tighter it could be is open: no time"
+    elif far == 0:
+        text = "it cannot be tighter"
+    else:
+        sure = "" if found is None or found.proven else " at least"
+        text = f"it could be{sure} {now + far if larger else now - far}"
+    return Fact("slack", f"{part.text}: {text}", part.place, (part,))
 
 
 def _deadlines(mission: Mission) -> list[Way]:

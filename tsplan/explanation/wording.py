@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from tsplan.explanation.bounds import path_of, swarm_part
 from tsplan.explanation.data import Element, Part, Place
 from tsplan.explanation.elements import formula_groups, leaf_of
+from tsplan.explanation.numbers import many
 from tsplan.explanation.occurrences import Leaf, Way, conjuncts, node_at
 from tsplan.explanation.places import Sources
 
@@ -74,13 +76,16 @@ class Wording:
         """A bound beside the formula, as a named fact."""
         if element.kind == "capacity":
             return self._capacity(element)
+        if element.kind == "swarm":
+            place = self.sources.at(path_of(self.mission, element))
+            return swarm_part(self.mission, element, place)
         (number,) = element.key
         group = self.mission.team[number]
         if element.kind == "team":
             text = f"the team has {many(group.count, group.class_name)}"
             place = self._entry(number, "count")
         else:
-            text = f"{group.class_name} starts at {starts_of(group)}"
+            text = f"the agents of class {group.class_name} start at {starts_of(group)}"
             place = self._entry(number, "at")
         return Part(element.kind, text, place, frozenset({element}))
 
@@ -113,17 +118,6 @@ def starts_of(group: Group) -> str:
     if len(group.starts) == 1:
         return f"'{group.starts[0][0]}'"
     return ", ".join(f"'{state}' ({count})" for state, count in group.starts)
-
-
-def many(count: int, what: str) -> str:
-    """A number of robots of a class or with a capability."""
-    return f"{count} {what}"
-
-
-def agents(count: int, capability: str | None) -> str:
-    """A number of agents, with the capability they are counted for."""
-    noun = "agent" if count == 1 else "agents"
-    return f"{count} {noun}" + (f" with {capability}" if capability else "")
 
 
 def _order(element: Element) -> tuple[int, tuple[str, ...]]:

@@ -1,0 +1,165 @@
+"""Several changes at once, where no single one helps.
+
+Conflicts are resolved one after the other, each by one or two ways to change the mission, until
+there is a plan. What is not needed of these ways is left out again, then each goes back as far as
+it can. Last, for as long as `QUESTIONS` allows, smaller totals are tried.
+
+Most ways make a mission the easier the further they go, so they go as far as they can at first.
+More agents may be in the way of limits: no more are added than resolve a conflict, and where they
+lead nowhere the ways without them are tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from tsplan.errors import MissionError
+from tsplan.explanation.candidates import candidates
+from tsplan.explanation.changes import ORDER, Repairs, applied, least
+from tsplan.explanation.conflicts import Finder
+from tsplan.explanation.facts import View
+from tsplan.explanation.oracle import Oracle
+from tsplan.explanation.relaxing import bounded_above, relaxed
+
+if TYPE_CHECKING:
+    from tsplan.explanation.data import Change, ChangeKind, Element
+    from tsplan.explanation.dimensions import Dimension
+    from tsplan.mission import Mission
+
+MOST_WAYS = 12
+"""Ways to change a mission that are gathered at most."""
+
+QUESTIONS = 40
+"""Missions that are planned at most in the search for a smaller total."""
+
+_PER_CONFLICT = 2
+_MOST_ADDED = 64
+_SEARCHED = 6  # ways over which the least total is looked for
+
+Step = tuple["Dimension", int]
+
+
+@dataclass(frozen=True)
+class Several:
+    """Looks for changes of more than one kind together."""
+
+    view: View
+    oracle: Oracle
+    repairs: Repairs
+
+    def change(self, conflict: frozenset[Element]) -> Change | None:
+        """A change that resolves a conflict and all others; None if none is found in time."""
+        ways = self._gathered(conflict, ORDER)
+        if not ways:
+            ways = self._gathered(conflict, [kind for kind in ORDER if kind != "add_agents"])
+        small = self._lowered(self._needed(ways)) if ways else None
+        if small is None:
+            return None
+        found = [dimension for dimension, _ in small]
+        found += [dimension for dimension, _ in ways if dimension not in found]
+        if bounded_above(self.view.mission):
+            found = [item for item in found if item.kind != "add_agents"]
+        total = sum(amount for _, amount in small)
+        best = self.repairs.several(found[:_SEARCHED], total, QUESTIONS)
+        return best or self.repairs.made(small)
+
+    def _gathered(self, conflict: frozenset[Element], kinds: Sequence[ChangeKind]) -> list[Step]:
+        """Ways of some kinds that together lead to a plan; nothing if none are found."""
+        chosen: list[Step] = []
+        core = conflict
+        while len(chosen) < MOST_WAYS and not self.oracle.over:
+            new = self._resolving(core, chosen, kinds)
+            if not new:
+                return []
+            chosen += new
+            changed = self._changed(chosen)
+            if changed is None:
+                return []
+            finder = Finder(Oracle(changed, self.oracle.clock, self.oracle.solver))
+            finder.oracle.patience = self.oracle.patience
+            found = finder.within(finder.everything)
+            if found is None:
+                return chosen
+            core = found.elements
+        return []
+
+    def _resolving(
+        self, core: frozenset[Element], chosen: Sequence[Step], kinds: Sequence[ChangeKind]
+    ) -> list[Step]:
+        """One or two further ways, of different kinds, each of which resolves a conflict."""
+        entries = len(self.view.mission.team)
+        known = {item for item in core if item.kind not in ("team", "start")}
+        known |= {item for item in core - known if item.key[0] < entries}
+        every = [
+            item for item in candidates(self.view, frozenset(known)) if item.dimension.kind in kinds
+        ]
+        every.sort(key=lambda item: (item.rank, ORDER.index(item.dimension.kind)))
+        taken = {dimension for dimension, _ in chosen}
+        found: list[Step] = []
+        for candidate in every:
+            dimension = candidate.dimension
+            if dimension in taken or dimension.kind in {item.kind for item, _ in found}:
+                continue
+            step = self._step(dimension, core, chosen)
+            if step is not None:
+                found.append(step)
+                if len(found) == _PER_CONFLICT:
+                    break
+        return found
+
+    def _step(
+        self, dimension: Dimension, core: frozenset[Element], chosen: Sequence[Step]
+    ) -> Step | None:
+        """A change along one dimension that resolves a conflict."""
+        if dimension.kind == "add_agents":
+            few = least(
+                lambda amount: self._resolves(core, [*chosen, (dimension, amount)]),
+                min(dimension.most, _MOST_ADDED),
+            )
+            return None if few is None else (dimension, few.amount)
+        amount = dimension.most
+        while amount and self._changed([*chosen, (dimension, amount)]) is None:
+            amount //= 2  # less may fit together
+        step = (dimension, amount)
+        return step if amount and self._resolves(core, [*chosen, step]) else None
+
+    def _changed(self, steps: Sequence[Step]) -> Mission | None:
+        try:
+            return applied(self.view.mission, steps)
+        except MissionError:
+            return None
+
+    def _resolves(self, core: frozenset[Element], steps: Sequence[Step]) -> bool:
+        """Whether a conflict can be met after some changes."""
+        changed = self._changed(steps)
+        if changed is None:
+            return False
+        others = Finder(Oracle(changed, self.oracle.clock)).everything - core
+        return self.oracle.asked(relaxed(changed, others)) is True
+
+    def _needed(self, ways: Sequence[Step]) -> list[Step]:
+        """The ways without those that are not needed beside the others, the last ones first."""
+        kept = list(ways)
+        for step in reversed(ways):
+            fewer = [item for item in kept if item is not step]
+            if self.repairs.possible(fewer):
+                kept = fewer
+        return kept if len(kept) == len(ways) else self._needed(kept)
+
+    def _lowered(self, ways: Sequence[Step]) -> list[Step] | None:
+        """Each way as short as it can be beside the others; None if there is no plan after all."""
+        steps = list(ways)
+        if not self.repairs.possible(steps):
+            return None
+        for place, (dimension, amount) in enumerate(steps):
+
+            def enough(less: int, place: int = place, dimension: Dimension = dimension) -> bool:
+                own = [*steps[:place], (dimension, less), *steps[place + 1 :]]
+                return self.repairs.possible(own) is True
+
+            found = least(enough, amount)
+            if found is not None:
+                steps[place] = (dimension, found.amount)
+        return steps
