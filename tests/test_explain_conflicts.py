@@ -81,6 +81,18 @@ def test_many_swarms(block: int) -> None:
             check_explanation(mission, conflicts=2)
 
 
+@pytest.mark.parametrize("seed", [200, 1389])
+def test_tasks_that_went_wrong(seed: int) -> None:
+    """A robot that cannot wait needs others in its place; a program that HiGHS cannot solve."""
+    check_explanation(random_tasks(seed), conflicts=2)
+
+
+@pytest.mark.parametrize("seed", [7088])
+def test_counts_that_went_wrong(seed: int) -> None:
+    """A window of one step, whose left side looks further ahead than the mission."""
+    check_explanation(random_mission(seed, states=4, most_agents=4, steps=8), conflicts=2)
+
+
 def test_a_part_that_cannot_hold_alone() -> None:
     mission = row("F[0,4] A && (F[0,9] false)")
     assert texts(mission) == [["F[0,9] false"]]
