@@ -103,17 +103,20 @@ def test_swarms_may_divide_further() -> None:
     assert words(swarm("F[2,6] (A && B && C)"))[0] == "raise max_subswarms from 2 to 3"
 
 
+@pytest.mark.long
 def test_sub_swarms_may_be_smaller() -> None:
     found = words(swarm("F[2,6] (A && B && C)", max_subswarms=5, min_subswarm=5))
     assert "lower min_subswarm from 5 to 3" in found
     assert "ask for no agents at 'B' in F[2,6] (A && B && C)" in found
 
 
+@pytest.mark.long
 def test_less_may_be_kept_to_spare() -> None:
     mission = swarm("F[2,6] (sum(A) >= 50% && sum(C) >= 30%)", margin="15%")
     assert "lower the margin from 15% to 10%" in words(mission)
 
 
+@pytest.mark.long
 def test_of_a_share_hundredths_are_given_up() -> None:
     mission = swarm("F[2,6] (sum(A) >= 70% && sum(C) >= 40%)")
     found = words(mission)
@@ -137,7 +140,9 @@ def test_the_least_total_of_several_changes() -> None:
     check_change(mission, change)
 
 
-@pytest.mark.parametrize("seed", [7, 15, 16, 25])
+@pytest.mark.parametrize(
+    "seed", [16, *(pytest.param(n, marks=pytest.mark.long) for n in (7, 15, 25))]
+)
 def test_there_is_always_a_way_out(seed: int) -> None:
     """These needed ways to go that were not gathered, or agents that were in the way of limits."""
     made = check_explanation(random_tasks(seed))

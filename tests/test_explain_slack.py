@@ -59,7 +59,7 @@ def test_what_holds_availability_down_is_named_with_place_and_step() -> None:
 
 def test_the_most_robust_plan_has_no_more_to_spare() -> None:
     met = 0
-    for seed in range(40):
+    for seed in range(25):
         mission = random_tasks(seed + 900)
         if not tsplan.plan(plain(mission)).has_paths:
             continue
@@ -74,7 +74,7 @@ def test_the_most_robust_plan_has_no_more_to_spare() -> None:
             formula = tightened(mission, spare)
             harder = replace(mission, formula=formula, text=str(formula), objective=())
             assert tsplan.plan(harder, encoding="reference").has_paths is expected
-    assert met >= 3
+    assert met >= 2
 
 
 def test_bounds_of_swarms() -> None:
