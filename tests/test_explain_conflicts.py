@@ -37,19 +37,18 @@ def texts(mission: Mission) -> list[list[str]]:
     return [[part.text for part in conflict.parts] for conflict in made.conflicts]
 
 
-@pytest.mark.parametrize("seed", range(9))
+@pytest.mark.parametrize("seed", range(5))
 def test_tasks(seed: int) -> None:
     check_explanation(random_tasks(seed + 200), conflicts=2)
 
 
-@pytest.mark.parametrize("seed", range(9))
+@pytest.mark.parametrize("seed", range(7))
 def test_counts(seed: int) -> None:
     check_explanation(random_mission(seed + 500, states=4, most_agents=4, steps=6))
 
 
-@pytest.mark.parametrize("block", range(2))
-def test_swarms(block: int) -> None:
-    for seed in range(60_000 + 10 * block, 60_010 + 10 * block):
+def test_swarms() -> None:
+    for seed in range(60_000, 60_012):
         mission = random_swarms(seed)
         if mission is not None:
             check_explanation(mission)
@@ -66,19 +65,31 @@ def test_many_tasks(block: int) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("block", range(40))
+@pytest.mark.parametrize("block", range(20))
 def test_many_counts(block: int) -> None:
     for seed in range(7000 + 10 * block, 7010 + 10 * block):
         check_explanation(random_mission(seed, states=4, most_agents=4, steps=8), conflicts=2)
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("block", range(40))
+@pytest.mark.parametrize("block", range(20))
 def test_many_swarms(block: int) -> None:
     for seed in range(61_000 + 20 * block, 61_020 + 20 * block):
         mission = random_swarms(seed)
         if mission is not None:
             check_explanation(mission, conflicts=2)
+
+
+@pytest.mark.parametrize("seed", [200, pytest.param(1389, marks=pytest.mark.long)])
+def test_tasks_that_went_wrong(seed: int) -> None:
+    """A robot that cannot wait needs others in its place; a program that HiGHS cannot solve."""
+    check_explanation(random_tasks(seed), conflicts=2)
+
+
+@pytest.mark.parametrize("seed", [7088])
+def test_counts_that_went_wrong(seed: int) -> None:
+    """A window of one step, whose left side looks further ahead than the mission."""
+    check_explanation(random_mission(seed, states=4, most_agents=4, steps=8), conflicts=2)
 
 
 def test_a_part_that_cannot_hold_alone() -> None:

@@ -157,7 +157,7 @@ def test_no_facts_of_swarms_that_can_divide() -> None:
     assert facts(mission) == []
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_facts_are_proofs_for_tasks(seed: int) -> None:
     mission = random_tasks(seed)
@@ -165,7 +165,7 @@ def test_facts_are_proofs_for_tasks(seed: int) -> None:
         assert tsplan.plan(plain(mission)).status == "infeasible"
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_facts_are_proofs_for_counts(seed: int) -> None:
     mission = random_mission(seed)
@@ -173,7 +173,7 @@ def test_facts_are_proofs_for_counts(seed: int) -> None:
         assert tsplan.plan(plain(mission)).status == "infeasible"
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_facts_are_proofs_for_swarms(seed: int) -> None:
     mission = random_swarms(seed)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from tsplan.mission import Mission
 
-_PIPE_WIDTH = 120  # columns where there is no terminal to ask
+_PIPE_WIDTH = 100  # columns where there is no terminal to ask
 
 
 def run(asked: argparse.Namespace) -> Exit:

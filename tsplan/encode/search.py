@@ -21,6 +21,7 @@ from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
 from tsplan.encode.tree import Tree, Witnessing
 from tsplan.encode.wholeness import Rounding
+from tsplan.errors import SolverError
 from tsplan.milp.model import Floats, Ints, Model, Tag
 from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy
 from tsplan.milp.solver import Solver
@@ -105,7 +106,10 @@ class Search:
         if self._closed or (first and self._values is not None):
             return self._found(proven=self._closed)
         if self._effort.ideas & {Idea.DIVE, Idea.TREE}:
-            proven = self._by_lp(first=first)
+            try:
+                proven = self._by_lp(first=first)
+            except SolverError:  # numerical trouble: the solver's own search may do without
+                proven = False
             if proven or (first and self._values is not None) or self._clock.over:
                 return self._found(proven=proven)
         return self._by_solver(first=first)

@@ -35,6 +35,9 @@ ORDER: tuple[ChangeKind, ...] = (
 """Changes of equal amounts are ranked in this order."""
 
 
+_SECONDS = 5.0  # of solves in the search for a smaller total
+
+
 class Least(NamedTuple):
     """The least amount found; `proven` if one less is known not to do."""
 
@@ -113,11 +116,11 @@ class Repairs:
     def several(self, dimensions: Sequence[Dimension], below: int, most: int) -> Change | None:
         """The least total over several dimensions, if it is less than `below`.
 
-        At most so many questions are asked; None where no total is found by then.
+        At most so many questions are asked, for some seconds; None where no total is found then.
         """
-        before = self.oracle.solves
+        self._last = self.oracle.solves + most
+        self._until = self.oracle.seconds + _SECONDS
         for total in range(2, below):
-            self._last = before + most
             found = self._spread(dimensions, total, [])
             if self._exhausted:
                 return None
@@ -126,10 +129,12 @@ class Repairs:
         return None
 
     _last: int = field(default=0, init=False)
+    _until: float = field(default=0.0, init=False)
 
     @property
     def _exhausted(self) -> bool:
-        return self.oracle.over or self.oracle.solves >= self._last
+        spent = self.oracle.solves >= self._last or self.oracle.seconds >= self._until
+        return spent or self.oracle.over
 
     def made(self, steps: Sequence[tuple[Dimension, int]]) -> Change:
         """The change by some steps; it is proven if no step can be shorter beside the others."""

@@ -119,7 +119,9 @@ class _Search:
 
     def _switching(self, node: Until | Release, step: int) -> list[tuple[int, int]]:
         """The step at which an until (or a release) changes over, and what decides there."""
-        left, right = (self._value(child) for child in node.children)
+        right = self._value(node.children[1])
+        # for no step the left side is never asked, and plans need not be long enough for it
+        left = self._value(node.children[0]) if node.high else right
         found = []
         for change in range(step + node.low, step + node.high + 1):
             parts = [(0, k) for k in range(step, change)] + [(1, change)]

@@ -27,7 +27,7 @@ Listener: TypeAlias = Callable[[str], object]
 MOST_CONFLICTS = 10
 """Different conflicts that are looked for when all are asked for."""
 
-_PATIENCE = 30.0  # seconds for one question about a change
+_PATIENCE = 10.0  # seconds for one question about a change
 _SHARE = 0.5  # of the time goes to the conflicts at most
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.data import Conflict, Explanation, Fact, Part, Status
@@ -23,7 +24,7 @@ _OUTCOME = {
 
 def print_explanation(explanation: Explanation, mission: Mission, console: Console) -> None:
     """Print everything that an explanation says."""
-    for line in lines_of(explanation, mission):
+    for line in lines_of(explanation, mission, console.width):
         console.out(line, highlight=False)
     if explanation.changes:
         console.out("\nchanges after which there is a plan:", highlight=False)
@@ -34,22 +35,23 @@ def print_explanation(explanation: Explanation, mission: Mission, console: Conso
     console.out(f"\n  {explanation.timings.get('total', 0.0):.2f} s", highlight=False)
 
 
-def lines_of(explanation: Explanation, mission: Mission) -> Iterator[str]:
-    """Outcome, facts and conflicts, line by line."""
+def lines_of(explanation: Explanation, mission: Mission, width: int) -> Iterator[str]:
+    """Outcome, facts and conflicts, line by line; sentences are folded to a width."""
     yield f"{explanation.name or 'mission'}: {_OUTCOME[explanation.status]}"
     if mission.partial and explanation.status is Status.EXPLAINED:
         yield "  by which all of it holds; `tsplan plan` does as much of it as can be done"
     if explanation.facts:
         feasible = explanation.status is Status.FEASIBLE
         yield "\nwhat is tight:" if feasible else "\nfacts that forbid every plan:"
-        yield from (f"  {_at(fact)}{fact.text}" for fact in explanation.facts)
+        for fact in explanation.facts:
+            yield from _folded(fact, width)
     source = _Source(mission)
     for number, conflict in enumerate(explanation.conflicts, start=1):
         yield f"\n{_title(conflict, number, len(explanation.conflicts))}"
         yield from source.marked([part for part in conflict.parts if part.kind == "formula"])
-        yield from (
-            f"  {_at(part)}{part.text}" for part in conflict.parts if part.kind != "formula"
-        )
+        for part in conflict.parts:
+            if part.kind != "formula":
+                yield from _folded(part, width)
 
 
 def _title(conflict: Conflict, number: int, count: int) -> str:
@@ -59,6 +61,18 @@ def _title(conflict: Conflict, number: int, count: int) -> str:
     if len(conflict.parts) == 1:
         return f"{which}: this alone cannot hold"
     return f"{which}: these cannot hold together, and without any one of them the rest can"
+
+
+def _folded(item: Fact | Part, width: int) -> list[str]:
+    """A sentence with its place, its further lines indented."""
+    return wrap(
+        f"{_at(item)}{item.text}",
+        width,
+        initial_indent="  ",
+        subsequent_indent="      ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def _at(item: Fact | Part) -> str:

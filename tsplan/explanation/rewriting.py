@@ -264,7 +264,7 @@ def _wishes(mission: Mission) -> list[str]:
     lines = ["  prefer:"] if mission.prefer else []
     for wish in mission.prefer:
         entry = {
-            "formula": str(wish.formula),
+            "formula": wish.text,
             "weight": float(wish.weight),
             "level": wish.level,
             "partial": wish.partial,

@@ -39,9 +39,7 @@ def _wanted(need: Demand) -> str:
     """What a need asks for, with the arithmetic over its states."""
     where = f"'{need.label}'"
     if need.reach == "each" and len(need.states) > 1:
-        sum_ = (
-            f"{need.amount} at each of the {len(need.states)} states {where}, {need.total} at once"
-        )
+        sum_ = f"{need.amount} at each of the {len(need.states)} states {where}"
         return f"{agents(need.total, need.capability)} are needed ({sum_})"
     verb = "is" if need.amount == 1 else "are"
     return f"{agents(need.amount, need.capability)} {verb} needed at {where}"

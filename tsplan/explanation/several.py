@@ -2,7 +2,7 @@
 
 Conflicts are resolved one after the other, each by one or two ways to change the mission, until
 there is a plan. What is not needed of these ways is left out again, then each goes back as far as
-it can. Last, for as long as `QUESTIONS` allows, smaller totals are tried.
+it can. Last, for as long as `QUESTIONS` and a few seconds allow, smaller totals are tried.
 
 Most ways make a mission the easier the further they go, so they go as far as they can at first.
 More agents may be in the way of limits: no more are added than resolve a conflict, and where they
