@@ -117,6 +117,7 @@ def _names(sheet: _Sheet) -> list[str]:
         x, y = sheet.at(sheet.where[name])
         y += _SMALL / 3 if state.shape else _SMALL + 3.5
         half = svg.width_of(name, _SMALL) / 2
+        x = min(max(x, half), sheet.width - half)
         box = (x - half, y - _SMALL, x + half, y + 2)
         free = all(
             box[0] >= o[2] or o[0] >= box[2] or box[1] >= o[3] or o[1] >= box[3] for o in taken
