@@ -119,7 +119,12 @@ def cases(options: argparse.Namespace) -> Iterable[families.Case]:
     elif options.family == "missions":
         yield from from_folder(Path(options.folder))
     else:
-        makers = {"grid": _grids, "decomposition": _decompositions, "swarm": _swarms}
+        makers = {
+            "grid": _grids,
+            "decomposition": _decompositions,
+            "swarm": _swarms,
+            "partial": _partials,
+        }
         yield from makers[options.family](options, seeds, objective)
 
 
@@ -146,6 +151,13 @@ def _swarms(options: argparse.Namespace, seeds: Sequence[int], objective: Names)
             horizon = 40 if states <= _SMALL else 60
             made = families.swarm(states, horizon, options.agents, seed, objective)
             yield families.Case("swarm", "states", states, seed, made)
+
+
+def _partials(_: argparse.Namespace, seeds: Sequence[int], objective: Names) -> Made:
+    for place, order in enumerate(("weighted", "depth", "hierarchical")):
+        for seed in seeds:
+            made = families.partial(order, seed, objective)
+            yield families.Case("partial", order, place, seed, made)
 
 
 def from_folder(folder: Path) -> Made:
@@ -275,7 +287,7 @@ def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    choices = ["grid", "decomposition", "scaling", "swarm", "missions", "build"]
+    choices = ["grid", "decomposition", "scaling", "swarm", "partial", "missions", "build"]
     made.add_argument("family", choices=choices)
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument(

@@ -127,6 +127,40 @@ def swarm(
     )
 
 
+def partial(order: str, seed: int, objective: Sequence[str] = ()) -> Mission:
+    """Six tasks for 14 agents in nine regions that cannot all be done, planned by `order`.
+
+    Half of the tasks hold from a step to the end, together with more agents of one capability than
+    there are; the others are to be done at some time.
+    """
+    random = Random(f"partial {seed}")
+    labels = [f"l{number}" for number in range(6)]
+    system = grid_map(3, 3, labels, random)
+    able = ["UV", "Vis", "IR"]
+    rare = random.choice(able)
+    parts = []
+    for number, label in enumerate(labels):
+        duration, first, other = random.randint(1, 4), *random.sample(able, 2)
+        if number % 2:
+            parts.append(f"G[{random.randint(4, 8)},20] T({duration},{label},{{({rare},4)}})")
+            continue
+        needs = f"({first},{random.randint(2, 5)}),({other},{random.randint(1, 4)})"
+        parts.append(f"F[0,20] T({duration},{label},{{{needs}}})")
+    team = [
+        Group.of(f"class{number}", {random.choice(list(system.states)): count}, able_to)
+        for number, (count, able_to) in enumerate(
+            [(5, {"UV", "Vis"}), (5, {"Vis", "IR"}), (4, {"IR", "UV"})]
+        )
+    ]
+    return Mission.of(
+        map=system,
+        team=team,
+        formula=" && ".join(parts),
+        objective=[{"satisfaction": order}, *objective],
+        name=f"partial {order} seed {seed}",
+    )
+
+
 @dataclass(frozen=True)
 class Scale:
     """The axes of the scaling family and where they rest when another one moves."""

@@ -6,12 +6,11 @@ from tsplan.encode.clock import Clock
 from tsplan.encode.problem import Problem, Tuning
 from tsplan.encode.readout import class_flow, moves_of
 from tsplan.encode.search import Effort
-from tsplan.encode.stages import Outcome, Point
+from tsplan.encode.stages import Point
 from tsplan.errors import Finding, MissionError
 from tsplan.mission import Mission
 from tsplan.results import AgentPlan, Plan, decompose
-from tsplan.results.satisfaction import Depth, Satisfaction
-from tsplan.running import Listener, Result, Run, Settings, Tell, Ways
+from tsplan.running import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
 
 
 def plan(
@@ -69,7 +68,7 @@ class TeamRun(Run[Point]):
             outcome.infeasible,
             outcome.stopped_by,
             outcome.size,
-            _claimed(self._mission, outcome),
+            None if outcome.point is None else claimed_depths(self._mission, outcome.levels),
         )
 
     def ways(self, found: Point) -> Ways:
@@ -81,17 +80,6 @@ class TeamRun(Run[Point]):
             made = decompose(flow, setting.horizon, self._settings.seed)
             paths.update((agent.id, agent) for agent in made)
         return Ways(agents=tuple(paths[agent.id] for agent in self._mission.agents))
-
-
-def _claimed(mission: Mission, outcome: Outcome) -> Satisfaction | None:
-    """What is proven about the depths of a formula; the check fills in what holds."""
-    if not mission.partial or outcome.point is None:
-        return None
-    depths = (
-        Depth(int(level.name), 0, None if level.bound is None else round(level.bound))
-        for level in outcome.levels
-    )
-    return Satisfaction(mission.satisfaction, depths=tuple(depths))
 
 
 def _refuse_tuning(tuning: Tuning) -> None:

@@ -6,7 +6,7 @@ import signal
 import threading
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from types import FrameType
@@ -32,7 +32,7 @@ from tsplan.results import (
     Timings,
     certify,
 )
-from tsplan.results.satisfaction import Satisfaction
+from tsplan.results.satisfaction import Depth, Satisfaction
 
 FoundT = TypeVar("FoundT")
 Listener = Callable[[Event], "bool | None"]
@@ -217,6 +217,17 @@ def _own(item: ObjectiveValue) -> str:
     bound = "open" if item.bound is None else f"{item.bound:g}"
     value = "open" if item.value is None else f"{item.value:g}"
     return f"own objective {value} (bound {bound})"
+
+
+def claimed_depths(mission: Mission, levels: Iterable[Reached]) -> Satisfaction | None:
+    """What is proven about the depths of a formula; the check fills in what holds."""
+    if not mission.partial:
+        return None
+    depths = (
+        Depth(int(level.name), 0, None if level.bound is None else round(level.bound))
+        for level in levels
+    )
+    return Satisfaction(mission.satisfaction, depths=tuple(depths))
 
 
 @contextmanager

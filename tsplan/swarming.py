@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tsplan.encode.clock import Clock
+from tsplan.encode.partial.planning import is_soft
+from tsplan.encode.partial.swarms import SoftSwarms
 from tsplan.encode.search import Effort
 from tsplan.encode.swarm.problem import SwarmProblem
 from tsplan.mission import Mission
 from tsplan.results import Move
 from tsplan.results.assigning import agents_of
-from tsplan.running import Listener, Result, Run, Settings, Tell, Ways
+from tsplan.running import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
 
 SwarmFlows = Mapping[str, tuple[Move, ...]]
 
@@ -32,7 +34,10 @@ class SwarmRun(Run[SwarmFlows]):
     def search(self, effort: Effort, clock: Clock, tell: Tell[SwarmFlows]) -> Result[SwarmFlows]:
         """Run all objectives of the problem."""
         assert self._problem is not None
-        outcome = self._problem.solve(effort, clock, tell)
+        if is_soft(self._mission):
+            outcome = SoftSwarms(self._mission, effort, clock, tell).solve()
+        else:
+            outcome = self._problem.solve(effort, clock, tell)
         return Result(
             outcome.flows,
             outcome.reached,
@@ -40,6 +45,7 @@ class SwarmRun(Run[SwarmFlows]):
             outcome.infeasible,
             outcome.stopped_by,
             outcome.size,
+            None if outcome.flows is None else claimed_depths(self._mission, outcome.levels),
         )
 
     def ways(self, found: SwarmFlows) -> Ways:

@@ -70,10 +70,6 @@ def wish_problems(
     objective: Sequence[str], prefer: Sequence[Preference], swarm: SwarmRules | None
 ) -> list[Problem]:
     """Objectives about what holds that are out of place, and preferences of one name."""
-    if swarm is not None:
-        what = "preferences are for teams, and this mission is for a swarm"
-        remedy = "remove 'prefer', and demand with 'formula' what has to hold"
-        return [Problem(("spec", "prefer"), what, remedy)] if prefer else []
     problems = []
     for place, name in enumerate(objective):
         path: Place = ("objective", place)
@@ -83,6 +79,9 @@ def wish_problems(
         if name == "preferences" and not prefer:
             what = "'preferences' are an objective and none are there"
             problems.append(Problem(path, what, "add 'prefer: [...]' to the spec"))
+        if name == "satisfaction" and swarm is not None and swarm.margin:
+            what = "a margin is head-room of what must hold, and nothing must hold wholly"
+            problems.append(Problem(path, what, "remove 'margin', or write it into the counts"))
         if name == "satisfaction" and prefer:
             what = "what must hold cannot hold in part"
             remedy = "remove 'satisfaction', and prefer with 'partial: true' what may"

@@ -47,6 +47,8 @@ OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
 DEFAULT_OBJECTIVE = ("travel",)
 SWARM_OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
     {
+        "satisfaction": "maximise",
+        "preferences": "maximise",
         "splits": "minimise",
         "travel": "minimise",
         "moves": "minimise",
@@ -200,7 +202,7 @@ class Mission:
     def __post_init__(self) -> None:
         from tsplan.mission.checks import problems_of  # noqa: PLC0415  (imports this module)
 
-        if self.prefer and self.swarm is None and "preferences" not in self.objective:
+        if self.prefer and "preferences" not in self.objective:
             object.__setattr__(self, "objective", ("preferences", *self.objective))
         errors = [problem for problem in problems_of(self) if problem.serious]
         if errors:
@@ -216,6 +218,14 @@ class Mission:
 
         plain = logic.translate(self.formula, interval=self.task_interval)
         return plain if self.swarm is None else logic.resolve_percent(plain, self.having)
+
+    def tree(self, formula: Formula) -> Formula:
+        """The tree of a formula of the mission whose fraction counts, percentages resolved."""
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+        from tsplan.logic.fraction import tree_of  # noqa: PLC0415
+
+        plain = formula if self.swarm is None else logic.resolve_percent(formula, self.having)
+        return tree_of(plain, self.task_interval)
 
     @cached_property
     def goal(self) -> Formula:

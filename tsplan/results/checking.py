@@ -27,11 +27,12 @@ from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
 from tsplan.results.occupancy import interval_counts, state_counts
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status
-from tsplan.results.swarmjudge import judged_swarms, swarm_completed, swarm_facts
+from tsplan.results.swarmjudge import Verdict, judged_swarms, swarm_completed, swarm_facts
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from tsplan.logic.traces import CountTrace
     from tsplan.results.satisfaction import Fulfilment, Satisfaction
     from tsplan.ts import TransitionSystem
 
@@ -124,8 +125,7 @@ def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], _Worth | None]
     if mission.swarm is not None:
         verdict = judged_swarms(mission, plan, journeys)
         findings = [_finding(problem) for problem in verdict.problems]
-        values = verdict.values
-        return findings, None if values is None else _Worth(values["availability"], values)
+        return findings, _swarm_worth(mission, verdict)
     findings += _crowded_states(mission.system, plan)
     findings += _crowded_edges(mission.system, plan, journeys)
     worth = _worth(mission, plan, journeys)
@@ -137,13 +137,29 @@ def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], _Worth | None]
 
 
 def _worth(mission: Mission, plan: Plan, journeys: Journeys) -> _Worth:
-    """What the paths of a plan are worth; availability as an objective is that of what holds."""
-    availability = formula_robustness(mission, plan.bundles, plan.horizon)
+    """What the paths of a plan are worth."""
     values = {name: float(measure(journeys)) for name, measure in MEASURES.items()}
-    values["availability"] = availability
+    values["availability"] = formula_robustness(mission, plan.bundles, plan.horizon)
     if not mission.partial and not mission.prefer:
-        return _Worth(availability, values)
-    trace = count_trace(mission, plan.bundles, plan.horizon)
+        return _Worth(values["availability"], values)
+    return _with_satisfaction(mission, values, count_trace(mission, plan.bundles, plan.horizon))
+
+
+def _swarm_worth(mission: Mission, verdict: Verdict) -> _Worth | None:
+    """What the moves of swarms are worth, unless they are impossible."""
+    if verdict.values is None or verdict.trace is None:
+        return None
+    if not mission.partial and not mission.prefer:
+        return _Worth(verdict.values["availability"], verdict.values)
+    return _with_satisfaction(mission, verdict.values, verdict.trace)
+
+
+def _with_satisfaction(
+    mission: Mission, measured: Mapping[str, float], trace: CountTrace
+) -> _Worth:
+    """Worth with what is satisfied; availability as an objective is that of what holds."""
+    values = dict(measured)
+    availability = values["availability"]
     satisfaction, preferences = satisfaction_of(mission, trace), fulfilments_of(mission, trace)
     if satisfaction is not None and satisfaction.fraction is not None:
         spare = satisfaction.availability
@@ -179,9 +195,10 @@ def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
         raise SolverError("\n".join(str(finding) for finding in broken))
     if mission.swarm is not None:
         verdict = judged_swarms(mission, plan, journeys)
-        if verdict.values is None:
+        found = _swarm_worth(mission, verdict)
+        if found is None:
             raise SolverError("\n".join(verdict.problems))
-        return dict(verdict.values)
+        return dict(found.objectives)
     return dict(_worth(mission, plan, journeys).objectives)
 
 

@@ -35,12 +35,12 @@ def count_trace(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> 
 
 def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction | None:
     """How much of the formula holds, where the mission lets it hold in part."""
-    from tsplan.logic.fraction import shares, tree_of  # noqa: PLC0415  (slow to import)
+    from tsplan.logic.fraction import shares  # noqa: PLC0415  (slow to import)
     from tsplan.logic.fulfilment import levels  # noqa: PLC0415
 
     if not mission.partial:
         return None
-    tree = tree_of(mission.formula, mission.task_interval)
+    tree = mission.tree(mission.formula)
     share = shares(tree, trace)[tree][0]
     by_depth = mission.satisfaction != "weighted"
     counts = levels(tree, trace).counts if by_depth else ()
@@ -66,15 +66,14 @@ def fulfilments_of(mission: Mission, trace: CountTrace) -> tuple[Fulfilment, ...
 def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node, ...]:
     """The parts of a formula with their texts; tasks and limits as they were written."""
     from tsplan import logic  # noqa: PLC0415  (slow to import)
-    from tsplan.logic.fraction import tree_of  # noqa: PLC0415
     from tsplan.logic.fulfilment import parts  # noqa: PLC0415
     from tsplan.logic.printing import text_of  # noqa: PLC0415
 
-    interval = mission.task_interval
+    tree = mission.tree(formula)
     written: dict[Formula, Formula] = {
-        tree_of(node, interval): node
+        mission.tree(node): node
         for node in logic.walk(formula)
-        if isinstance(node, logic.Task | logic.Limit)
+        if isinstance(node, logic.Task | logic.Limit) or _is_share(node)
     }
     shown: dict[Formula, Formula] = {}
 
@@ -82,7 +81,7 @@ def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node,
         shown[node] = written[node] if node in written else node.over(below)
         return shown[node]
 
-    logic.fold(tree_of(formula, interval), show)
+    logic.fold(tree, show)
     return tuple(
         Node(
             text_of(shown[part.node], MOST_LETTERS),
@@ -92,8 +91,15 @@ def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node,
             part.fraction,
             part.counted,
         )
-        for part in parts(tree_of(formula, interval), trace)
+        for part in parts(tree, trace)
     )
+
+
+def _is_share(node: Formula) -> bool:
+    """Whether an atom asks for a percentage."""
+    from tsplan import logic  # noqa: PLC0415  (slow to import)
+
+    return isinstance(node, logic.Count) and isinstance(node.bound, logic.Percent)
 
 
 def completed(given: Satisfaction | None, actual: Satisfaction | None) -> Satisfaction | None:

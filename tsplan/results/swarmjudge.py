@@ -6,12 +6,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from tsplan.results.counting import count_trace
 from tsplan.results.groups import SubSwarm, subswarms
 from tsplan.results.moves import Move
 from tsplan.results.swarmcheck import (
     Spot,
     Traffic,
     broken_bounds,
+    counts_of,
     crowded,
     differences,
     moves_of_paths,
@@ -22,6 +24,7 @@ from tsplan.results.swarmcheck import (
 )
 
 if TYPE_CHECKING:
+    from tsplan.logic.traces import CountTrace
     from tsplan.mission import Mission
     from tsplan.results.checking import Journeys
     from tsplan.results.plan import Plan
@@ -29,10 +32,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is wrong with a plan, and every objective's value unless its moves are impossible."""
+    """What is wrong with a plan; unless its moves are impossible, all values and the counts."""
 
     problems: tuple[str, ...]
     values: Mapping[str, float] | None = None
+    trace: CountTrace | None = None
 
 
 def judged_swarms(mission: Mission, plan: Plan, journeys: Journeys) -> Verdict:
@@ -51,7 +55,9 @@ def judged_swarms(mission: Mission, plan: Plan, journeys: Journeys) -> Verdict:
     problems += broken_bounds(mission.swarm, table)
     problems += crowded(mission.system, traffic, mission.horizon)
     availability, with_margin = robustness_of(mission, traffic)
-    if availability < 0:
+    if mission.partial:
+        pass  # it may fail; by how much is another matter
+    elif availability < 0:
         problems.append(f"the formula does not hold (its availability is {availability:g})")
     elif with_margin < 0:
         short = f"{-with_margin:g} short of the mission's margin"
@@ -60,7 +66,8 @@ def judged_swarms(mission: Mission, plan: Plan, journeys: Journeys) -> Verdict:
     if not problems and plan.groups:
         problems += _unrelated(plan.groups, groups_of_traffic(traffic, mission.horizon))
     values = swarm_values(traffic, table) | {"availability": availability}
-    return Verdict(tuple(problems), values)
+    counts = counts_of(mission, traffic, tuple(mission.system.states))
+    return Verdict(tuple(problems), values, count_trace(mission.system, counts))
 
 
 def swarm_completed(mission: Mission, plan: Plan, journeys: Journeys) -> Plan:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from tsplan.encode.build import Encoded, Setting, assembled
+from tsplan.encode.build import Asking, Encoded
 from tsplan.encode.literals import ALWAYS
 from tsplan.encode.network import Network
 from tsplan.encode.outlook import Outlook
@@ -14,8 +14,8 @@ from tsplan.encode.partial.fraction import FractionEncoder
 from tsplan.encode.partial.rivals import Rivals, team_rows
 from tsplan.encode.partial.sums import Sum
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
-from tsplan.logic import Formula, conjunction, positive, simplify, translate
-from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares_of, tree_of
+from tsplan.logic import Formula, conjunction, positive, simplify
+from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares_of
 from tsplan.logic.fulfilment import spots
 from tsplan.milp.model import Draft
 from tsplan.mission import Mission, Preference
@@ -41,19 +41,25 @@ class Wish:
 
 def wish_of(mission: Mission, preference: Preference) -> Wish:
     """A preference as a wish."""
-    return Wish(tree_of(preference.formula, mission.task_interval), preference.partial)
+    return Wish(mission.tree(preference.formula), preference.partial)
 
 
 def demand_of(mission: Mission) -> Formula:
     """What must hold in any case, in positive normal form."""
-    if mission.partial:
-        return conjunction([])
-    return simplify(positive(translate(mission.formula, interval=mission.task_interval)))
+    return conjunction([]) if mission.partial else mission.goal
 
 
 def everything(demand: Formula, wishes: Sequence[Wish]) -> Formula:
     """A positive formula that has all sub-formulas that may be asked for."""
     return conjunction([demand, *(positive(w.tree) if w.partial else w.whole for w in wishes)])
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """What models are made of: `assemble` makes that of all plans for what is asked of it."""
+
+    assemble: Callable[[Asking], Encoded]
+    horizon: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +71,7 @@ class Valued:
     worth: tuple[Sum, ...]
 
 
-def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
+def valued(ground: Ground, demand: Formula, wishes: Sequence[Wish]) -> Valued:
     """The model in which `demand` holds and every wish is worth its fraction, or 1 as a whole."""
     worth: list[Sum] = []
     demands: list[Demand] = []
@@ -74,7 +80,7 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
         requests: list[Request] = [(demand, 0, ALWAYS)]
         for wish in wishes:
             if wish.partial:
-                hope = hopes(wish.tree, encoder.outlook, setting.horizon)
+                hope = hopes(wish.tree, encoder.outlook, ground.horizon)
                 parts = FractionEncoder(draft, encoder.choices, hope)
                 worth.append(parts.encode(wish.tree))
                 requests += parts.requests
@@ -87,7 +93,7 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
         demands.extend(witnesses.demands)
         return witnesses
 
-    encoded = assembled(setting, ask)
+    encoded = ground.assemble(ask)
     return Valued(encoded, _rivals(encoded, demands), tuple(worth))
 
 
@@ -100,7 +106,7 @@ class Claimed:
     claims: Claims
 
 
-def claimed(setting: Setting, tree: Formula, deepest: int) -> Claimed:
+def claimed(ground: Ground, tree: Formula, deepest: int) -> Claimed:
     """The model of all plans with claims at the places of a tree down to a depth."""
     found: list[Claims] = []
     demands: list[Demand] = []
@@ -114,7 +120,7 @@ def claimed(setting: Setting, tree: Formula, deepest: int) -> Claimed:
         demands.extend(witnesses.demands)
         return witnesses
 
-    encoded = assembled(setting, ask)
+    encoded = ground.assemble(ask)
     return Claimed(encoded, _rivals(encoded, demands), found[0])
 
 

@@ -11,22 +11,28 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
-from tsplan.encode.build import Setting, prepare
+from tsplan.encode.build import Setting, assembled, prepare
+from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import Constraint
 from tsplan.encode.ideas import Idea
-from tsplan.encode.partial.model import Wish, demand_of, everything, wish_of
+from tsplan.encode.partial.model import Ground, Wish, demand_of, everything, wish_of
 from tsplan.encode.partial.settling import Settled, Settling
 from tsplan.encode.readout import Measure, counts_of, moves_of
-from tsplan.encode.stages import Outcome, Point, Reached, Stages
+from tsplan.encode.stages import Measured, Outcome, Point, Reached, Stages
 from tsplan.errors import Finding, MissionError
 from tsplan.logic import Formula, conjunction, positive, simplify
-from tsplan.logic.fraction import shares, tree_of
+from tsplan.logic.fraction import shares
 from tsplan.logic.fulfilment import Pair, demanded, levels, satisfied, spots
 from tsplan.logic.traces import CountTrace
 from tsplan.mission import Mission
 
-_FIRST = frozenset({"satisfaction", "preferences"})
+FIRST = frozenset({"satisfaction", "preferences"})
+"""Objectives that say what is to hold."""
+
+_TRIAL = 3.0  # seconds in which a plan for the whole formula is looked for first
+_TRIED = 0.25  # of the time that is left, if that is less
 
 
 def is_soft(mission: Mission) -> bool:
@@ -44,13 +50,13 @@ def prepare_soft(
 def wishes_of(mission: Mission) -> tuple[Wish, ...]:
     """What is to hold as far as possible."""
     if mission.partial:
-        return (Wish(tree_of(mission.formula, mission.task_interval), partial=True),)
+        return (Wish(mission.tree(mission.formula), partial=True),)
     return tuple(wish_of(mission, preference) for preference in mission.prefer)
 
 
 @dataclass(frozen=True, eq=False)
-class _Choice:
-    """What was settled, what is to hold from now on, and the flows of a plan for that."""
+class Choice:
+    """What was settled, what is to hold from now on, and what the first objective came to."""
 
     settled: Settled
     goal: Formula
@@ -60,15 +66,21 @@ class _Choice:
 def plan_soft(stages: Stages) -> Outcome:
     """All objectives of a mission that is met as far as possible; `stages` are those of it all."""
     mission = stages.setting.mission
-    first = "satisfaction" if mission.partial else "preferences"
-    settling = Settling(stages.setting, stages.effort, stages.clock, stages.tell, first)
-    choose = _satisfy if mission.partial else _prefer
-    choice = choose(settling, mission)
+    first = first_of(mission)
+    ground = Ground(partial(assembled, stages.setting), stages.setting.horizon)
+    settling = Settling(ground, stages.effort, stages.clock, stages.tell, first)
+    tried = _whole(stages, settling) if mission.partial else None
+    if tried is not None and tried.point is not None:
+        whole = Settled(tried.point, (), True, False, None, tried.size)
+        choice = Choice(whole, mission.goal, Reached(first, 1.0, 1.0))
+    else:
+        refuted = tried is not None and tried.infeasible
+        choice = chosen(settling, stages.setting, refuted=refuted)
     settled = choice.settled
     if settled.point is None:
         why = settled.stopped_by
         return Outcome(None, (), False, settled.infeasible, why, settled.size)
-    names = tuple(name for name in stages.objective if name not in _FIRST)
+    names = tuple(name for name in stages.objective if name not in FIRST)
     implied = mission.partial and "availability" not in names
     setting = replace(stages.setting, goal=choice.goal)
     rest = replace(
@@ -91,38 +103,78 @@ def plan_soft(stages: Stages) -> Outcome:
     )
 
 
-def _satisfy(settling: Settling, mission: Mission) -> _Choice:
+def first_of(mission: Mission) -> str:
+    """The objective that says what is to hold."""
+    return "satisfaction" if mission.partial else "preferences"
+
+
+def trial(clock: Clock) -> Clock:
+    """The time in which a plan for the whole formula is looked for."""
+    left = clock.left
+    return clock.within(_TRIAL if left is None else min(_TRIAL, _TRIED * left))
+
+
+def _whole(stages: Stages, settling: Settling) -> Outcome:
+    """A quick try for a plan that satisfies everything; it may be refuted, or stay open."""
+    refuse_if_too_large(stages.setting.mission)
+    stages.tell(settling.name, None, None, None)
+    return Stages(
+        setting=replace(stages.setting, goal=stages.setting.mission.goal),
+        effort=stages.effort,
+        clock=trial(settling.clock),
+        measure=_unmeasured,
+        tell=_unheard,
+        objective=(),
+    ).run()
+
+
+def _unheard(*_: object) -> None:
+    """A try's bounds are not those of the objective."""
+
+
+def _unmeasured(_: Point) -> Measured:
+    """Any plan will do."""
+    return Measured(0.0, 0)
+
+
+def chosen(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
+    """What is to hold; `refuted` says that not everything can.
+
+    Of the setting its mission, and the classes whose flows the models have, are looked at.
+    """
+    if setting.mission.partial:
+        return _satisfy(settling, setting, refuted=refuted)
+    return _prefer(settling, setting)
+
+
+def _satisfy(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
     """As much of the formula as can hold, in the mission's order."""
+    mission = setting.mission
     (wish,) = wishes_of(mission)
-    if mission.satisfaction != "weighted":
-        _refuse_if_too_large(wish.tree)
-    tried = settling.whole(mission.goal)
-    if tried.point is not None:
-        all_of_it = Settled(tried.point, (), True, False, None, tried.size)
-        return _Choice(all_of_it, mission.goal, Reached("satisfaction", 1.0, 1.0))
     if mission.satisfaction == "weighted":
         whole = {0: [(0, Fraction(1))]}
-        settled = settling.weights(conjunction([]), [wish], whole, refuted=tried.infeasible)
+        settled = settling.weights(conjunction([]), [wish], whole, refuted=refuted)
         value, bound = _summed(settled)
         settled = replace(settled, levels=())
     else:
         together = mission.satisfaction == "depth"
-        settled = settling.depths(wish.tree, together=together, refuted=tried.infeasible)
+        settled = settling.depths(wish.tree, together=together, refuted=refuted)
         value, bound = None, None
     goal = conjunction([])
     if settled.point is not None:
-        trace = _trace(settling.setting, wish.tree, settled.point)
+        trace = _trace(setting, wish.tree, settled.point)
         find = satisfied if mission.satisfaction == "weighted" else _topmost
         goal = simplify(positive(demanded(find(wish.tree, trace))))
-    return _Choice(settled, goal, Reached("satisfaction", value, bound))
+    return Choice(settled, goal, Reached("satisfaction", value, bound))
 
 
 def _topmost(tree: Formula, trace: CountTrace) -> tuple[Pair, ...]:
     return levels(tree, trace).pairs
 
 
-def _prefer(settling: Settling, mission: Mission) -> _Choice:
+def _prefer(settling: Settling, setting: Setting) -> Choice:
     """As many of the preferred formulas as can hold beside what must."""
+    mission = setting.mission
     wishes = wishes_of(mission)
     demand = demand_of(mission)
     wanted: dict[int, list[tuple[int, Fraction]]] = defaultdict(list)
@@ -132,10 +184,10 @@ def _prefer(settling: Settling, mission: Mission) -> _Choice:
     value, bound = _summed(settled)
     if settled.point is not None:
         every = conjunction(wish.tree for wish in wishes)
-        trace = _trace(settling.setting, every, settled.point)
+        trace = _trace(setting, every, settled.point)
         pairs = [pair for wish in wishes for pair in _met(wish, trace)]
         demand = simplify(conjunction([demand, positive(demanded(pairs))]))
-    return _Choice(settled, demand, Reached("preferences", value, bound))
+    return Choice(settled, demand, Reached("preferences", value, bound))
 
 
 def _met(wish: Wish, trace: CountTrace) -> Iterable[Pair]:
@@ -159,8 +211,11 @@ def _trace(setting: Setting, formula: Formula, point: Point) -> CountTrace:
     return counts_of(setting, formula, moves)
 
 
-def _refuse_if_too_large(tree: Formula) -> None:
+def refuse_if_too_large(mission: Mission) -> None:
+    """MissionError for a formula with too many parts to be told apart by their depths."""
+    if mission.satisfaction == "weighted":
+        return
     try:
-        spots(tree)
+        spots(mission.tree(mission.formula))
     except ValueError as error:
         raise MissionError([Finding(str(error))]) from None

@@ -9,16 +9,16 @@ from math import floor, lcm
 
 import numpy as np
 
-from tsplan.encode.build import Encoded, Setting
+from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
 from tsplan.encode.ideas import Idea
 from tsplan.encode.partial.aims import Aim, by_depth, chunks
 from tsplan.encode.partial.improving import Improving
-from tsplan.encode.partial.model import Claimed, Wish, claimed, valued
+from tsplan.encode.partial.model import Claimed, Ground, Wish, claimed, valued
 from tsplan.encode.partial.rivals import Rivals, without_rivalry
 from tsplan.encode.partial.sums import Sum
 from tsplan.encode.search import Effort, Found, Search
-from tsplan.encode.stages import Measured, Outcome, Point, Reached, Stages
+from tsplan.encode.stages import Point, Reached
 from tsplan.logic import Formula
 from tsplan.logic.fulfilment import spots
 from tsplan.milp.model import Floats
@@ -28,8 +28,6 @@ Tell = Callable[[str, Point | None, float | None, float | None], None]
 
 _PART = 0.8  # of the time limit that settling may take
 _PATIENCE = 30.0  # seconds before the general solver takes over
-_TRIAL = 3.0  # seconds in which a plan for the whole formula is looked for first
-_TRIED = 0.25  # of the time that is left, if that is less
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,9 +44,9 @@ class Settled:
 
 @dataclass(eq=False)
 class Settling:
-    """Searches one setting for what holds at best; `name` is what the objective is called."""
+    """Searches one ground for what holds at best; `name` is what the objective is called."""
 
-    setting: Setting
+    ground: Ground
     effort: Effort
     clock: Clock
     tell: Tell
@@ -63,21 +61,6 @@ class Settling:
         left = self.clock.left
         if left is not None:
             self.clock = self.clock.within(_PART * left)
-
-    def whole(self, goal: Formula) -> Outcome:
-        """A quick try for a plan that satisfies everything; it may be refuted, or stay open."""
-        self.tell(self.name, None, None, None)
-        left = self.clock.left
-        seconds = _TRIAL if left is None else min(_TRIAL, _TRIED * left)
-        stages = Stages(
-            setting=replace(self.setting, goal=goal),
-            effort=self.effort,
-            clock=self.clock.within(seconds),
-            measure=_unmeasured,
-            tell=_unheard,
-            objective=(),
-        )
-        return stages.run()
 
     # --- weights -----------------------------------------------------------------------------
 
@@ -94,7 +77,7 @@ class Settling:
         `levels` has the numbers of wishes and their weights. `refuted` says that no plan reaches
         everything at the first of them.
         """
-        model = valued(self.setting, demand, wishes)
+        model = valued(self.ground, demand, wishes)
         encoded = model.encoded
         for level in sorted(levels, reverse=True):
             entries = levels[level]
@@ -123,13 +106,13 @@ class Settling:
         that the whole tree holds in no plan.
         """
         deepest = max(spot.depth for spot in spots(tree))
-        every = claimed(self.setting, tree, deepest).claims.by_depth
+        every = claimed(self.ground, tree, deepest).claims.by_depth
         counts = [len(columns) for columns in every]
         counts[0] = 0 if refuted else counts[0]
         known: dict[int, tuple[float, float]] = {0: (0.0, 0.0)} if refuted else {}
         bounds: dict[int, float | None] = {d: 0.0 for d, n in enumerate(counts) if not n}
         for chunk in chunks(counts, together=together) or [(0,)]:  # some plan is needed
-            model = claimed(self.setting, tree, chunk[-1])
+            model = claimed(self.ground, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
             found = self._best(_within(model, known), aim, model.rivals)
@@ -198,12 +181,3 @@ def _within(model: Claimed, known: Mapping[int, tuple[float, float]]) -> Encoded
         if vector.any():
             inner = inner.with_row(vector, least, most, "kept")
     return replace(model.encoded, model=inner)
-
-
-def _unheard(*_: object) -> None:
-    """A try's bounds are not those of the objective."""
-
-
-def _unmeasured(_: Point) -> Measured:
-    """Any plan will do."""
-    return Measured(0.0, 0)

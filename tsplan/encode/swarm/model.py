@@ -27,6 +27,7 @@ from tsplan.encode.swarm.groups import (
     split_terms,
 )
 from tsplan.encode.swarm.presence import (
+    Wanting,
     group_network,
     most_groups,
     presence_rows,
@@ -60,10 +61,10 @@ class SwarmModel:
     names: tuple[str, ...]
 
 
-def moves_of(model: SwarmModel, point: Floats) -> list[EdgeFlows]:
-    """Where the agents of each swarm go in a point of the counted model, waits included."""
+def moves_of(agents: Network, point: Floats) -> list[EdgeFlows]:
+    """Where the agents of each swarm go in a point of a counted model, waits included."""
     found = []
-    for item in model.agents.classes:
+    for item in agents.classes:
         edge, step, column = item.unrolled()
         count = np.round(point[column]).astype(np.int64)
         some = np.flatnonzero(count)
@@ -82,8 +83,8 @@ class _Plot:
     draft: Draft
 
 
-def swarm_model(mission: Mission) -> SwarmModel:
-    """Encode a mission of swarms."""
+def swarm_model(mission: Mission, wanting: Wanting | None = None) -> SwarmModel:
+    """Encode a mission of swarms, or what is wanted in place of its goal."""
     graphs = swarm_graphs(mission)
     rules = mission.swarm
     assert rules is not None
@@ -96,7 +97,7 @@ def swarm_model(mission: Mission) -> SwarmModel:
     swarms = tuple(occupancy(graph, mission.horizon, plot.draft) for graph in graphs)
     _bound(plot, swarms, rules.together)
     laid = [swarm.entered for swarm in swarms]
-    witnesses = witnesses_of(mission, laid, plot.draft)
+    witnesses = witnesses_of(mission, laid, plot.draft, wanting)
     groups = group_network(laid, most_groups(mission), mission.horizon)
     staffing = _occupied_rows(plot, groups, swarms, witnesses)
     entered = np.concatenate([swarm.entered.unrolled()[2] for swarm in swarms])

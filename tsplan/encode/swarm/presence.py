@@ -7,20 +7,29 @@ edges are entered when.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from tsplan.encode.atoms import Requirement, requirement
+from tsplan.encode.build import Asking
 from tsplan.encode.classes import agent_classes, map_arrays
 from tsplan.encode.network import ClassColumns, ClassGraph, Network
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.staffing import Staffing
 from tsplan.encode.together import Together
 from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses
-from tsplan.logic import Count
+from tsplan.logic import Count, Formula
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import Mission
+
+
+@dataclass(frozen=True, eq=False)
+class Wanting:
+    """What is asked for in place of the mission's goal, all of it parts of `goal`."""
+
+    goal: Formula
+    ask: Asking
 
 
 def swarm_graphs(mission: Mission) -> list[ClassGraph]:
@@ -43,15 +52,19 @@ def most_groups(mission: Mission) -> list[int]:
     return most
 
 
-def witnesses_of(mission: Mission, entered: Sequence[ClassColumns], draft: Draft) -> Witnesses:
-    """The demands of a mission's formula, under literals of the draft."""
+def witnesses_of(
+    mission: Mission, entered: Sequence[ClassColumns], draft: Draft, wanting: Wanting | None = None
+) -> Witnesses:
+    """The demands of a mission's formula, or of what is wanted instead, under literals."""
     network = Network(tuple(entered), mission.horizon, len(mission.system.states))
     arrays = map_arrays(mission.system)
 
     def read(atom: Count) -> Requirement:
         return requirement(atom, mission.system, arrays)
 
-    return WitnessEncoder(draft, Outlook(mission.goal, network, read), read).encode(mission.goal)
+    goal = mission.goal if wanting is None else wanting.goal
+    encoder = WitnessEncoder(draft, Outlook(goal, network, read), read)
+    return encoder.encode(goal) if wanting is None else wanting.ask(encoder, draft, network)
 
 
 def wanted(witnesses: Witnesses) -> list[Demand]:

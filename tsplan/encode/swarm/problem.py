@@ -17,6 +17,7 @@ import numpy as np
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
 from tsplan.encode.ideas import Idea
+from tsplan.encode.network import Network
 from tsplan.encode.search import Effort, Found, Reporter, Search
 from tsplan.encode.stages import Reached
 from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, late
@@ -38,7 +39,10 @@ _FEASIBLE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class SwarmOutcome:
-    """What all stages together know; `flows` are the moves of each swarm by its class name."""
+    """What all stages together know; `flows` are the moves of each swarm by its class name.
+
+    `levels` has what is proven of the depths of a formula that may hold in part.
+    """
 
     flows: SwarmFlows | None
     reached: tuple[Reached, ...]
@@ -46,6 +50,7 @@ class SwarmOutcome:
     infeasible: bool
     stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
+    levels: tuple[Reached, ...] = ()
 
 
 class SwarmProblem:
@@ -381,14 +386,19 @@ class _Stages:
 
     def _flows(self, point: Floats) -> SwarmFlows:
         """The moves of every swarm in a point."""
-        names = self.model.names
-        found = {}
-        for group, moves in zip(self.mission.team, moves_of(self.model, point), strict=True):
-            listed = (
-                Move(when, names[source], names[target], number)
-                for source, target, when, number in zip(
-                    *(column.tolist() for column in moves), strict=True
-                )
+        return flows_of(self.mission, self.model.agents, point)
+
+
+def flows_of(mission: Mission, agents: Network, point: Floats) -> SwarmFlows:
+    """The moves of every swarm in a point of a counted model with the flows `agents`."""
+    names = tuple(mission.system.states)
+    found = {}
+    for group, moves in zip(mission.team, moves_of(agents, point), strict=True):
+        listed = (
+            Move(when, names[source], names[target], number)
+            for source, target, when, number in zip(
+                *(column.tolist() for column in moves), strict=True
             )
-            found[group.class_name] = tuple(sorted(listed))
-        return found
+        )
+        found[group.class_name] = tuple(sorted(listed))
+    return found
