@@ -118,9 +118,7 @@ class SoftSwarms:
         return flows_of(self.mission, point.encoded.network, point.values)
 
     def _told(self) -> Callable[[str, Point | None, float | None, float | None], None]:
-        def told(
-            stage: str, point: Point | None, value: float | None, bound: float | None
-        ) -> None:
+        def told(stage: str, point: Point | None, value: float | None, bound: float | None) -> None:
             self.tell(stage, None if point is None else self._flows(point), value, bound)
 
         return told
