@@ -103,9 +103,8 @@ def how_many(mission: Mission) -> int:
     return prod(counts)
 
 
-def best(mission: Mission) -> tuple[float, ...] | None:
-    """The best objective values, signed to be minimised; None if there is no plan."""
-    found = None
+def possible(mission: Mission) -> Iterator[tuple[tuple[Path, ...], dict[str, Groups]]]:
+    """Every joint plan that keeps the bounds and capacities, whatever becomes of the formula."""
     for joint in joints(mission):
         swarms = {
             group.class_name: groups(
@@ -118,8 +117,14 @@ def best(mission: Mission) -> tuple[float, ...] | None:
             )
             for group in mission.team
         }
-        if not allowed(mission, swarms) or not within_capacity(mission, joint):
-            continue
+        if allowed(mission, swarms) and within_capacity(mission, joint):
+            yield joint, swarms
+
+
+def best(mission: Mission) -> tuple[float, ...] | None:
+    """The best objective values, signed to be minimised; None if there is no plan."""
+    found = None
+    for joint, swarms in possible(mission):
         worth = {
             "splits": sum(item.splits for item in swarms.values()),
             "moves": sum(item.moves for item in swarms.values()),
