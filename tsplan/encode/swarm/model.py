@@ -100,6 +100,8 @@ def swarm_model(mission: Mission, wanting: Wanting | None = None) -> SwarmModel:
     witnesses = witnesses_of(mission, laid, plot.draft, wanting)
     groups = group_network(laid, most_groups(mission), mission.horizon)
     staffing = _occupied_rows(plot, groups, swarms, witnesses)
+    if wanting is not None:
+        _served_rows(plot, swarms, witnesses)
     entered = np.concatenate([swarm.entered.unrolled()[2] for swarm in swarms])
     occupied = _encoded(plot, groups, swarms, witnesses, staffing.families, entered)
     before = plot.draft.column_count
@@ -109,6 +111,29 @@ def swarm_model(mission: Mission, wanting: Wanting | None = None) -> SwarmModel:
     families = [*staffing.families, *counting.families]
     counted = _encoded(plot, groups, swarms, witnesses, families, flows)
     return SwarmModel(swarms, agents, occupied, counted, plot.arrays.names)
+
+
+def _served_rows(plot: _Plot, swarms: Sequence[Occupancy], witnesses: Witnesses) -> None:
+    """A demand that is met has one of its states occupied.
+
+    The entered edges say so of whole points, but where a group splits they count it twice in the
+    LP; of demands that need not be met all, it would meet more than there can be groups.
+    """
+    for demand in witnesses.demands:
+        if demand.bound.upper or demand.bound.amount <= 0 or not demand.literal:
+            continue
+        states = np.array(demand.bound.states, dtype=np.int64)
+        there = [
+            swarm.at(here, np.full(len(here), demand.step))
+            for swarm in swarms
+            if _counts(demand.bound, swarm)
+            for here in [states[swarm.entered.arrival[states] <= demand.step]]
+        ]
+        columns = np.concatenate([*there, np.array(demand.literal, dtype=np.int64)])
+        values = np.where(np.arange(len(columns)) < len(columns) - len(demand.literal), 1.0, -1.0)
+        plot.draft.rows(
+            np.zeros(len(columns)), columns, values, lower=np.zeros(1), upper=np.inf, kind="served"
+        )
 
 
 def _bound(plot: _Plot, swarms: Sequence[Occupancy], together: int | None) -> None:
