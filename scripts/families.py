@@ -128,24 +128,20 @@ def swarm(
 
 
 def partial(order: str, seed: int, objective: Sequence[str] = ()) -> Mission:
-    """Six tasks for 14 agents in nine regions that cannot all be done, planned by `order`.
+    """Six tasks for 14 agents in nine regions, each once or always in [0,20], planned by `order`.
 
-    Half of the tasks hold from a step to the end, together with more agents of one capability than
-    there are; the others are to be done at some time.
+    Half are always wanted, from step 0 on, when nobody is there yet: not all of it can hold, and
+    what agents hold in one place they do not in another.
     """
     random = Random(f"partial {seed}")
     labels = [f"l{number}" for number in range(6)]
     system = grid_map(3, 3, labels, random)
     able = ["UV", "Vis", "IR"]
-    rare = random.choice(able)
     parts = []
     for number, label in enumerate(labels):
-        duration, first, other = random.randint(1, 4), *random.sample(able, 2)
-        if number % 2:
-            parts.append(f"G[{random.randint(4, 8)},20] T({duration},{label},{{({rare},4)}})")
-            continue
-        needs = f"({first},{random.randint(2, 5)}),({other},{random.randint(1, 4)})"
-        parts.append(f"F[0,20] T({duration},{label},{{{needs}}})")
+        needs = [f"({name},{random.randint(1, 3)})" for name in random.sample(able, 1 + number % 2)]
+        task = f"T({random.randint(1, 3)},{label},{{{','.join(needs)}}})"
+        parts.append(f"{'G' if number < len(labels) // 2 else 'F'}[0,20] {task}")
     team = [
         Group.of(f"class{number}", {random.choice(list(system.states)): count}, able_to)
         for number, (count, able_to) in enumerate(
