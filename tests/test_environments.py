@@ -30,6 +30,7 @@ BEST = {
     "reef_relay": [2],
     "reef_survey": [2, 8],
     "reef_thin": None,
+    "reef_watch": [5 / 6, 1],
     "rescue_evacuation": [117, 30],
     "rescue_late": None,
     "rescue_search": [88],
@@ -45,6 +46,7 @@ QUICK = (
     "office_lift",
     "office_wishes",
     "reef_thin",
+    "reef_watch",
     "rescue_evacuation",
     "rescue_late",
 )

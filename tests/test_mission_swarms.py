@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pickle
-from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -12,7 +11,7 @@ from hypothesis import strategies as st
 
 from tsplan.errors import MissionError
 from tsplan.logic import parse, tighten
-from tsplan.mission import Group, Mission, Preference, SwarmBounds, SwarmRules, load_mission
+from tsplan.mission import Group, Mission, SwarmBounds, SwarmRules, load_mission
 
 MAP = """\
 name: yard
@@ -165,16 +164,35 @@ def test_one_mistake_is_found_at_its_place(folder, base, change, place, words):
     assert all(word in line for word in words), line
 
 
-def test_preferences_and_satisfaction_are_for_teams(folder):
-    wish = ONE + '  prefer:\n    - {formula: "F[0,2] home"}\n'
-    (found,) = findings(folder, wish)
-    assert found.startswith("9:5: preferences are for teams, and this mission is for a swarm; ")
-    (found,) = findings(folder, ONE + "objective: [{satisfaction: weighted}]\n")
-    assert found.startswith("8:13: objective 'satisfaction' is for teams")
-    swarm = read(folder, ONE.replace("formula:", "must:"))
-    with pytest.raises(MissionError, match="preferences are for teams") as caught:
-        replace(swarm, prefer=(Preference(swarm.formula, swarm.text),))
-    assert len(caught.value.findings) == 1
+def test_a_swarm_may_satisfy_in_part_and_prefer(folder):
+    wish = ONE + '  prefer:\n    - {formula: "F[0,2] home", level: 2}\n'
+    made = read(folder, wish)
+    assert made.objective[0] == "preferences"
+    assert [item.level for item in made.prefer] == [2]
+    soft = read(folder, ONE.replace("margin: 5%\n", "") + "objective: [{satisfaction: depth}]\n")
+    assert (soft.partial, soft.satisfaction) == (True, "depth")
+
+
+@pytest.mark.parametrize(
+    ("change", "more", "words"),
+    [
+        ("margin: 5%\n", "objective: [{satisfaction: depth}]\n", "8:13: a margin is head-room of"),
+        ("", "objective: [splits, {satisfaction: depth}]\n", "7:21: 'satisfaction' comes after"),
+        ("", "objective: [preferences]\n", "7:13: 'preferences' are an objective and none are"),
+        ("", '  prefer: [{formula: "F[0,2] hom"}]\n', "7:30: no state of the map has the label"),
+        (
+            "",
+            '  prefer: [{formula: "F[0,20] home"}]\nhorizon: 12\n',
+            "8:10: the horizon 12 is",
+        ),
+        ("", '  prefer: [{formula: "F[0,2] sum(home, x) > 1"}]\n', "7:40: there is no swarm 'x'"),
+        ("", '  prefer: [{formula: "home", weight: 0}]\n', "7:38: "),
+    ],
+)
+def test_a_mistake_about_what_is_preferred_is_found_at_its_place(folder, change, more, words):
+    text = ONE.replace("margin: 5%\n", change) + more
+    found = findings(folder, text)
+    assert any(line.startswith(words) for line in found), found
 
 
 def test_teams_and_swarms_are_kept_apart(folder):

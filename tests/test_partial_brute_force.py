@@ -63,7 +63,10 @@ def compare_satisfaction(seed: int) -> str:
         assert tuple(item.value for item in plan.satisfaction.depths) == max(worths)
         if not whole:
             assert tuple(item.bound for item in plan.satisfaction.depths) == max(worths)
-    return "whole" if whole else "part"
+    if whole:
+        assert (plan.satisfaction.fraction, plan.objective[0].bound) == (1, 1)
+        return "whole"
+    return "part"
 
 
 def test_as_much_holds_as_can_hold() -> None:
