@@ -42,6 +42,7 @@ def answers(monkeypatch, told=(), **changes):
         "infeasible": False,
         "stopped_by": None,
         "size": (9, 8, 7, 6),
+        "levels": (),
     } | changes
 
     class Answering:
