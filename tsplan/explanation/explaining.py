@@ -28,6 +28,8 @@ MOST_CONFLICTS = 10
 """Different conflicts that are looked for when all are asked for."""
 
 _PATIENCE = 10.0  # seconds for one question about a part or a change
+_ENOUGH = 3  # changes, if more would take longer than
+_LONG = 20.0  # seconds and no time limit was set
 _SHARE = 0.5  # of the time goes to the conflicts at most
 
 
@@ -180,10 +182,12 @@ class _Run:
 
     def _singles(self, repairs: Repairs, every: list[Candidate]) -> list[Change]:
         found: list[Change] = []
+        began = time.perf_counter()
         helped: dict[tuple[str, int] | None, int] = {}
         quick = [item.dimension for item in every if isinstance(item.dimension, EdgeTime)]
         for candidate in every:
-            if self.oracle.over:
+            enough = len(found) >= _ENOUGH and time.perf_counter() - began > _LONG
+            if self.oracle.over or (enough and self.clock.limit is None):
                 break
             if candidate.family and candidate.rank > helped.get(candidate.family, candidate.rank):
                 continue
