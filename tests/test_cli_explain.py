@@ -269,7 +269,10 @@ def test_interruption_keeps_what_is_known():
     with subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
     ) as child:
-        time.sleep(2.5)
+        started = Path(f"/proc/{child.pid}/task/{child.pid}/children")
+        while child.poll() is None and not started.read_text():
+            time.sleep(0.05)
+        time.sleep(1.5)  # the search, in a process of its own, has begun
         os.killpg(child.pid, signal.SIGINT)
         out, err = child.communicate(timeout=60)
     assert "Traceback" not in err

@@ -118,6 +118,29 @@ def test_sub_swarms_that_are_too_large() -> None:
     assert fact.text.endswith("in sub-swarms of 4 or more: 12 in all; the swarm has 10")
 
 
+def test_more_sub_swarms_of_all_swarms_than_may_be() -> None:
+    one = {"size": 6, "at": {"q": 6}}
+    mission = Mission.of(
+        map=ROW,
+        swarms=[{"name": "x", **one}, {"name": "y", **one}],
+        max_subswarms=2,
+        formula="F[2,6] (sum(A, x) >= 2 && sum(C, x) >= 2)",
+    )
+    fact = only(mission)
+    assert fact.text == (
+        "at one step there must be 3 sub-swarms: x at 2 ('A', 'C'), y at 1 (anywhere); all swarms "
+        "together may be divided into 2 sub-swarms at most"
+    )
+    assert not facts(
+        Mission.of(
+            map=ROW,
+            swarms=[{"name": "x", **one}, {"name": "y", **one}],
+            max_subswarms=3,
+            formula="F[2,6] (sum(A, x) >= 2 && sum(C, x) >= 2)",
+        )
+    )
+
+
 def test_a_start_that_breaks_a_bound() -> None:
     mission = Mission.of(
         map=ROW,

@@ -73,7 +73,7 @@ class Deadline:
         node = node_at(mission.formula, leaf.way)
         if not isinstance(node, Eventually | Until):
             return None
-        return cls(Leaf(leaf.way), was, max(4 * mission.horizon, _LONGEST))
+        return cls(Leaf(leaf.way), was, max(mission.horizon, _LONGEST))
 
     def applied(self, mission: Mission, amount: int) -> Mission:
         """The mission with the later deadline."""

@@ -27,7 +27,9 @@ Listener: TypeAlias = Callable[[str], object]
 MOST_CONFLICTS = 10
 """Different conflicts that are looked for when all are asked for."""
 
-_PATIENCE = 10.0  # seconds for one question about a change
+_PATIENCE = 10.0  # seconds for one question about a part or a change
+_ENOUGH = 3  # changes, if more would take longer than
+_LONG = 20.0  # seconds and no time limit was set
 _SHARE = 0.5  # of the time goes to the conflicts at most
 
 
@@ -79,10 +81,8 @@ class _Run:
             facts = find_facts(self.view)
         finder = Finder(self.oracle)
         with self._timed("conflicts"):
-            if self.clock.limit is not None:
-                self.oracle.clock = self.clock.within(_SHARE * self.clock.limit)
             core = self._seeded(finder, facts)
-            possible = False if core is not None else self.oracle.without(())
+            possible = False if core is not None else self._asked_whole()
             if possible is False:
                 core = core or finder.within(finder.everything)
         if possible:
@@ -97,6 +97,20 @@ class _Run:
             changes = self._changes(finder, cores)
         return self._made(Status.EXPLAINED, facts, cores, changes)
 
+    def _asked_whole(self) -> bool | None:
+        """Whether there is a plan; questions about parts may then take as long, or some seconds."""
+        self.oracle.clock, self.oracle.patience = self.clock, None
+        began = time.perf_counter()
+        answer = self.oracle.without(())
+        self._limit_questions(time.perf_counter() - began)
+        return answer
+
+    def _limit_questions(self, least: float) -> None:
+        """Leave a share of the time to the changes."""
+        self.oracle.patience = max(_PATIENCE, least)
+        if self.clock.left is not None:
+            self.oracle.clock = self.clock.within(_SHARE * self.clock.left)
+
     @contextmanager
     def _timed(self, stage: str) -> Iterator[None]:
         self.tell(stage)
@@ -106,9 +120,18 @@ class _Run:
         self.seconds[stage] = self.seconds.get(stage, 0.0) + spent
 
     def _seeded(self, finder: Finder, facts: tuple[Fact, ...]) -> Core | None:
-        """A conflict among what the first facts that solves confirm follow from."""
+        """A conflict among what the first fact that solves do not contradict follows from.
+
+        Where they are too slow to confirm it, its own proof stands.
+        """
+        self._limit_questions(0.0)
         for fact in facts:
-            core = finder.within(frozenset().union(*(part.elements for part in fact.parts)))
+            elements = frozenset().union(*(part.elements for part in fact.parts))
+            core = finder.within(elements)
+            rest = finder.everything - elements
+            if core is None and self.oracle.without(rest) is None and not self.oracle.interrupted:
+                self.oracle.learn_impossible(rest)
+                core = finder.within(elements)
             if core is not None:
                 return core
         return None
@@ -159,10 +182,12 @@ class _Run:
 
     def _singles(self, repairs: Repairs, every: list[Candidate]) -> list[Change]:
         found: list[Change] = []
+        began = time.perf_counter()
         helped: dict[tuple[str, int] | None, int] = {}
         quick = [item.dimension for item in every if isinstance(item.dimension, EdgeTime)]
         for candidate in every:
-            if self.oracle.over:
+            enough = len(found) >= _ENOUGH and time.perf_counter() - began > _LONG
+            if self.oracle.over or (enough and self.clock.limit is None):
                 break
             if candidate.family and candidate.rank > helped.get(candidate.family, candidate.rank):
                 continue

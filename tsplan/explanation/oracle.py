@@ -62,6 +62,10 @@ class Oracle:
             (self._met if answer else self._unmet).append(gone)
         return answer
 
+    def learn_impossible(self, dropped: Iterable[Element]) -> None:
+        """Take over a proof that the mission without some elements cannot be met."""
+        self._unmet.append(frozenset(dropped))
+
     def met(self, mission: Mission) -> Answer:
         """Whether another mission can be met."""
         return self.asked(any_plan(mission))

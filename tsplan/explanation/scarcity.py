@@ -47,16 +47,21 @@ def _wanted(need: Demand) -> str:
 
 def moments(view: View) -> Iterator[list[Demand]]:
     """Needs for one capability that begin at the same step, whenever that is."""
-    for way, node in _anchors(view.mission.formula):
-        now = [
-            item
-            for item in demands_below(view.mission, way, node, Span(0, 0))
-            if not item.upper and item.amount > 0 and item.span.first == item.span.last == 0
-        ]
+    for now in instants(view):
         for capability in dict.fromkeys(item.capability for item in now):
             together = [item for item in now if item.capability == capability]
             if len(together) > 1:
                 yield together
+
+
+def instants(view: View) -> Iterator[list[Demand]]:
+    """All needs that begin at the same step, whenever that is."""
+    for way, node in _anchors(view.mission.formula):
+        yield [
+            item
+            for item in demands_below(view.mission, way, node, Span(0, 0))
+            if not item.upper and item.amount > 0 and item.span.first == item.span.last == 0
+        ]
 
 
 def _anchors(root: Formula) -> Iterator[tuple[Way, Formula]]:

@@ -19,7 +19,7 @@ from tsplan.explanation.bounds import (
 )
 from tsplan.explanation.data import Element, Fact
 from tsplan.explanation.numbers import agents
-from tsplan.explanation.scarcity import moments
+from tsplan.explanation.scarcity import instants, moments
 
 if TYPE_CHECKING:
     from tsplan.explanation.data import ChangeKind
@@ -95,6 +95,7 @@ def divided(view: View) -> Iterator[Fact]:
     if mission.swarm is None:
         return
     yield from _begun(view)
+    yield from _all_swarms(view)
     for together in moments(view):
         name = _swarm_of(mission, together)
         if name is None:
@@ -130,6 +131,28 @@ def _of_start(view: View, text: str, element: Element) -> Fact:
     return Fact("swarm", f"{text}, and {parts[0].text}", parts[0].place, parts)
 
 
+def _all_swarms(view: View) -> Iterator[Fact]:
+    """More sub-swarms of all swarms at one step than may be."""
+    rules = view.mission.swarm
+    if rules is None or rules.together is None:
+        return
+    for now in instants(view):
+        needs: list[Demand] = []
+        words, number = [], 0
+        for name in rules.each:
+            apart = _apart([item for item in now if _swarm_of(view.mission, [item]) == name])
+            needs += [need for need, _ in apart]
+            number += max(len(apart), 1)  # every swarm is somewhere
+            places = ", ".join(place for _, place in apart) or "anywhere"
+            words.append(f"{name} at {max(len(apart), 1)} ({places})")
+        if needs and number > rules.together:
+            text = (
+                f"at one step there must be {sub_swarms(number)}: {', '.join(words)}; all swarms "
+                f"together may be divided into {sub_swarms(rules.together)} at most"
+            )
+            yield view.fact("swarm", text, needs, TOGETHER)
+
+
 def _swarm_of(mission: Mission, needs: Sequence[Demand]) -> str | None:
     """The one swarm that must meet the needs, which are all for one capability."""
     who = needs[0].capability
@@ -161,10 +184,9 @@ def _too_many(view: View, name: str, apart: list[tuple[Demand, str]]) -> Iterato
     needs = [need for need, _ in apart]
     where = f"at one step agents must be at {len(apart)} places ({', '.join(p for _, p in apart)})"
     whose = f"the swarm '{name}'" if len(rules.each) > 1 else "the swarm"
-    for most, element in ((bounds.most, most_of(name)), (rules.together, TOGETHER)):
-        if most is not None and most < len(apart):
-            text = f"{where}; {whose} may be divided into {sub_swarms(most)} at most"
-            yield view.fact("swarm", text, needs, element)
+    if bounds.most is not None and bounds.most < len(apart):
+        text = f"{where}; {whose} may be divided into {sub_swarms(bounds.most)} at most"
+        yield view.fact("swarm", text, needs, most_of(name))
     size = view.mission.having(needs[0].capability)
     sizes = [max(need.amount, bounds.least) for need in needs]
     if sum(sizes) > size >= sum(need.amount for need in needs):
