@@ -31,10 +31,10 @@ COLOURS = 128
 
 INTRODUCTION = """# Gallery
 
-Every mission of [`environments/`](../environments), planned and drawn; `python scripts/gallery.py` makes this
-page. Each picture has the paths on the map, who is where when, and each count that the formula asks for against
-its need; [pictures.md](pictures.md) says how to read them. Swarms have a second one: who splits and merges
-where.
+Every mission of [`environments/`](../environments), planned and drawn by `python
+scripts/gallery.py`. Each picture has the paths on the map, who is where when, and each count that
+the formula asks for against its need; [pictures.md](pictures.md) says how to read them. Swarms have
+a second one: who splits and merges where.
 """
 
 
