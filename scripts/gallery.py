@@ -1,7 +1,7 @@
 """Plan every mission of `environments/`, draw it, and write the page that shows them all.
 
-    python scripts/gallery.py                       # docs/gallery.md and docs/gallery/
-    python scripts/gallery.py reef_relay -o DIR     # some missions, elsewhere
+    python scripts/gallery.py                           # docs/gallery.md and docs/gallery/
+    python scripts/gallery.py --plans DIR farm_patrol   # one picture anew, from DIR/NAME.json
 
 Words and pictures depend on the missions and their plans alone: no times, no dates.
 """
@@ -25,6 +25,8 @@ from tsplan.results.summary import names, objective_line, outcome
 
 ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENTS = ROOT / "environments"
+DOCS = ROOT / "docs"
+FLOW = "_flow"
 DPI = 100
 COLOURS = 128
 """Of a picture; flat drawings do not need more, and the files become a third as large."""
@@ -45,36 +47,64 @@ def main() -> int:
     if unknown := set(asked.missions) - {path.stem for path in missions}:
         sys.stderr.write(f"there is no mission {names(sorted(unknown))} in environments/\n")
         return 2
-    folder = asked.output / "gallery"
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = DOCS / "gallery"
+    folder.mkdir(exist_ok=True)
     parts = [INTRODUCTION]
     for path in missions:
+        mission = tsplan.load_mission(path)
+        plan = _planned(mission, path.stem, asked.plans)
+        parts.append("\n".join(_entry(path, mission, plan)))
         if not asked.missions or path.stem in asked.missions:
-            parts.append("\n".join(_entry(path, folder)))
+            _draw(folder / path.stem, mission, plan)
             print(path.stem)
-    (asked.output / "gallery.md").write_text("\n".join(parts), encoding="utf-8")
+    (DOCS / "gallery.md").write_text("\n".join(parts), encoding="utf-8")
     return 0
 
 
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Draw the missions of environments/.")
-    parser.add_argument("missions", nargs="*", help="names of mission files without their ending")
-    parser.add_argument("-o", "--output", type=Path, default=ROOT / "docs", help="a folder")
+    parser.add_argument("missions", nargs="*", help="those to draw, all unless named")
+    parser.add_argument("--plans", type=Path, help="a folder with plans that 'tsplan plan' wrote")
     return parser.parse_args()
 
 
-def _entry(path: Path, folder: Path) -> Iterator[str]:
-    """The lines of one mission, whose pictures are written on the way."""
-    mission = tsplan.load_mission(path)
-    plan = tsplan.plan(mission, time_limit=120)
-    yield f"## {mission.name}\n"
+def _planned(mission: tsplan.Mission, name: str, folder: Path | None) -> Plan:
+    if folder is None:
+        return tsplan.plan(mission, time_limit=120)
+    return tsplan.load_plan(folder / f"{name}.json")
+
+
+def _entry(path: Path, mission: tsplan.Mission, plan: Plan) -> Iterator[str]:
+    """The lines of one mission."""
+    yield f"## {mission.name.capitalize()}\n"
     yield f"[{path.name}](../environments/{path.name}). {_introduced(path)}\n"
     yield from (f"- {line}" for line in _facts(plan))
     yield ""
-    for kind, figure in _figures(mission, plan):
-        file = folder / f"{path.stem}{kind}.png"
-        file.write_bytes(_compact(content(figure, "png", DPI)))
-        yield f"![{mission.name}{kind.replace('_', ', ')}](gallery/{file.name})\n"
+    for kind, words in _kinds(mission, plan).items():
+        yield f"![{mission.name}: {words}](gallery/{path.stem}{kind}.png)\n"
+
+
+def _kinds(mission: tsplan.Mission, plan: Plan) -> dict[str, str]:
+    """What ends the name of each picture of a mission, and what it shows."""
+    if not plan.has_paths:
+        return {"": "the map, and who starts where"}
+    flow = {FLOW: "who splits and merges where"} if mission.swarm is not None else {}
+    return {"": "paths, times and counts", **flow}
+
+
+def _draw(place: Path, mission: tsplan.Mission, plan: Plan) -> None:
+    """Write the pictures of a mission; `place` is their common path."""
+    for kind in _kinds(mission, plan):
+        figure = _figure(mission, plan, kind)
+        place.with_name(f"{place.name}{kind}.png").write_bytes(
+            _compact(content(figure, "png", DPI))
+        )
+
+
+def _figure(mission: tsplan.Mission, plan: Plan, kind: str) -> Any:
+    if kind == FLOW:
+        return plan.plot(mission, view="flow")[0]
+    return draw_page(plan, mission)[0] if plan.has_paths else mission.plot()[0]
 
 
 def _introduced(path: Path) -> str:
@@ -92,21 +122,12 @@ def _facts(plan: Plan) -> Iterator[str]:
     if plan.status is Status.INFEASIBLE:
         yield "There is no plan, and that is proven; the picture shows where everybody starts."
         return
-    yield outcome(plan).capitalize()
+    said = outcome(plan)
+    yield said[0].upper() + said[1:]
     yield from (objective_line(item) for item in plan.objective)
     for wish in plan.preferences:
         met = "met" if wish.met else f"not met as a whole (fraction {wish.fraction})"
         yield f"preferred: {wish.name} is {met}"
-
-
-def _figures(mission: tsplan.Mission, plan: Plan) -> Iterator[tuple[str, Any]]:
-    """What ends the name of each picture, and its figure."""
-    if not plan.has_paths:
-        yield "", mission.plot()[0]
-        return
-    yield "", draw_page(plan, mission)[0]
-    if mission.swarm is not None:
-        yield "_flow", plan.plot(mission, view="flow")[0]
 
 
 def _compact(picture: bytes) -> bytes:

@@ -113,7 +113,8 @@ def _demands(mission: Mission) -> Iterator[tuple[str | None, Formula]]:
     yield from ((None, part) for part in (goal.children if apart else (goal,)))
     for wish in mission.prefer:
         plain = logic.translate(wish.formula, interval=mission.task_interval)
-        yield wish.name, logic.simplify(logic.positive(plain))
+        counted = logic.resolve_percent(plain, mission.having)
+        yield wish.name, logic.simplify(logic.positive(counted))
 
 
 def _rows(plan: Plan, mission: Mission, goal: Formula, wish: str | None) -> Iterator[Requirement]:
