@@ -222,7 +222,8 @@ def _mark_arrivals(
     """The steps of arrival beside the lanes, where there is room."""
     every = sum(len(strand.passages) for strand in strands) <= _MOST_MARKS
     for strand in strands:
-        colour = mixed(strand.paint.colour, "#000000", 0.35)
+        light = lightness(strand.paint.colour) >= _LIGHT
+        colour = mixed(strand.paint.colour, "#000000", 0.55 if light else 0.35)
         for pair, passage in strand.passages.items():
             steps = passage.arrivals if every else passage.resting
             if not steps:
