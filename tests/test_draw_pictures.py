@@ -385,7 +385,7 @@ def test_the_flow_diagram_draws_each_band_as_thick_as_its_agents():
     moves = [(0, "gate", "gate", 100), (1, "gate", "shed", 30), (1, "gate", "gate", 70)]
     _, ax = draw_flows({"swarm": [*moves, (2, "gate", "gate", 70)]}, YARD, 3)
     assert ax.get_legend() is None
-    assert texts(ax) == ["100", "70"]
+    assert texts(ax) == ["100", "70", "30"]
 
 
 def test_a_page_has_the_three_pictures_below_each_other():

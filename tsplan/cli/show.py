@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_beside, mission_for, mission_of
 from tsplan.errors import Finding, InputError
+from tsplan.results.evidence import explain_preferred
 from tsplan.results.fitting import refuse_misfit, refuse_pathless
 from tsplan.results.planfile import load_plan
 
@@ -37,12 +38,16 @@ def run(asked: argparse.Namespace) -> Exit:
 
 
 def _reasons(asked: argparse.Namespace) -> str:
-    """Why the plan satisfies its formula."""
+    """Why the plan satisfies its formula, and what became of what is preferred."""
     if not _is_plan(asked.file):
         what = "--why is about a plan, and this is none"
         raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(asked.file))])
     plan = load_plan(asked.file)
-    return str(plan.explain(mission_for(asked.file, plan, asked.mission)))
+    mission = mission_for(asked.file, plan, asked.mission)
+    trees = [str(plan.explain(mission))]
+    for name, tree in explain_preferred(plan, mission).items():
+        trees.append(f"preferred: {name}\n{tree}")
+    return "\n\n".join(trees)
 
 
 def _window() -> Any:

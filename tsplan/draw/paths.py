@@ -37,7 +37,7 @@ _MOST_MARKS = 60  # passages up to which every arrival is marked
 _STEPS = 3  # steps that are written at one passage
 _LIGHT = 72.0  # lightness from which a lane needs a border
 _THIN = 0.6  # of a lane's width where states are close together
-_HEAD = 4.5  # points of an arrow head
+_HEAD = 4.5  # points of an arrow head, more on broad lanes
 _TEXT = TINY + 0.8
 
 Pair = tuple[str, str]
@@ -198,7 +198,8 @@ def _draw_strand(scene: Scene, strand: Strand, shifts: Sequence[float]) -> None:
         )
         scene.ax.add_collection(lanes, autolim=False)
     if not scene.dense:
-        arrow_heads(scene, lines, 0.93, (strand.paint.colour, _HEAD))
+        head = max(_HEAD, 2.0 * max(widths, default=0.0))
+        arrow_heads(scene, lines, 0.93, (strand.paint.colour, head))
 
 
 def _width(agents: int) -> float:
@@ -221,7 +222,8 @@ def _mark_arrivals(
     """The steps of arrival beside the lanes, where there is room."""
     every = sum(len(strand.passages) for strand in strands) <= _MOST_MARKS
     for strand in strands:
-        colour = mixed(strand.paint.colour, "#000000", 0.35)
+        light = lightness(strand.paint.colour) >= _LIGHT
+        colour = mixed(strand.paint.colour, "#000000", 0.55 if light else 0.35)
         for pair, passage in strand.passages.items():
             steps = passage.arrivals if every else passage.resting
             if not steps:

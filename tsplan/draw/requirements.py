@@ -1,7 +1,8 @@
 """What the formula asks and what the plan gives: a row for each atom, count against need.
 
 The pale band is when the formula can ask for the atom, the strong one when the plan satisfies the
-formula by it; a triangle marks where such a run begins. The dashed line is the need.
+formula by it, and red where it comes nearest to that but fails; a triangle marks where such a run
+begins. The dashed line is the need.
 """
 
 from __future__ import annotations
@@ -43,11 +44,11 @@ _ROW = 0.42  # inches of one row
 _REST = 0.75  # inches of title and steps
 _TALL = 0.78  # of a row, what the largest count takes
 _LONGEST = 36  # characters of an atom
-_WINDOW, _CHOSEN, _COUNT = "#ececec", "#bcd3ee", "#2f5f9e"
+_WINDOW, _CHOSEN, _MISSED, _COUNT = "#ececec", "#bcd3ee", "#f4c3bd", "#2f5f9e"
 
 
 def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
-    """The chart of all atoms of the mission's goal.
+    """The chart of all atoms of the mission's goal and of what it prefers.
 
     Raises PlanError for a plan without paths or of another mission.
     """
@@ -101,8 +102,9 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
 
     for first, last in row.windows:
         _shade(ax, place, (first, last), _WINDOW, "window")
+    paint, meaning = (_MISSED, "missed") if _fails(row) else (_CHOSEN, "chosen")
     for first, last in row.chosen:
-        _shade(ax, place, (first, last), _CHOSEN, "chosen")
+        _shade(ax, place, (first, last), paint, meaning)
         ax.plot([first], [place + 0.1], marker="v", markersize=3.5, color=DARK, gid="witness")
     ax.axhline(base, color=LINE, linewidth=0.5)
     steps = np.arange(len(row.counts) + 1) - 0.5
@@ -114,6 +116,10 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
         linewidth=0.9, gid="need",
     )  # fmt: skip
     _write_spare(ax, base - _TALL / 2, row)
+
+
+def _fails(row: Requirement) -> bool:
+    return row.spare is not None and row.spare < 0
 
 
 def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
@@ -162,6 +168,11 @@ def _entries(rows: Sequence[Requirement]) -> list[Entry]:
         Entry(Line2D([], [], color=_COUNT, linewidth=1.1), "agents counted"),
         Entry(Line2D([], [], color=DARK, linestyle=(0, (4, 2)), linewidth=0.9), "need"),
         Entry(Patch(facecolor=_WINDOW), "can be asked for"),
-        Entry(Patch(facecolor=_CHOSEN), "satisfied here"),
+        *(
+            [Entry(Patch(facecolor=_CHOSEN), "satisfied here")]
+            if not all(map(_fails, rows))
+            else []
+        ),
+        *([Entry(Patch(facecolor=_MISSED), "missed here")] if any(map(_fails, rows)) else []),
         Entry(Line2D([], [], linestyle="none", marker="v", markersize=3.5, color=DARK), "witness"),
     ]

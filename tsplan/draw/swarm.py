@@ -282,29 +282,43 @@ def _ribbon(band: Band, feet: Mapping[str, float]) -> Any:
 
 
 def _write_counts(ax: Any, bands: Sequence[Band], feet: Mapping[str, float], horizon: int) -> None:
-    """The size of a stack where it has changed, if the number fits into it."""
+    """The size of a stack where it has changed, if the number fits into it.
+
+    A stack of one step alone has one only if its agents have just split or met.
+    """
     extent = ax.get_window_extent()
     points = POINTS / ax.figure.dpi
     across = extent.width * points / (horizon or 1)
     upward = extent.height * points / abs(np.diff(ax.get_ylim())[0])
     sizes = _sizes(bands)
+    new = _changed(bands, sizes)
     room: dict[str, float] = {}
     for (state, step), size in sorted(sizes.items(), key=lambda item: item[0][1]):
-        if sizes.get((state, step - 1)) == size or size * upward < SMALL:
+        if sizes.get((state, step - 1)) == size or size * upward < SMALL or step > horizon:
             continue
         text = f"{size:,}"
         width = text_size(text, SMALL)[0] / across
-        begin = max(step, room.get(state, -1.0)) + 2 / across
         until = step
         while sizes.get((state, until + 1)) == size:
             until += 1
-        if begin + width > until or begin + width > horizon:
-            continue
+        begin = max(step, room.get(state, -1.0)) + 2 / across
+        if begin + width > min(until, horizon):
+            begin = min(max(step - width / 2, 2 / across), horizon - width - 2 / across)
+            if (state, step) not in new or begin < room.get(state, -1.0) + 2 / across:
+                continue
         room[state] = begin + width
         ax.text(
             begin, feet[state] + size / 2, text, fontsize=SMALL, va="center", color=DARK, zorder=5,
             bbox=halo(WHITE), gid="size",
         )  # fmt: skip
+
+
+def _changed(bands: Sequence[Band], sizes: Mapping[Node, int]) -> set[Node]:
+    """The stacks that are not just another stack moved on as a whole."""
+    whole = {
+        band.target for band in bands if band.count == sizes[band.source] == sizes[band.target]
+    }
+    return set(sizes) - whole
 
 
 def _entries(given: Mapping[str, Paint]) -> list[Entry]:

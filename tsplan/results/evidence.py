@@ -99,7 +99,16 @@ def explain(plan: Plan, mission: Mission) -> Evidence:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    return _Explaining(plan, mission).tree()
+    return _Explaining(plan, mission, mission.formula).tree()
+
+
+def explain_preferred(plan: Plan, mission: Mission) -> dict[str, Evidence]:
+    """The same for each formula that the mission prefers, by its name.
+
+    Raises PlanError for a plan without paths or of another mission.
+    """
+    refuse_misfit(plan, mission)
+    return {wish.name: _Explaining(plan, mission, wish.formula).tree() for wish in mission.prefer}
 
 
 class _Place(NamedTuple):
@@ -111,13 +120,13 @@ class _Place(NamedTuple):
 
 
 class _Explaining:
-    """The explanation of one plan; built without recursion, since formulas may be deep."""
+    """The explanation of one formula; built without recursion, since formulas may be deep."""
 
-    def __init__(self, plan: Plan, mission: Mission) -> None:
+    def __init__(self, plan: Plan, mission: Mission, formula: Formula) -> None:
         self._plan = plan
-        self._meaning = meanings(mission)
-        goal = self._meaning[mission.formula]
-        self._root = mission.formula
+        self._meaning = meanings(mission, formula)
+        goal = self._meaning[formula]
+        self._root = formula
         self._trace = trace_of(plan, mission, goal)
         self._margins = margins(goal, self._trace)
         self._carriers = mission.system.labels
@@ -204,10 +213,10 @@ class _Explaining:
         )
 
 
-def meanings(mission: Mission) -> Mapping[Formula, Formula]:
-    """What each sub-formula of the formula as written says in counts and numbers alone."""
+def meanings(mission: Mission, formula: Formula) -> Mapping[Formula, Formula]:
+    """What each sub-formula of a mission's formula as written says in counts and numbers alone."""
     found: dict[Formula, Formula] = {}
-    for node in walk(mission.formula):
+    for node in walk(formula):
         if node.children:
             found[node] = node.over(found[child] for child in node.children)
             continue

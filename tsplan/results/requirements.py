@@ -5,6 +5,7 @@ Everything here is computed by the evaluator from the counts of the plan, never 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias, cast
 
@@ -31,14 +32,15 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Requirement:
-    """One atom of the mission's goal and the counts it speaks about.
+    """One atom of the mission's goal, or of what it prefers, and the counts it speaks about.
 
     `counts` has the measured number at every step 0..horizon: agents at all states with the label
     together (`sum`), at the state with the fewest (`min`) or the most (`max`). `margins` is the
     atom's availability at every step. `windows` are the steps `(first, last)` at which the formula
     can ask for it, one for each place in the formula; `chosen` are the runs of steps at which
-    the plan satisfies the formula by it, empty where the plan takes another branch. `places` is the
-    number of states with the label.
+    the plan satisfies the formula by it, or comes nearest to it where it does not hold; empty where
+    the plan takes another branch. `places` is the number of states with the label. `wish` is the
+    name of the preferred formula that the atom belongs to, None for what has to hold.
     """
 
     atom: Count
@@ -47,6 +49,7 @@ class Requirement:
     margins: Floats
     windows: tuple[Span, ...]
     chosen: tuple[Span, ...]
+    wish: str | None = None
 
     @property
     def label(self) -> str:
@@ -84,32 +87,53 @@ class Requirement:
         every = {"sum": "at", "min": "at every", "max": "at any"}
         where = every[self.atom.function] if self.places > 1 else "at"
         sign = {">=": "\u2265", "<=": "\u2264"}.get(self.atom.relation, self.atom.relation)
-        return f"{who} {where} {self.atom.label} {sign} {self.atom.bound}"
+        said = f"{who} {where} {self.atom.label} {sign} {self.atom.bound}"
+        return f"{self.wish}: {said}" if self.wish else said
 
 
 def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
-    """The requirements of the mission's goal in the order of the formula, each atom once.
+    """The requirements of the mission in the order of its text, each atom of a formula once.
 
-    Raises PlanError for a plan without paths or of another mission.
+    First comes the goal; where it may hold in part, each of its outermost parts is looked at by
+    itself, so that one that fails does not hide what holds. Preferred formulas follow. Raises
+    PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
+    return tuple(
+        row for wish, formula in _demands(mission) for row in _rows(plan, mission, formula, wish)
+    )
+
+
+def _demands(mission: Mission) -> Iterator[tuple[str | None, Formula]]:
+    """The formulas that are charted: what has to hold, and what is preferred by its name."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
     goal = mission.goal
+    apart = mission.partial and isinstance(goal, logic.And)
+    yield from ((None, part) for part in (goal.children if apart else (goal,)))
+    for wish in mission.prefer:
+        plain = logic.translate(wish.formula, interval=mission.task_interval)
+        counted = logic.resolve_percent(plain, mission.having)
+        yield wish.name, logic.simplify(logic.positive(counted))
+
+
+def _rows(plan: Plan, mission: Mission, goal: Formula, wish: str | None) -> Iterator[Requirement]:
+    """The requirements of one formula."""
     trace = trace_of(plan, mission, goal)
     values = margins(goal, trace)
     where = windows(goal)
     used = settled(goal, np.zeros(1, dtype=np.int64), values)
-    return tuple(
-        Requirement(
-            atom=atom,
-            places=len(trace.labels[atom.label]),
-            counts=_frozen(measured(atom, trace)),
-            margins=_frozen(values[atom]),
-            windows=where[atom],
-            chosen=runs(used[atom]),
-        )
-        for atom in walk(goal)
-        if isinstance(atom, Count)
-    )
+    for atom in walk(goal):
+        if isinstance(atom, Count):
+            yield Requirement(
+                atom=atom,
+                places=len(trace.labels[atom.label]),
+                counts=_frozen(measured(atom, trace)),
+                margins=_frozen(values[atom]),
+                windows=where[atom],
+                chosen=runs(used[atom]),
+                wish=wish,
+            )
 
 
 def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:

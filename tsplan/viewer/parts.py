@@ -107,14 +107,24 @@ class _Judged:
 
 
 def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
-    """The rows of a mission's formula for a plan, from the outside in.
+    """The rows of a mission's formula for a plan, from the outside in; then of what it prefers.
 
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    judged = _judged(mission, plan)
+    rows = _rows(_judged(mission, plan, mission.formula), mission.formula)
+    for wish in mission.prefer:
+        first, *rest = _rows(_judged(mission, plan, wish.formula), wish.formula)
+        said = f"preferred: {wish.name}: "
+        rows.append(replace(first, text=said + first.text, heading=said + first.heading))
+        rows += rest
+    return tuple(rows)
+
+
+def _rows(judged: _Judged, whole: Formula) -> list[Part]:
+    """The rows of one formula, from the outside in."""
     rows: list[Part] = []
-    waiting = [(mission.formula, START, 0)]
+    waiting = [(whole, START, 0)]
     while waiting:
         formula, ask, depth = waiting.pop()
         opened = len(rows) < MOST_PARTS and _opens(formula)
@@ -122,12 +132,12 @@ def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
         if opened:
             found = reversed(_below(judged, formula, ask))
             waiting += [(child, more, depth + 1) for child, more in found]
-    return tuple(rows)
+    return rows
 
 
-def _judged(mission: Mission, plan: Plan) -> _Judged:
-    meaning = meanings(mission)
-    goal = meaning[mission.formula]
+def _judged(mission: Mission, plan: Plan, formula: Formula) -> _Judged:
+    meaning = meanings(mission, formula)
+    goal = meaning[formula]
     trace = trace_of(plan, mission, goal)
     return _Judged(mission, trace, meaning, earliness(goal, trace))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Sequence
+from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 from tsplan.viewer.parts import Part
@@ -68,8 +69,12 @@ class StatusPanel:
         return line
 
     def show(self, parts: Sequence[Part]) -> None:
-        """List the outermost parts of the formula."""
-        rows = [part for part in parts if part.depth == 1] or list(parts[:1])
+        """List the outermost parts of each formula."""
+        rows = [
+            part
+            for part, after in zip_longest(parts, parts[1:])
+            if part.depth == 1 or (part.depth == 0 and (after is None or after.depth == 0))
+        ]
         room = self._below - 120
         for number, part in enumerate(rows):
             words = self._wrapped(part.text)
