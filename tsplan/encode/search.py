@@ -19,7 +19,7 @@ from tsplan.encode.clock import Clock
 from tsplan.encode.dive import Earliest, Picker, dive, fractional, largest
 from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
-from tsplan.encode.tree import Tree, Witnessing
+from tsplan.encode.tree import Grown, Tree, Witnessing
 from tsplan.encode.wholeness import Rounding
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats, Ints, Model, Tag
@@ -30,6 +30,7 @@ from tsplan.milp.warm import LPResult, WarmLP
 _ROUNDS = 12  # of separation at the root
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
 _LONG = 2.0  # seconds at the root after which a second dive is worth its while
+_REST = 0.5  # of what the tree has gained may be left for it to go on
 _WHOLE = 1e-6
 
 
@@ -257,9 +258,20 @@ class Search:
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         cutoff = None if self._values is None else self._value
         grown = tree.grow(again, self._clock.within(budget), cutoff, first=first)
+        if not grown.done and self._nearly(grown, again.objective):
+            self._raise_bound(grown.bound)
+            if grown.values is not None:
+                self._keep(grown.values)
+            grown = tree.go_on(self._clock.within(budget), first=first)
         self._raise_bound(grown.bound)
         whole = grown.values is None or self._whole(grown.values)
         return grown.done and whole
+
+    def _nearly(self, grown: Grown, root: float) -> bool:
+        """Whether the tree has closed most of the gap, so that it may well close the rest."""
+        best = self._value if grown.values is None else float(self._model.objective @ grown.values)
+        left = best - self._step - grown.bound
+        return bool(np.isfinite(best)) and left <= _REST * (grown.bound - root)
 
     def _keep(self, values: Floats) -> None:
         """Keep a point whose indicators are whole, its flows made whole where they are not."""

@@ -4,7 +4,8 @@ A choice whose LP value is spread over several witnesses is split where half of 
 the witness comes early, or it comes late. Both halves cut the LP's solution off, unlike "this
 witness or not", which leaves the rest of the choice as vague as before (branching on special
 ordered sets: Beale and Tomlin, 1970). The choice split first is the one spread widest. Nodes are
-taken best first, and depth first while no point is known.
+taken best first, and below each the likelier half is followed as far as it leads: that finds points,
+and its LPs differ little from one to the next.
 """
 
 from __future__ import annotations
@@ -58,6 +59,9 @@ class Tree:
         self._fixed: Fixed = {}
         self._values: Floats | None = None
         self._value = np.inf
+        self._order = count(1)
+        self._heap: list[_Node] = []
+        self._deep: list[_Node] = []
 
     def grow(
         self, root: LPResult, clock: Clock, cutoff: float | None, *, first: bool = False
@@ -67,10 +71,12 @@ class Tree:
         Points that do not beat `cutoff` are not looked for; `first` ends with any point.
         """
         self._value = np.inf if cutoff is None else cutoff
-        order = count()
-        heap = [_Node(root.objective, next(order), {})]
-        deep: list[_Node] = []
-        bound = root.objective
+        self._heap = [_Node(root.objective, 0, {})]
+        return self.go_on(clock, first=first)
+
+    def go_on(self, clock: Clock, *, first: bool = False) -> Grown:
+        """Search on where `grow` or this was stopped by its clock."""
+        heap, deep = self._heap, self._deep
         while (heap or deep) and not clock.over and not (first and self._values is not None):
             node = deep.pop() if deep else heapq.heappop(heap)
             if not self._promising(node.bound):
@@ -79,15 +85,17 @@ class Tree:
             if result.status == "limit":
                 heapq.heappush(heap, node)
                 break
-            children = [_Node(result.objective, next(order), f) for f in self._split(node, result)]
-            if np.isinf(self._value) and children:
+            children = [
+                _Node(result.objective, next(self._order), fixed)
+                for fixed in self._split(node, result)
+            ]
+            if children:
                 deep.append(children.pop(0))
             for child in children:
                 heapq.heappush(heap, child)
         self._move_to({})
         left = [node.bound for node in (*heap, *deep) if self._promising(node.bound)]
-        bound = min([self._value, *left])
-        return Grown(self._values, bound, done=not left)
+        return Grown(self._values, min([self._value, *left]), done=not left)
 
     def _promising(self, bound: float) -> bool:
         """Whether a node with this bound can hold a point that is better by a whole step."""
