@@ -4,8 +4,8 @@ A choice whose LP value is spread over several witnesses is split where half of 
 the witness comes early, or it comes late. Both halves cut the LP's solution off, unlike "this
 witness or not", which leaves the rest of the choice as vague as before (branching on special
 ordered sets: Beale and Tomlin, 1970). The choice split first is the one spread widest. Nodes are
-taken best first, and below each the likelier half is followed as far as it leads: that finds points,
-and its LPs differ little from one to the next.
+taken best first, and below each the likelier half is followed as far as it leads: that finds
+points, and its LPs differ little from one to the next.
 """
 
 from __future__ import annotations
