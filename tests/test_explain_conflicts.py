@@ -65,7 +65,7 @@ def test_many_tasks(block: int) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("block", range(20))
+@pytest.mark.parametrize("block", range(40))
 def test_many_counts(block: int) -> None:
     for seed in range(7000 + 10 * block, 7010 + 10 * block):
         check_explanation(random_mission(seed, states=4, most_agents=4, steps=8), conflicts=2)

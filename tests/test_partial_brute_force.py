@@ -70,9 +70,9 @@ def compare_satisfaction(seed: int) -> str:
 
 
 def test_as_much_holds_as_can_hold() -> None:
-    seen = [compare_satisfaction(seed) for seed in range(20_000, 20_110)]
-    assert seen.count("part") >= 15
-    assert seen.count("whole") >= 15
+    seen = [compare_satisfaction(seed) for seed in range(20_000, 20_050)]
+    assert seen.count("part") >= 7
+    assert seen.count("whole") >= 7
 
 
 @pytest.mark.long
@@ -142,9 +142,9 @@ def compare_preferences(seed: int) -> str:
 
 
 def test_preferences_are_met_as_far_as_they_can_be() -> None:
-    seen = [compare_preferences(seed) for seed in range(30_000, 30_080)]
-    assert seen.count("whole") >= 10
-    assert seen.count("partial") >= 10
+    seen = [compare_preferences(seed) for seed in range(30_000, 30_040)]
+    assert seen.count("whole") >= 5
+    assert seen.count("partial") >= 5
 
 
 @pytest.mark.long

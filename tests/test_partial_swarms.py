@@ -88,7 +88,7 @@ def compare_satisfaction(seed: int) -> str:
     return "part"
 
 
-@pytest.mark.parametrize("block", range(6))
+@pytest.mark.parametrize("block", range(2))
 def test_as_much_of_a_swarm_s_formula_holds_as_can(block: int) -> None:
     seen = Counter(map(compare_satisfaction, range(40_000 + 40 * block, 40_040 + 40 * block)))
     assert seen["part"] >= 3, seen
@@ -161,7 +161,7 @@ def compare_preferences(seed: int) -> str:
     return "some" if plan.preferences and not all(i.met for i in plan.preferences) else "all"
 
 
-@pytest.mark.parametrize("block", range(4))
+@pytest.mark.parametrize("block", range(2))
 def test_preferences_of_swarms_are_met_as_far_as_they_can_be(block: int) -> None:
     seen = Counter(map(compare_preferences, range(50_000 + 40 * block, 50_040 + 40 * block)))
     assert seen["some"] >= 2, seen

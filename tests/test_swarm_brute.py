@@ -16,7 +16,8 @@ from tests.test_brute_force import Path, paths, trace, within_capacity
 from tsplan import Mission
 from tsplan.encode.clock import Clock
 from tsplan.encode.search import Effort
-from tsplan.encode.swarm.problem import SwarmOutcome, SwarmProblem
+from tsplan.encode.swarm.problem import SwarmProblem
+from tsplan.encode.swarm.stages import SwarmOutcome
 from tsplan.errors import MissionError
 from tsplan.logic import horizon, parse
 from tsplan.logic.evaluate import robustness
