@@ -360,3 +360,8 @@ def test_names_of_any_letters_survive_python_values():
     )
     assert [agent.start for agent in mission.agents] == list(names)
     assert mission.agents[0].class_name == "🚀"
+
+
+def test_a_map_that_is_neither_made_nor_named_is_refused():
+    with pytest.raises(MissionError, match=r"type 'dict'.*TransitionSystem or the path"):
+        Mission.of(map={"states": ["a"]}, team=[], formula="a")

@@ -36,6 +36,9 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
     from tsplan.ts.write import map_to_yaml  # noqa: PLC0415
 
     given = values["map"]
+    if not isinstance(given, TransitionSystem | str | Path):
+        what = f"the map is a value of type '{type(given).__name__}'"
+        raise MissionError([Finding(what, "give a TransitionSystem or the path of a map file")])
     system = given if isinstance(given, TransitionSystem) else None
     written = {
         "format": "tsplan-mission/1",
