@@ -51,8 +51,8 @@ def raises_what_cannot_be_sent(argument: object, send) -> None:
 
 
 def waits(seconds: float, send) -> str:
-    send(os.getpid())
     try:
+        send(os.getpid())  # Ctrl-C may come as soon as it is known whom to interrupt
         time.sleep(seconds)
     except KeyboardInterrupt:
         return "interrupted"
