@@ -70,9 +70,9 @@ def compare_satisfaction(seed: int) -> str:
 
 
 def test_as_much_holds_as_can_hold() -> None:
-    seen = [compare_satisfaction(seed) for seed in range(20_000, 20_050)]
-    assert seen.count("part") >= 7
-    assert seen.count("whole") >= 7
+    seen = [compare_satisfaction(seed) for seed in range(20_000, 20_030)]
+    assert seen.count("part") >= 4
+    assert seen.count("whole") >= 4
 
 
 @pytest.mark.long
