@@ -98,7 +98,7 @@ def test_integers_are_rounded() -> None:
     assert (found.objective, found.status) == (4.0, Status.OPTIMAL)
 
 
-def test_a_point_that_only_fits_unrounded_is_kept() -> None:
+def test_a_point_that_only_fits_unrounded_is_none() -> None:
     tight = Question(
         Model(
             np.ones(2),
@@ -112,7 +112,7 @@ def test_a_point_that_only_fits_unrounded_is_kept() -> None:
         Options(),
     )
     point = np.array([1.000004, 1.000004e-6])
-    assert tight.whole(point).tolist() == point.tolist()
+    assert tight.whole(point) is None
 
 
 @pytest.mark.parametrize(
@@ -137,10 +137,23 @@ def test_infinite_bounds_are_none() -> None:
         assert answer(Ending(Verdict.ENDED, GOOD, bound, StoppedBy.TIME_LIMIT)).bound is None
 
 
-def test_a_bound_is_never_above_the_objective() -> None:
+def test_a_bound_that_a_point_refutes_is_not_believed() -> None:
     found = answer(Ending(Verdict.ENDED, GOOD, 9.0, StoppedBy.TIME_LIMIT))
-    assert found.bound == found.objective == 5.0
-    assert (found.status, found.stopped_by) == (Status.OPTIMAL, None)
+    assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.TIME_LIMIT)
+    assert (found.objective, found.bound) == (5.0, None)
+    found = answer(Ending(Verdict.SOLVED, GOOD, 5.0), start=BEST)
+    assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
+    assert (found.objective, found.bound) == (4.0, None)
+
+
+def test_an_optimum_that_its_own_bound_does_not_bear_out_is_none() -> None:
+    found = answer(Ending(Verdict.SOLVED, GOOD, 2.0))
+    assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
+    assert (found.objective, found.bound) == (5.0, 2.0)
+    # the point as the solver gave it is worth less than the whole one
+    silent = answer(Ending(Verdict.SOLVED, np.array([1.0 - 1e-4, 2.0 + 1e-4])))
+    assert (silent.status, silent.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
+    assert silent.bound < silent.objective == 5.0
 
 
 def test_a_gap_is_what_ended_a_search_that_left_one() -> None:

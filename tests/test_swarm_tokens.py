@@ -14,8 +14,8 @@ from tsplan.encode.swarm.goals import VECTORS
 from tsplan.encode.swarm.model import swarm_model
 from tsplan.encode.swarm.scouting import scout
 from tsplan.encode.swarm.tokens import tokens
-from tsplan.milp.model import Model
-from tsplan.milp.solution import Options, Solution
+from tsplan.milp.model import Floats, Model
+from tsplan.milp.solution import Options
 from tsplan.milp.solver import solver
 from tsplan.ts import Edge, State, TransitionSystem
 
@@ -53,8 +53,8 @@ def splitting(seed: int) -> Mission:
     )
 
 
-def solve(model: Model) -> Solution:
-    return solver("highs").solve(model, Options(time_limit=20.0))
+def solve(model: Model) -> Floats | None:
+    return solver("highs").solve(model, Options(time_limit=20.0)).values
 
 
 @pytest.mark.parametrize("block", range(2))

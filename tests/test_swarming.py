@@ -43,6 +43,7 @@ def answers(monkeypatch, told=(), **changes):
         "stopped_by": None,
         "size": (9, 8, 7, 6),
         "levels": (),
+        "notes": (),
     } | changes
 
     class Answering:
@@ -103,7 +104,7 @@ def test_a_wrong_answer_is_never_shown(monkeypatch):
     with pytest.raises(SolverError, match="does not stand up to the check"):
         tsplan.plan(mission())
     answers(monkeypatch, reached=(Reached("splits", 1, 1),))
-    with pytest.raises(SolverError, match="claims splits 1 and has 2"):
+    with pytest.raises(SolverError, match="called optimal at 2 with the bound 1"):
         tsplan.plan(mission(objective=["splits"]))
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
+from tsplan.gap import relative_gap
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -51,14 +53,3 @@ class Bound:
 
 
 Event: TypeAlias = Stage | Incumbent | Bound
-
-
-def relative_gap(objective: float | None, bound: float | None) -> float | None:
-    """`|objective - bound| / max(1, |objective|)`; None while one of them is unknown.
-
-    >>> relative_gap(50.0, 45.0)
-    0.1
-    """
-    if objective is None or bound is None:
-        return None
-    return abs(objective - bound) / max(1.0, abs(objective))

@@ -69,6 +69,7 @@ class TeamRun(Run[Point]):
             outcome.stopped_by,
             outcome.size,
             None if outcome.point is None else claimed_depths(self._mission, outcome.levels),
+            outcome.notes,
         )
 
     def ways(self, found: Point) -> Ways:

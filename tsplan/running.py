@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import signal
 import threading
 import time
@@ -16,6 +17,7 @@ from tsplan.encode.clock import Clock
 from tsplan.encode.search import Effort
 from tsplan.encode.stages import Reached
 from tsplan.events import Bound, Event, Incumbent, Stage
+from tsplan.exact import digits
 from tsplan.milp.solution import StoppedBy as Stopped
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
@@ -77,6 +79,7 @@ class Result(Generic[FoundT]):
     stopped_by: Stopped | None
     size: tuple[int, int, int, int]
     satisfaction: Satisfaction | None = None
+    notes: tuple[str, ...] = ()
 
     @property
     def status(self) -> Status:
@@ -105,7 +108,7 @@ class Run(ABC, Generic[FoundT]):
         self._listener = listener
         self._stopped = False
         self._clock = Clock(settings.time_limit, lambda: self._stopped)
-        self._seconds = {"reduce": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
+        self._seconds = {"reduce": 0.0, "build": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
 
     @abstractmethod
     def prepare(self) -> None:
@@ -137,7 +140,8 @@ class Run(ABC, Generic[FoundT]):
         began = time.perf_counter()
         with on_interrupt(self._stop):
             result = self.search(effort, self._clock, self._tell)
-        self._seconds["solve"] = time.perf_counter() - began
+        built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
+        self._seconds["solve"] = time.perf_counter() - began - built
         return self._finished(
             result, SolverUse(chosen.name, availability.version or "", self._options())
         )
@@ -187,7 +191,8 @@ class Run(ABC, Generic[FoundT]):
         began = time.perf_counter()
         ways = Ways() if result.found is None else self.ways(result.found)
         self._seconds["extract"] = time.perf_counter() - began
-        reached = [ObjectiveValue(r.name, r.value, r.bound) for r in result.reached]
+        # values are those that the check measures on the paths
+        reached = [ObjectiveValue(r.name, None, known(r.bound)) for r in result.reached]
         made = Plan(
             status=result.status,
             stopped_by=None if result.stopped_by is None else StoppedBy(result.stopped_by.value),
@@ -195,7 +200,7 @@ class Run(ABC, Generic[FoundT]):
             horizon=mission.horizon,
             objective=tuple(item for item in reached if item.name != "own"),
             satisfaction=result.satisfaction,
-            notes=tuple(_own(item) for item in reached if item.name == "own"),
+            notes=(*(_own(item) for item in result.reached if item.name == "own"), *result.notes),
             solver=used,
             size=ModelSize(
                 *result.size, states=len(mission.system.states), edges=len(mission.system.edges)
@@ -212,10 +217,17 @@ class Run(ABC, Generic[FoundT]):
         return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
 
 
-def _own(item: ObjectiveValue) -> str:
+def known(value: float | None) -> float | None:
+    """A number that can be told: what is infinite or undefined is not known."""
+    return value if value is not None and math.isfinite(value) else None
+
+
+def _own(item: Reached) -> str:
     """A user's own objective in words: the check cannot know what it means."""
-    bound = "open" if item.bound is None else f"{item.bound:g}"
-    value = "open" if item.value is None else f"{item.value:g}"
+    value, bound = (
+        "open" if number is None else digits(number)
+        for number in (known(item.value), known(item.bound))
+    )
     return f"own objective {value} (bound {bound})"
 
 

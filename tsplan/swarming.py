@@ -46,6 +46,7 @@ class SwarmRun(Run[SwarmFlows]):
             outcome.stopped_by,
             outcome.size,
             None if outcome.flows is None else claimed_depths(self._mission, outcome.levels),
+            outcome.notes,
         )
 
     def ways(self, found: SwarmFlows) -> Ways:

@@ -82,7 +82,12 @@ def prepare(
     arrays = map_arrays(system)
     goal = mission.goal if goal is None else goal
     named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
-    classes = agent_classes(system, mission.team, {name for name in named if name is not None})
+    classes = agent_classes(
+        system,
+        mission.team,
+        {name for name in named if name is not None},
+        priced="cost" in mission.objective,
+    )
     interests = [
         _interest(mission, goal, item.graph.capabilities, arrays, constraints) for item in classes
     ]
@@ -120,8 +125,12 @@ def _reduced(
 def _paid_by_duration(mission: Mission, classes: Sequence[AgentClass]) -> bool:
     if "cost" not in mission.objective:
         return True
+    unit = mission.system.cost_unit
     return all(
-        np.array_equal(item.graph.cost, np.where(item.graph.wait, 0, item.graph.duration))
+        np.array_equal(
+            item.graph.cost * unit.numerator,
+            np.where(item.graph.wait, 0, item.graph.duration) * unit.denominator,
+        )
         for item in classes
     )
 

@@ -16,6 +16,7 @@ from tsplan.encode.clock import Clock
 from tsplan.encode.dive import Earliest
 from tsplan.encode.ideas import Idea
 from tsplan.encode.search import Effort, Search
+from tsplan.encode.target import Target
 from tsplan.milp.model import Floats
 
 _CUTS = frozenset({Idea.VISITS, Idea.LAZY, Idea.TOGETHER})
@@ -26,11 +27,9 @@ def chain_model(setting: Setting, level: int) -> Encoded:
     return tight(replace(setting, ideas=setting.ideas - _CUTS), level, chain=True)
 
 
-def first_flows(
-    restricted: Encoded, objective: Floats, effort: Effort, clock: Clock
-) -> Floats | None:
+def first_flows(restricted: Encoded, target: Target, effort: Effort, clock: Clock) -> Floats | None:
     """Flows of a point of the chained model, in whole agents; None if none was found."""
-    search = Search(restricted, objective, effort, clock, _unheard)
+    search = Search(restricted, target, effort, clock, _unheard)
     values = search.dive_for(Earliest(restricted.indicators, restricted.steps, restricted.groups))
     return None if values is None else values[restricted.flows]
 

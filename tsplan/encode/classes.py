@@ -13,6 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from tsplan.encode.network import ClassGraph
+from tsplan.exact import exact
 from tsplan.milp.model import Floats, Ints
 from tsplan.mission import Group
 from tsplan.ts import TransitionSystem
@@ -70,18 +71,24 @@ def map_arrays(system: TransitionSystem) -> MapArrays:
 
 
 @lru_cache(maxsize=64)
-def _moves(system: TransitionSystem, class_name: str) -> tuple[Ints, Floats]:
-    """Duration (0 where the class cannot go) and cost of every edge for one class name."""
+def _durations(system: TransitionSystem, class_name: str) -> Ints:
+    """Duration of every edge for one class name; 0 where the class cannot go."""
     edges = system.edges.values()
-    durations = np.array([edge.duration_for(class_name) or 0 for edge in edges], dtype=np.int64)
-    costs = np.array(
+    return np.array([edge.duration_for(class_name) or 0 for edge in edges], dtype=np.int64)
+
+
+@lru_cache(maxsize=64)
+def _costs(system: TransitionSystem, class_name: str) -> Floats:
+    """Cost of every edge for one class name, as a whole number of the system's cost units."""
+    unit = system.cost_unit
+    able = (edge.duration_for(class_name) is not None for edge in system.edges.values())
+    return np.array(
         [
-            edge.cost_for(class_name) if duration else 0.0
-            for edge, duration in zip(edges, durations, strict=True)
+            float(exact(edge.cost_for(class_name)) / unit) if usable else 0.0
+            for edge, usable in zip(system.edges.values(), able, strict=True)
         ],
         dtype=np.float64,
     )
-    return durations, costs
 
 
 def _allowed(
@@ -100,9 +107,12 @@ def _allowed(
 
 
 def agent_classes(
-    system: TransitionSystem, team: Sequence[Group], named: Iterable[str]
+    system: TransitionSystem, team: Sequence[Group], named: Iterable[str], *, priced: bool = False
 ) -> tuple[AgentClass, ...]:
-    """The classes of a team, given the capabilities that the problem names."""
+    """The classes of a team, given the capabilities that the problem names.
+
+    The graphs have costs where these matter (`priced`), and zeros otherwise.
+    """
     arrays = map_arrays(system)
     known = frozenset(named)
     needed = _needed(system)
@@ -112,7 +122,8 @@ def agent_classes(
         keys = group.capabilities & needed
         if keys not in permitted:
             permitted[keys] = _allowed(system, keys)
-        durations, costs = _moves(system, group.class_name)
+        durations = _durations(system, group.class_name)
+        costs = _costs(system, group.class_name) if priced else np.zeros(len(durations))
         usable = np.where(permitted[keys], durations, 0)
         key = (group.capabilities & known, usable.tobytes(), costs.tobytes())
         start = np.zeros(len(arrays.names), dtype=np.int64)

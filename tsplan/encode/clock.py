@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+
+from tsplan.milp.solution import StoppedBy
 
 
 @dataclass(frozen=True)
 class Clock:
-    """Seconds since the run began, and when it has to stop."""
+    """Seconds since the run began, when it has to stop, and what its phases have taken."""
 
     limit: float | None = None
     stop: Callable[[], bool] = lambda: False
     began: float = field(default_factory=time.perf_counter)
+    spent: dict[str, float] = field(default_factory=dict, compare=False)
 
     @property
     def elapsed(self) -> float:
@@ -30,8 +34,24 @@ class Clock:
         """Whether the time is up or the run was asked to stop."""
         return self.stop() or (self.limit is not None and self.elapsed >= self.limit)
 
+    @property
+    def stopped_by(self) -> StoppedBy | None:
+        """What has ended the run, None while it goes on."""
+        if self.stop():
+            return StoppedBy.INTERRUPT
+        return StoppedBy.TIME_LIMIT if self.over else None
+
     def within(self, seconds: float) -> Clock:
         """The same clock with at most `seconds` from now."""
         until = self.elapsed + seconds
         limit = until if self.limit is None else min(self.limit, until)
-        return Clock(limit, self.stop, self.began)
+        return Clock(limit, self.stop, self.began, self.spent)
+
+    @contextmanager
+    def timed(self, phase: str) -> Iterator[None]:
+        """Add the seconds that a block takes to those of a phase."""
+        since = time.perf_counter()
+        try:
+            yield
+        finally:
+            self.spent[phase] = self.spent.get(phase, 0.0) + time.perf_counter() - since

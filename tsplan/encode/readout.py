@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeAlias
 
 import numpy as np
 
 from tsplan.encode.build import Encoded, Setting
 from tsplan.encode.classes import AgentClass
 from tsplan.encode.reduction import Reduced, whole
-from tsplan.encode.stages import Measured, Point
+from tsplan.encode.stages import Point
 from tsplan.logic import Formula, robustness
 from tsplan.logic import labels as labels_of
 from tsplan.logic.evaluate import CountTrace
@@ -18,7 +20,10 @@ from tsplan.milp.model import Floats, Ints
 from tsplan.mission import Agent
 from tsplan.results.flows import ClassFlow
 
-Moves = tuple[Ints, Ints, Ints]  # full-map edge of the class, step, and how many agents enter
+Moves: TypeAlias = tuple[Ints, Ints, Ints]
+"""Edges of a class's full map, the steps, and how many agents enter."""
+
+ClassMoves: TypeAlias = Sequence[tuple[AgentClass, Moves]]
 
 
 def moves_of(
@@ -41,14 +46,16 @@ def moves_of(
 
 @dataclass(frozen=True, eq=False)
 class Measure:
-    """What a point is worth: availability by the evaluator, and the last arrival."""
+    """What the plan of a point is worth in one objective, by the moves that its agents make."""
 
     setting: Setting
 
-    def __call__(self, point: Point) -> Measured:
-        """Measure one point."""
+    def __call__(self, point: Point, name: str) -> float:
+        """The value of an objective of teams."""
         moves = moves_of(self.setting, point.encoded, point.values, reduced=point.tight)
-        return Measured(availability(self.setting, moves), makespan(moves))
+        if name == "availability":
+            return availability(self.setting, moves)
+        return float(_MEASURES[name](self.setting, moves))
 
 
 def _expand(item: AgentClass, reduced: Reduced, moves: Moves, horizon: int) -> Moves:
@@ -128,11 +135,51 @@ def counts_of(
     return CountTrace(counts, labels)
 
 
-def makespan(moves: Iterable[tuple[AgentClass, Moves]]) -> int:
+def makespan(_: Setting, moves: ClassMoves) -> int:
     """Last step at which an agent arrives by a move that is not a wait; 0 without any."""
     last = 0
-    for item, (edge, step, _) in moves:
+    for item, (edge, step, _count) in moves:
         move = ~item.graph.wait[edge]
         ends = (step + item.graph.duration[edge])[move]
         last = max(last, int(ends.max(initial=0)))
     return last
+
+
+def travel(_: Setting, moves: ClassMoves) -> int:
+    """Agent-steps spent in moves that are not waits."""
+    return sum(
+        int(count @ (item.graph.duration * ~item.graph.wait)[edge])
+        for item, (edge, _step, count) in moves
+    )
+
+
+def cost(setting: Setting, moves: ClassMoves) -> Fraction:
+    """Summed edge costs of all moves, exactly."""
+    units = sum(int(count @ item.graph.cost[edge]) for item, (edge, _step, count) in moves)
+    return units * setting.mission.system.cost_unit
+
+
+def agents(setting: Setting, moves: ClassMoves) -> int:
+    """Agents that ever move: all but those that can wait at their start to the end."""
+    staying = 0
+    for item, (edge, step, count) in moves:
+        graph = item.graph
+        for state in np.flatnonzero(graph.start).tolist():
+            loop = np.flatnonzero((graph.tail == state) & (graph.head == state))
+            here = graph.start[state]
+            if setting.horizon and not len(loop):
+                continue
+            waits = range(0, setting.horizon, int(graph.duration[loop[0]]) if len(loop) else 1)
+            entered = np.zeros(setting.horizon, dtype=np.int64)
+            mine = np.isin(edge, loop)
+            np.add.at(entered, step[mine], count[mine])
+            staying += min([here, *entered[list(waits)].tolist()])
+    return setting.mission.size - int(staying)
+
+
+_MEASURES: Mapping[str, Callable[[Setting, ClassMoves], int | Fraction]] = {
+    "travel": travel,
+    "cost": cost,
+    "makespan": makespan,
+    "agents": agents,
+}

@@ -19,9 +19,12 @@ from tsplan.encode.clock import Clock
 from tsplan.encode.dive import Earliest, Picker, dive, fractional, largest
 from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
+from tsplan.encode.target import Target
 from tsplan.encode.tree import Grown, Tree, Witnessing
 from tsplan.encode.wholeness import Rounding
 from tsplan.errors import SolverError
+from tsplan.gap import relative_gap
+from tsplan.milp.confirm import confirmed, tried
 from tsplan.milp.model import Floats, Ints, Model, Tag
 from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy
 from tsplan.milp.solver import Solver
@@ -31,7 +34,7 @@ _ROUNDS = 12  # of separation at the root
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
 _LONG = 2.0  # seconds at the root after which a second dive is worth its while
 _REST = 0.5  # of what the tree has gained may be left for it to go on
-_WHOLE = 1e-6
+_FORGIVEN = 1e-6  # by which a point may violate a row of numbers that are not whole
 
 
 @dataclass(frozen=True)
@@ -50,7 +53,8 @@ class Effort:
 class Found:
     """The best point known, a true lower bound, and whether the search was carried to its end.
 
-    `values` None with `proven` means that there is no point (better than the cutoff).
+    `objective` and `bound` are values of the target. `proven` without values means that there is
+    no point, with values that none is better; a search that was `stopped_by` a gap is not.
     """
 
     values: Floats | None
@@ -64,33 +68,26 @@ Reporter = Callable[[Floats | None, float | None, float | None], None]
 
 
 class Search:
-    """One search for the least value of `objective` on one model.
+    """One search for the least value of a target on one model.
 
     `scout` and `rescue`, where set, are asked for the flows of some plan: before the first LP, and
-    after it if there may be a plan and none is known. `step` is the least distance of two values
-    that plans can have; by default 1 for whole coefficients.
+    after it if there may be a plan and none is known.
     """
 
     def __init__(
-        self,
-        encoded: Encoded,
-        objective: Floats,
-        effort: Effort,
-        clock: Clock,
-        report: Reporter,
-        *,
-        step: float | None = None,
+        self, encoded: Encoded, target: Target, effort: Effort, clock: Clock, report: Reporter
     ) -> None:
         self._encoded = encoded
-        self._model = encoded.model.with_objective(objective)
+        self._target = target
+        self._model = encoded.model.with_objective(target.vector)
         self._effort = effort
         self._clock = clock
         self._report = report
-        whole = bool((objective == np.round(objective)).all())
-        self._step = float(whole) if step is None else step
         self._values: Floats | None = None
         self._value = np.inf
         self._bound = -np.inf
+        self._refuted = encoded.refuted
+        self._first = False
         self._lp: WarmLP | None = None
         self._began = clock.elapsed
         self.scout: Callable[[], Floats | None] | None = None
@@ -99,25 +96,28 @@ class Search:
 
     def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
         """The least value, or with `first` any point. `start` is a known point of this model."""
-        if self._encoded.refuted:
-            return Found(None, None, np.inf, proven=True)
+        self._first = first
         if start is not None:
             self._accept(start)
-        self._send(self.scout)
-        if self._closed or (first and self._values is not None):
-            return self._found(proven=self._closed)
-        if self._effort.ideas & {Idea.DIVE, Idea.TREE}:
+        if not self._done:
+            self._send(self.scout)
+        if not self._done and self._effort.ideas & {Idea.DIVE, Idea.TREE}:
             try:
-                proven = self._by_lp(first=first)
+                self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
-                proven = False
-            if proven or (first and self._values is not None) or self._clock.over:
-                return self._found(proven=proven)
-        return self._by_solver(first=first)
+                self._lp = None
+        if not self._done and not self._clock.over:
+            self._by_solver()
+        return self._found()
+
+    @property
+    def _done(self) -> bool:
+        """Whether the question is answered."""
+        return self._refuted or self._closed or (self._first and self._values is not None)
 
     def know(self, bound: float) -> None:
-        """Take over a bound that has been proven elsewhere."""
-        self._raise_bound(bound)
+        """Take over a bound that has been proven elsewhere, as a value of the target."""
+        self._bound = max(self._bound, bound)
 
     def dive_for(self, pick: Picker) -> Floats | None:
         """The point that a dive by `pick` finds, however often it goes wrong, or None."""
@@ -143,23 +143,32 @@ class Search:
         lower, upper = self._model.lower.copy(), self._model.upper.copy()
         lower[columns] = upper[columns] = np.round(flows)
         fixed = self._model.with_bounds(lower, upper)
-        values = self._call(fixed, Options(), self._clock.within(5.0)).values
+        values = self._part(fixed)
         if values is not None:
             self._accept(values)
         return values
 
     def _accept(self, values: Floats) -> None:
-        """Keep a point of whole agents if it is better than the one known."""
-        value = float(self._model.objective @ values)
-        if value < self._value - _WHOLE:
-            self._values, self._value = values, value
-            self._report(values, value, self._bound if np.isfinite(self._bound) else None)
+        """Keep a point of whole agents if it is one, and better than the one known."""
+        values = self._rounded(values)
+        value = self._target.value(values)
+        if not self._target.better(value, self._value):
+            return
+        if self._model.violation(values) > _FORGIVEN:
+            return
+        if self._target.better(value, self._bound):
+            raise SolverError(
+                f"a plan of value {value:g} is better than the bound {self._bound:g} that was "
+                "proven: the solver's arithmetic fails on this mission"
+            )
+        self._values, self._value = values, value
+        self._report(values, value, self._bound if np.isfinite(self._bound) else None)
 
     def _raise_bound(self, bound: float) -> None:
-        trusted = bound - max(1e-5, 1e-9 * abs(bound))
-        rounded = np.ceil(trusted) if self._step and np.isfinite(bound) else bound
-        if rounded > self._bound:
-            self._bound = float(rounded)
+        """Take in what a linear program or a solver says, as far as it can be believed."""
+        proven = self._target.proven(bound)
+        if proven > self._bound:
+            self._bound = min(proven, self._value)
             self._report(None, None if self._values is None else self._value, self._bound)
 
     @property
@@ -167,73 +176,93 @@ class Search:
         """Whether nothing better by the wanted gap can exist."""
         if self._values is None:
             return False
-        slack = self._effort.gap * max(abs(self._value), 1e-9)
-        return self._bound >= self._value - slack - _WHOLE
+        return self._target.closed(self._value, self._bound) or self._near
+
+    @property
+    def _near(self) -> bool:
+        """Whether the gap that was asked for is reached."""
+        if not self._effort.gap or not np.isfinite(self._bound) or self._values is None:
+            return False
+        own = self._target.own
+        gap = relative_gap(own(self._value), own(self._bound))
+        return gap is not None and gap <= self._effort.gap
 
     @property
     def _cutoff(self) -> float | None:
         """Only points below this are of interest to the LPs."""
-        return None if self._values is None else self._value - self._step + 1e-4 + 1e-7
+        return None if self._values is None else self._target.cutoff(self._value)
 
-    def _found(self, *, proven: bool) -> Found:
-        stopped = None
+    def _found(self) -> Found:
         if self._values is None:
-            bound = np.inf if proven else self._bound
-        else:
-            bound = self._value if proven else min(self._bound, self._value)
-            if self._closed and bound < self._value - _WHOLE:
-                stopped = StoppedBy.GAP
-        if not proven and stopped is None and not self._closed:
-            stopped = StoppedBy.INTERRUPT if self._clock.stop() else StoppedBy.TIME_LIMIT
-        value = None if self._values is None else self._value
-        return Found(self._values, value, bound, proven or self._closed, stopped)
+            bound = np.inf if self._refuted else self._bound
+            return Found(None, None, bound, self._refuted, None if self._refuted else self._why)
+        proven = self._target.closed(self._value, self._bound)
+        bound = self._value if proven else self._bound
+        stopped = StoppedBy.GAP if self._near else self._why
+        return Found(self._values, self._value, bound, proven, None if proven else stopped)
+
+    @property
+    def _why(self) -> StoppedBy | None:
+        """What ended a search that answers nothing; None for the first point that was asked for."""
+        if self._clock.over:
+            return self._clock.stopped_by
+        return None if self._first and self._values is not None else StoppedBy.PRECISION
 
     # --- the LP side -------------------------------------------------------------------------
 
-    def _by_lp(self, *, first: bool) -> bool:
-        """Root LP with cuts, dive, tree. True if that settled the question."""
+    def _by_lp(self) -> None:
+        """Root LP with cuts, dive, tree."""
         lp = self._warm()
         root = lp.solve(time_limit=self._clock.left)
         if root.status == "optimal":
-            root = self._tighten(lp, root, first=first)
+            root = self._tighten(lp, root)
+        if root.status == "infeasible":
+            self._none_below(self._cutoff)
         if root.status != "optimal":
-            return root.status == "infeasible"
+            return
         self._raise_bound(root.objective)
-        self._send(self.rescue)
-        if first and self._values is not None:
-            return self._closed
-        if Idea.DIVE in self._effort.ideas and not self._closed and self._dive(lp, root):
-            return True
-        if self._closed or (first and self._values is not None):
-            return self._closed
-        return self._grow(lp, first=first) if Idea.TREE in self._effort.ideas else False
+        if not self._done:
+            self._send(self.rescue)
+        if not self._done and Idea.DIVE in self._effort.ideas:
+            self._dive(lp, root)
+        if not self._done and Idea.TREE in self._effort.ideas:
+            self._grow(lp)
 
-    def _dive(self, lp: WarmLP, root: LPResult) -> bool:
-        """Look for points by diving; True if there is none."""
+    def _none_below(self, cutoff: float | None) -> None:
+        """There is no point below the cutoff, or none at all without one."""
+        if cutoff is None:
+            self._refuted = True
+        else:
+            self._raise_bound(cutoff)
+
+    def _dive(self, lp: WarmLP, root: LPResult) -> None:
+        """Look for points by diving, or find that there is none."""
         encoded = self._encoded
         turns = 20 + len(encoded.indicators) // 10
         pickers: list[Picker] = [largest]
         if self._clock.elapsed - self._began > _LONG:  # a tree will not get far soon
             pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.groups))
         for pick in pickers:
+            cutoff = self._cutoff
             dived = dive(
                 lp,
                 encoded.indicators,
                 root,
                 self._clock,
-                cutoff=self._cutoff,
+                cutoff=cutoff,
                 turns=turns,
                 pick=pick,
             )
             if dived.values is not None:
                 self._keep(dived.values)
-            if dived.refuted or self._closed:
+            if dived.refuted:
+                self._none_below(cutoff)
+            if self._done:
                 break
-        return dived.refuted
 
-    def _tighten(self, lp: WarmLP, root: LPResult, *, first: bool) -> LPResult:
+    def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
         """Add violated visit cuts, to the LP and to the model, while they raise the bound."""
-        if Idea.LAZY not in self._effort.ideas or first:
+        if Idea.LAZY not in self._effort.ideas or self._first:
             return root
         for _ in range(_ROUNDS):
             assert root.values is not None
@@ -249,28 +278,34 @@ class Search:
                 break
         return root
 
-    def _grow(self, lp: WarmLP, *, first: bool) -> bool:
+    def _grow(self, lp: WarmLP) -> None:
         again = lp.solve(time_limit=self._clock.left)
         if again.status != "optimal":
-            return False
+            return
+        first = self._first
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
-        tree = Tree(lp, witnessing, max(self._step, _WHOLE))
+        tree = Tree(lp, witnessing, self._target)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
-        cutoff = None if self._values is None else self._value
-        grown = tree.grow(again, self._clock.within(budget), cutoff, first=first)
+        known = None if self._values is None else self._value
+        grown = tree.grow(again, self._clock.within(budget), known, first=first)
         if not grown.done and self._nearly(grown, again.objective):
             self._raise_bound(grown.bound)
             if grown.values is not None:
                 self._keep(grown.values)
+            if self._done:
+                return
             grown = tree.go_on(self._clock.within(budget), first=first)
+        if grown.done and grown.values is None and known is None:
+            self._refuted = True
+            return
         self._raise_bound(grown.bound)
-        whole = grown.values is None or self._whole(grown.values)
-        return grown.done and whole
+        if grown.values is not None:
+            self._whole(grown.values)
 
     def _nearly(self, grown: Grown, root: float) -> bool:
         """Whether the tree has closed most of the gap, so that it may well close the rest."""
-        best = self._value if grown.values is None else float(self._model.objective @ grown.values)
-        left = best - self._step - grown.bound
+        best = self._value if grown.values is None else self._target.value(grown.values)
+        left = best - self._target.step - grown.bound
         return bool(np.isfinite(best)) and left <= _REST * (grown.bound - root)
 
     def _keep(self, values: Floats) -> None:
@@ -281,16 +316,14 @@ class Search:
         if near is not None:
             self._accept(near)
 
-    def _whole(self, values: Floats) -> bool:
-        """Keep such a point; True if whole agents are proven to be no worse than its parts."""
-        aim = float(self._model.objective @ values) + max(self._step, _WHOLE) - 1e-4
+    def _whole(self, values: Floats) -> None:
+        """Keep such a point; a better one of its witnesses is looked for if it is not the best."""
         for attempt in (self._nearby, self._repaired):
             found = attempt(values)
             if found is not None:
                 self._accept(found)
-                if float(self._model.objective @ found) <= aim:
-                    return True
-        return False
+                if self._closed:
+                    return
 
     def _nearby(self, values: Floats) -> Floats | None:
         """A point of whole agents by rounding."""
@@ -308,7 +341,7 @@ class Search:
             _placed(self._model.lower, logic, np.round(values)),
             _placed(self._model.upper, logic, np.round(values)),
         )
-        return self._call(fixed, Options(), self._clock.within(5.0)).values
+        return self._part(fixed)
 
     def _rounded(self, values: Floats) -> Floats:
         """The point without the last digits of its whole numbers."""
@@ -321,59 +354,52 @@ class Search:
 
     # --- the solver's side -------------------------------------------------------------------
 
-    def _by_solver(self, *, first: bool) -> Found:
+    def _by_solver(self) -> None:
         """The general MIP solver: continuous flows first, then whole agents if need be."""
         model = self._model
         if Idea.CONTINUOUS in self._effort.ideas:
             loose = model.integer.copy()
             loose[self._encoded.flows] = False
-            solution = self._call(model.with_integrality(loose), Options(first=first), self._clock)
-            self._note(solution)
-            settled = self._settled(solution)
-            if settled is not None:
-                return settled
-            if first and self._values is not None:
-                return self._found(proven=False)
-        solution = self._call(model, Options(first=first), self._clock)
-        self._note(solution)
+            solution = self._ask(model.with_integrality(loose))
+            if solution.values is not None:
+                self._whole(solution.values)
+            if self._done or self._clock.over:
+                return
+        solution = self._ask(model)
         if solution.values is not None:
             self._accept(solution.values)
-        proven = solution.status in (Status.OPTIMAL, Status.INFEASIBLE)
-        return self._found(proven=proven)
 
-    def _settled(self, solution: Solution) -> Found | None:
-        """What the relaxed model decides; None where whole agents have to be asked for."""
-        if solution.status == Status.INFEASIBLE:
-            return self._found(proven=True)
-        if solution.values is not None:
-            same = self._whole(solution.values)
-            if solution.status == Status.OPTIMAL and same:
-                return self._found(proven=True)
-        if self._clock.over or self._closed:
-            return self._found(proven=self._closed)
-        return None
-
-    def _note(self, solution: Solution) -> None:
-        if solution.bound is not None and self._encoded.rho < 0:
+    def _ask(self, model: Model) -> Solution:
+        """The solver's answer about the whole question, confirmed; its bound is taken in."""
+        options = replace(self._options(self._clock), first=self._first)
+        solution = confirmed(self._effort.solver, model, options, self._watch)
+        if solution.status is Status.INFEASIBLE:
+            if self._values is not None:
+                raise SolverError("the solver calls a model infeasible of which a plan is known")
+            self._refuted = True
+        elif solution.bound is not None:
             self._raise_bound(solution.bound)
+        return solution
 
-    def _call(self, model: Model, options: Options, clock: Clock) -> Solution:
-        features = self._effort.solver.features
-        start = self._values if "start" in features else None
-        asked = replace(
-            options,
+    def _part(self, model: Model) -> Floats | None:
+        """The best point of a part of the model, if the solver finds one soon."""
+        options = self._options(self._clock.within(5.0))
+        return tried(self._effort.solver, model, options, lambda _: self._clock.stop())
+
+    def _options(self, clock: Clock) -> Options:
+        return Options(
             time_limit=clock.left,
             gap=self._effort.gap,
-            absolute_gap=self._step - 1e-4 if self._step else 0.0,
+            absolute_gap=self._target.absolute_gap,
             threads=self._effort.threads,
             seed=self._effort.seed,
-            start=start,
+            start=self._values if "start" in self._effort.solver.features else None,
             log=self._effort.log,
         )
-        return self._effort.solver.solve(model, asked, self._watch)
 
     def _watch(self, progress: Progress) -> bool:
-        self._report(None, progress.objective, progress.bound)
+        if progress.bound is not None:
+            self._raise_bound(progress.bound)
         return self._clock.stop()
 
 

@@ -4,12 +4,16 @@
 flows. `availability` and `makespan` are levels of the model itself: raising every need by r, or
 forbidding arrivals after a step. They are searched by bisection between the level of the best plan
 known and a free bound, and each probe ends with its first plan or with a proof that there is none.
+
+What a plan is worth is measured on its moves, never read from columns: a point on the way may have
+columns that count too little or too much, its moves are what agents do.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import partial
 
 import numpy as np
@@ -23,7 +27,10 @@ from tsplan.encode.ideas import Idea
 from tsplan.encode.network import unroll
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.search import Effort, Found, Search
-from tsplan.milp.model import INFINITY, Draft, Floats
+from tsplan.encode.target import Target
+from tsplan.errors import SolverError
+from tsplan.exact import exact
+from tsplan.milp.model import Draft, Floats
 from tsplan.milp.solution import StoppedBy
 
 
@@ -37,20 +44,17 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Measured:
-    """What a plan is worth, as the independent evaluator sees it."""
-
-    availability: float
-    makespan: int
-
-
-@dataclass(frozen=True)
 class Reached:
-    """The value and the true bound of one objective."""
+    """What a plan comes to in one objective, and the true bound, both in its own unit."""
 
     name: str
     value: float | None
     bound: float | None
+
+    @property
+    def proven(self) -> bool:
+        """Whether no plan does better."""
+        return self.value is not None and self.value == self.bound
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,11 +68,12 @@ class Outcome:
     stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
     levels: tuple[Reached, ...] = ()  # what an objective consists of that is settled in steps
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Kept:
-    """What earlier stages reached and later ones must not lose."""
+    """What earlier stages reached and later ones must not lose; rows hold values of targets."""
 
     level: int = 0
     makespan: int | None = None
@@ -82,7 +87,7 @@ class Stages:
     setting: Setting
     effort: Effort
     clock: Clock
-    measure: Callable[[Point], Measured]
+    measure: Callable[[Point, str], float]
     tell: Callable[[str, Point | None, float | None, float | None], None]
     objective: tuple[str, ...]
     own: tuple[tuple[CountTerm, float], ...] = ()
@@ -92,130 +97,151 @@ class Stages:
     _kept: Kept = field(default=Kept(), init=False)
     _stopped: StoppedBy | None = field(default=None, init=False)
     _size: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), init=False)
+    _notes: list[str] = field(default_factory=list, init=False)
 
     def run(self) -> Outcome:
         """All stages until the time is up; the best plan known is kept throughout."""
         names = self.objective
         first = self._first_plan(linear=names[0] if names and names[0] in _LINEAR else None)
         if self._point is None:
-            return self._outcome((), proven=False, infeasible=first.proven)
-        reached = []
-        proven = True
-        for number, name in enumerate(names):
-            result, certain = self._stage(name, first if number == 0 else None)
-            reached.append(result)
-            proven = proven and certain
-        return self._outcome(tuple(reached), proven=proven, infeasible=False)
+            return self._outcome((), infeasible=first.proven)
+        reached = [
+            self._guarded(name, first if number == 0 else None) for number, name in enumerate(names)
+        ]
+        return self._outcome(tuple(reached), infeasible=False)
 
-    def _outcome(self, reached: tuple[Reached, ...], *, proven: bool, infeasible: bool) -> Outcome:
-        stopped = None if proven or infeasible else self._stopped or StoppedBy.TIME_LIMIT
-        return Outcome(self._point, reached, proven, infeasible, stopped, self._size)
+    def _outcome(self, reached: tuple[Reached, ...], *, infeasible: bool) -> Outcome:
+        point = self._point
+        if point is not None:
+            reached = tuple(replace(item, value=self._worth(point, item.name)) for item in reached)
+        proven = point is not None and all(item.proven for item in reached)
+        stopped = None
+        if not proven and not infeasible:
+            stopped = self._stopped or self.clock.stopped_by or StoppedBy.PRECISION
+        notes = tuple(self._notes)
+        return Outcome(point, reached, proven, infeasible, stopped, self._size, notes=notes)
+
+    def _worth(self, point: Point, name: str) -> float:
+        """An objective's value in the plan of a point."""
+        if name != "own":
+            return self.measure(point, name)
+        target = self._target(point.encoded, name)
+        return target.own(target.value(point.values))
+
+    def _guarded(self, name: str, done: Found | None) -> Reached:
+        """One stage; where the solver contradicts itself, the plan that is known is kept."""
+        try:
+            return self._stage(name, done)
+        except SolverError as error:
+            self._notes.append(f"{name} is not proven: {error}")
+            self._stopped = self._stopped or StoppedBy.PRECISION
+            return Reached(name, None, None)
 
     def _first_plan(self, linear: str | None) -> Found:
         """Any plan; a linear first objective is minimised to its end at once."""
         encoded = self._build(self._kept)
-        objective = self._linear(encoded, linear or "travel")
-        return self._search(encoded, objective, linear or "first plan", first=linear is None)
+        target = self._target(encoded, linear or "travel")
+        return self._search(encoded, target, linear or "first plan", first=linear is None)
 
-    def _stage(self, name: str, done: Found | None) -> tuple[Reached, bool]:
+    def _stage(self, name: str, done: Found | None) -> Reached:
         if name in _LINEAR:
             return self._minimise(name, done)
         if name == "availability":
             if np.isinf(self._outlook()):  # the formula is true whatever the agents do
-                return Reached(name, None, None), True
+                return Reached(name, None, np.inf)
             return self._availability() if self.tight else self._minimise(name, None)
         return self._makespan()
 
     # --- linear objectives -------------------------------------------------------------------
 
-    def _minimise(self, name: str, done: Found | None) -> tuple[Reached, bool]:
+    def _minimise(self, name: str, done: Found | None) -> Reached:
         found = done
         if found is None:
             encoded = self._build(self._kept)
-            found = self._search(encoded, self._linear(encoded, name), name)
-        if found.objective is None:
-            found = self._as_it_is(name, found)
-        value = found.objective
-        assert value is not None
-        self._kept = replace(self._kept, rows=(*self._kept.rows, (name, value)))
-        self._stopped = self._stopped or found.stopped_by
-        exact = found.proven and found.stopped_by is None
-        bound = self._shown(name, found.bound if np.isfinite(found.bound) else None)
-        return Reached(name, self._shown(name, value), bound), exact
-
-    def _as_it_is(self, name: str, found: Found) -> Found:
-        """The present plan's value where a later stage ran out of time before finding a point."""
+            found = self._search(encoded, self._target(encoded, name), name)
         point = self._point
         assert point is not None
-        value = float(self._linear(point.encoded, name) @ point.values)
-        return replace(found, values=point.values, objective=value)
+        target = self._target(point.encoded, name)
+        value = target.value(point.values)
+        self._kept = replace(self._kept, rows=(*self._kept.rows, (name, value)))
+        self._stopped = self._stopped or found.stopped_by
+        bound = value if found.proven else found.bound
+        return Reached(name, None, target.own(bound) if np.isfinite(bound) else None)
 
-    def _linear(self, encoded: Encoded, name: str) -> Floats:
+    def _target(self, encoded: Encoded, name: str) -> Target:
+        """A linear objective over the columns of a model."""
         count = encoded.model.size.columns
         if name == "travel":
-            return objectives.travel(encoded.network, count)
+            return Target(objectives.travel(encoded.network, count))
         if name == "cost":
-            return objectives.cost(encoded.network, count)
+            unit = self.setting.mission.system.cost_unit
+            return Target(objectives.cost(encoded.network, count), unit)
+        if name == "own":
+            return self._own(encoded)
         vector = np.zeros(count)
         if name == "agents":
             vector[encoded.stayers] = -1.0
-        elif name == "availability":
-            vector[encoded.rho] = -1.0
-        else:
-            mission = self.setting.mission
-            columns, values, _ = resolve(
-                self.own, mission.system, self.setting.arrays, encoded.network
-            )
-            np.add.at(vector, columns, values)
-        return vector
+            return Target(vector, constant=Fraction(self.setting.mission.size))
+        vector[encoded.rho] = -1.0
+        return Target(vector, Fraction(-1))
 
-    def _shown(self, name: str, value: float | None) -> float | None:
-        """An objective's value as its name means it, from the value that was minimised."""
-        if value is None:
-            return None
-        if name == "availability":
-            return 0.0 - value
-        return value + self.setting.mission.size if name == "agents" else value
+    def _own(self, encoded: Encoded) -> Target:
+        """A user's own sum, counted in whole units where its coefficients allow it."""
+        system, arrays = self.setting.mission.system, self.setting.arrays
+        terms: dict[int, Fraction] = {}
+        constant = Fraction(0)
+        for term, factor in self.own:
+            columns, _, fixed = resolve([(term, 1.0)], system, arrays, encoded.network)
+            constant += exact(factor) * exact(fixed)
+            for column in columns.tolist():
+                terms[column] = terms.get(column, Fraction(0)) + exact(factor)
+        most = self.setting.mission.size
+        return Target.of(terms, encoded.model.size.columns, constant, most=most)
 
     # --- levels ------------------------------------------------------------------------------
 
-    def _availability(self) -> tuple[Reached, bool]:
+    def _availability(self) -> Reached:
         assert self._point is not None
-        low = self.measure(self._point).availability
+        low = self.measure(self._point, "availability")
         high = self._outlook()
         while low < high and not self.clock.over:
             probe = int(low + (high - low + 1) // 2)
-            found = self._probe(replace(self._kept, level=probe), "availability")
+            found = self._probe(replace(self._kept, level=probe), "availability", high)
             if found.values is not None:
-                low = max(float(probe), self.measure(self._point).availability)
+                low = max(float(probe), self.measure(self._point, "availability"))
             elif found.proven:
                 high = probe - 1
             else:
+                self._stopped = self._stopped or found.stopped_by
                 break
             self.tell("availability", None, low, high)
         self._kept = replace(self._kept, level=int(low))
-        return Reached("availability", low, max(high, low)), low >= high
+        return Reached("availability", None, max(high, low))
 
-    def _makespan(self) -> tuple[Reached, bool]:
+    def _makespan(self) -> Reached:
         assert self._point is not None
-        low, high = 0, self.measure(self._point).makespan
+        low, high = 0, int(self.measure(self._point, "makespan"))
         while low < high and not self.clock.over:
             probe = (low + high) // 2
-            found = self._probe(replace(self._kept, makespan=probe), "makespan")
+            found = self._probe(replace(self._kept, makespan=probe), "makespan", low)
             if found.values is not None:
-                high = min(probe, self.measure(self._point).makespan)
+                high = min(probe, int(self.measure(self._point, "makespan")))
             elif found.proven:
                 low = probe + 1
             else:
+                self._stopped = self._stopped or found.stopped_by
                 break
             self.tell("makespan", None, high, low)
         self._kept = replace(self._kept, makespan=high)
-        return Reached("makespan", high, low), low >= high
+        return Reached("makespan", None, low)
 
-    def _probe(self, kept: Kept, name: str) -> Found:
-        """Any plan that keeps what `kept` says; travel guides the search."""
+    def _probe(self, kept: Kept, name: str, bound: float) -> Found:
+        """Any plan that keeps what `kept` says; travel guides the search.
+
+        `bound` is what is known of the objective that is probed.
+        """
         encoded = self._build(kept)
-        return self._search(encoded, self._linear(encoded, "travel"), name, first=True)
+        return self._search(encoded, self._target(encoded, "travel"), name, first=True, known=bound)
 
     def _outlook(self) -> float:
         """The free bound on availability: every atom on its own, by team and travel times."""
@@ -227,6 +253,10 @@ class Stages:
     # --- models ------------------------------------------------------------------------------
 
     def _build(self, kept: Kept) -> Encoded:
+        with self.clock.timed("build"):
+            return self._built(kept)
+
+    def _built(self, kept: Kept) -> Encoded:
         if self.tight:
             encoded = replace(tight(self.setting, kept.level), level=kept.level)
         else:
@@ -248,23 +278,40 @@ class Stages:
         """The model with the values that earlier objectives must keep."""
         model = encoded.model
         for name, value in kept.rows:
-            vector = self._linear(encoded, name)
-            slack = 1e-6 * max(1.0, abs(value))
-            model = model.with_row(vector, -INFINITY, value + slack, f"kept {name}")
+            model = self._target(encoded, name).kept(model, value, f"kept {name}")
         return replace(encoded, model=model)
 
     def _search(
-        self, encoded: Encoded, objective: Floats, name: str, *, first: bool = False
+        self,
+        encoded: Encoded,
+        target: Target,
+        name: str,
+        *,
+        first: bool = False,
+        known: float | None = None,
     ) -> Found:
-        def report(values: Floats | None, value: float | None, bound: float | None) -> None:
+        """Search a model for the least value of a target, or for its `first` plan.
+
+        What is told is the stage's own objective: with `first` that is not the target, so only the
+        `known` bound is told.
+        """
+        best: float | None = None
+
+        def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
+            nonlocal best
             point = None if values is None else Point(encoded, values, self.tight)
-            self.tell(name, point, self._shown(name, value), self._shown(name, bound))
+            if point is not None:
+                self._point = point
+                best = None if name == "first plan" else self._worth(point, name)
+            told = known if first else None if bound is None else target.own(bound)
+            if point is not None or told is not None:
+                self.tell(name, point, best, told)
 
         self.tell(name, None, None, None)
         effort = self.effort
         if not self.tight:
             effort = replace(effort, ideas=frozenset())
-        search = Search(encoded, objective, effort, self.clock, report)
+        search = Search(encoded, target, effort, self.clock, report)
         if encoded.shared and Idea.CHAINS in effort.ideas:
             chained = partial(self._chained, encoded, effort)
             if self._point is None:
@@ -273,10 +320,7 @@ class Stages:
                 search.rescue = chained
         if self.known is not None and self._point is None:
             search.scout = self._recalled
-        found = search.minimise(None if first else self._start(encoded), first=first)
-        if found.values is not None:
-            self._point = Point(encoded, found.values, self.tight)
-        return found
+        return search.minimise(None if first else self._start(encoded), first=first)
 
     def _recalled(self) -> Floats | None:
         return self.known
@@ -286,8 +330,8 @@ class Stages:
         restricted = self._restricted(encoded)
         left = self.clock.left
         budget = _CHAIN_SECONDS if left is None else min(_CHAIN_SECONDS, left / 2)
-        objective = self._linear(restricted, "travel")
-        return first_flows(restricted, objective, effort, self.clock.within(budget))
+        target = self._target(restricted, "travel")
+        return first_flows(restricted, target, effort, self.clock.within(budget))
 
     def _restricted(self, encoded: Encoded) -> Encoded:
         """The chained model within the bounds and kept rows of the exact one."""

@@ -20,6 +20,7 @@ import numpy as np
 
 from tsplan.encode.clock import Clock
 from tsplan.encode.dive import TOLERANCE, fractional
+from tsplan.encode.target import Target
 from tsplan.milp.model import Floats, Ints
 from tsplan.milp.warm import LPResult, WarmLP
 
@@ -28,7 +29,10 @@ Fixed: TypeAlias = dict[int, float]
 
 @dataclass(frozen=True, eq=False)
 class Grown:
-    """What the search knows at its end: the best point below the cutoff, and a true bound."""
+    """What the search knows at its end: the best point it found, and a bound on all points.
+
+    The point may have parts of agents, and the bound is what linear programs say of it.
+    """
 
     values: Floats | None
     bound: float
@@ -50,12 +54,12 @@ class Witnessing:
 
 
 class Tree:
-    """Branch and bound over the indicators of one model; `step` is the least gain that counts."""
+    """Branch and bound over the indicators of one model, for the least value of its target."""
 
-    def __init__(self, lp: WarmLP, witnessing: Witnessing, step: float) -> None:
+    def __init__(self, lp: WarmLP, witnessing: Witnessing, target: Target) -> None:
         self._lp = lp
         self._witnessing = witnessing
-        self._step = step
+        self._target = target
         self._fixed: Fixed = {}
         self._values: Floats | None = None
         self._value = np.inf
@@ -64,13 +68,13 @@ class Tree:
         self._deep: list[_Node] = []
 
     def grow(
-        self, root: LPResult, clock: Clock, cutoff: float | None, *, first: bool = False
+        self, root: LPResult, clock: Clock, known: float | None, *, first: bool = False
     ) -> Grown:
         """Search below `root`, the LP's present solution; its bounds are restored at the end.
 
-        Points that do not beat `cutoff` are not looked for; `first` ends with any point.
+        Points that do not beat a `known` value are not looked for; `first` ends with any point.
         """
-        self._value = np.inf if cutoff is None else cutoff
+        self._value = np.inf if known is None else known
         self._heap = [_Node(root.objective, 0, {})]
         return self.go_on(clock, first=first)
 
@@ -95,11 +99,15 @@ class Tree:
                 heapq.heappush(heap, child)
         self._move_to({})
         left = [node.bound for node in (*heap, *deep) if self._promising(node.bound)]
-        return Grown(self._values, min([self._value, *left]), done=not left)
+        return Grown(self._values, min([self._cutoff, *left]), done=not left)
+
+    @property
+    def _cutoff(self) -> float:
+        return np.inf if np.isinf(self._value) else self._target.cutoff(self._value)
 
     def _promising(self, bound: float) -> bool:
         """Whether a node with this bound can hold a point that is better by a whole step."""
-        return bound <= self._value - self._step + TOLERANCE
+        return bound <= self._cutoff
 
     def _split(self, node: _Node, result: LPResult) -> list[Fixed]:
         """The children of a node, the likelier one first; none if it is settled."""
@@ -109,7 +117,8 @@ class Tree:
         assert values is not None
         open_ = fractional(values, self._witnessing.indicators)
         if not len(open_):
-            self._values, self._value = values, result.objective
+            # parts of agents may be better than whole ones: only the next whole value is at stake
+            self._values, self._value = values, self._target.proven(result.objective)
             return []
         group = self._widest(values)
         if group is None:
@@ -138,7 +147,7 @@ class Tree:
 
     def _solve(self, fixed: Fixed, clock: Clock) -> LPResult:
         self._move_to(fixed)
-        limit = None if np.isinf(self._value) else self._value - self._step + 1e-4
+        limit = None if np.isinf(self._value) else self._cutoff
         return self._lp.solve(time_limit=clock.left, cutoff=limit)
 
     def _move_to(self, fixed: Fixed) -> None:

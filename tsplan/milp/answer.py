@@ -12,7 +12,7 @@ from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Options, Solution, Status, StoppedBy
 
 TOLERANCE = 1e-5  # by which a point may violate the model
-_CLOSED = 1e-6  # a gap that is none
+_CLOSED, _DIGITS = 1e-6, 1e-9  # a gap that is none, absolute and relative to the objective
 _GAIN = 1e-6  # by which a point has to beat the cutoff, relative to it if that is more
 _CERTAIN = 1e-6  # a start this close to the model refutes "infeasible"
 
@@ -69,17 +69,15 @@ class Question:
         return float(bound) if cutoff is None else min(float(bound), cutoff)
 
     def whole(self, values: Floats, tolerance: float = TOLERANCE) -> Floats | None:
-        """The point with whole numbers in the integer columns if it fits so; None if it does not.
+        """The point with whole numbers in the integer columns; None if that does not fit the model.
 
-        A point that fits the model only as it is, within the tolerance, is left as it is.
+        Where all numbers of a row are whole, the tolerance forgives it nothing.
         """
         values = np.asarray(values, dtype=np.float64)
         if values.shape != self.model.objective.shape or not np.isfinite(values).all():
             return None
         rounded = np.where(self.model.integer, np.round(values), values)
-        if self.model.violation(rounded) <= tolerance:
-            return rounded
-        return values if self.model.violation(values) <= tolerance else None
+        return rounded if self.model.violation(rounded) <= tolerance else None
 
     def answer(self, said: Ending, seconds: float) -> Solution:
         """The solution in common terms.
@@ -128,15 +126,29 @@ class Question:
 
     def _with_point(self, said: Ending, values: Floats, seconds: float) -> Solution:
         objective = self.objective(values)
+        bound = self._believed(said, objective)
+        status, why = Status.FEASIBLE, said.stopped_by
+        distance = np.inf if bound is None else objective - bound
+        if distance <= max(self.options.absolute_gap, self._nothing(objective)):
+            status, why = Status.OPTIMAL, None
+        elif said.verdict is Verdict.SOLVED:
+            silent = said.bound is None and self.options.gap > 0
+            wanted = silent or distance <= self.options.gap * abs(objective)
+            why = StoppedBy.GAP if wanted else StoppedBy.PRECISION
+        return Solution(status, why, values, objective, bound, seconds, said.nodes)
+
+    def _believed(self, said: Ending, objective: float) -> float | None:
+        """A solver's own bound, unless the point contradicts it.
+
+        A solver that names none is held to the value of its point as it gave it.
+        """
         bound = said.bound
         if bound is None and said.verdict is Verdict.SOLVED and self.options.gap <= 0:
-            bound = objective
-        bound = None if bound is None else min(bound, objective)
-        slack = max(self.options.absolute_gap, _CLOSED)
-        closed = bound is not None and objective - bound <= slack
-        solved = said.verdict is Verdict.SOLVED
-        if closed or (solved and self.options.gap <= 0):
-            status, why = Status.OPTIMAL, None
-        else:
-            status, why = Status.FEASIBLE, StoppedBy.GAP if solved else said.stopped_by
-        return Solution(status, why, values, objective, bound, seconds, said.nodes)
+            bound = objective if said.values is None else self.objective(said.values)
+        if bound is None or bound > objective + self._nothing(objective):
+            return None
+        return min(bound, objective)
+
+    def _nothing(self, objective: float) -> float:
+        """Distances from an objective up to this are rounding."""
+        return max(_CLOSED, _DIGITS * abs(objective))

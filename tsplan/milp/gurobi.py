@@ -33,7 +33,10 @@ class Gurobi:
 
     name = "gurobi"
     features = frozenset(
-        {"start", "progress", "incumbents", "first", "log", "seed", "threads", "gap", "cutoff"}
+        {
+            *("start", "progress", "incumbents", "first", "log"),
+            *("seed", "threads", "gap", "cutoff", "presolve"),
+        }
     )
 
     def availability(self) -> Availability:
@@ -237,6 +240,7 @@ def _configure(native: Any, options: Options) -> None:
         "Seed": options.seed,
         "SolutionLimit": 1 if options.first else None,
         "Cutoff": options.cutoff,
+        "Presolve": None if options.presolve else 0,
         "LogToConsole": 0,
         "OutputFlag": 0 if options.log is None else 1,
         **options.extra,

@@ -76,7 +76,10 @@ class Highs:
 
     name = "highs"
     features = frozenset(
-        {"start", "progress", "incumbents", "first", "log", "seed", "threads", "gap", "cutoff"}
+        {
+            *("start", "progress", "incumbents", "first", "log"),
+            *("seed", "threads", "gap", "cutoff", "presolve"),
+        }
     )
 
     def availability(self) -> Availability:
@@ -245,6 +248,7 @@ def _configure(highs: highspy.Highs, options: Options) -> None:
         "threads": options.threads,
         "log_to_console": False,
         "output_flag": options.log is not None,
+        "presolve": None if options.presolve else "off",
         **options.extra,
     }
     for name, value in asked.items():

@@ -10,6 +10,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from tsplan.gap import relative_gap
 from tsplan.milp.model import Floats, Model
 
 
@@ -23,18 +24,22 @@ class Status(StrEnum):
 
 
 class StoppedBy(StrEnum):
-    """What ended a solve before its question was settled."""
+    """What ended a solve before its question was settled.
+
+    PRECISION: the solver is done, and what it says is not borne out by its own bound or point.
+    """
 
     TIME_LIMIT = "time_limit"
     GAP = "gap"
     INTERRUPT = "interrupt"
     MEMORY = "memory"
+    PRECISION = "precision"
 
 
-_LIMITS = frozenset({StoppedBy.TIME_LIMIT, StoppedBy.INTERRUPT, StoppedBy.MEMORY})
+_LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}
 _POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
     Status.OPTIMAL: frozenset({None}),
-    Status.FEASIBLE: frozenset({*_LIMITS, StoppedBy.GAP, None}),
+    Status.FEASIBLE: frozenset({*StoppedBy, None}),
     Status.INFEASIBLE: frozenset({None}),
     Status.UNKNOWN: _LIMITS,
 }
@@ -93,7 +98,8 @@ class Options:
     the number to the solver, `seed` None its own order. `first` stops at the first feasible point.
     `cutoff` asks only for points below it. `start` is a point believed feasible; if it is, it is
     never lost. `log` gets the solver's lines. `stop` is asked about every 0.1 seconds and stops
-    the solve when it returns True. `extra` goes to the solver under its own names.
+    the solve when it returns True. Without `presolve` the model is solved as it stands. `extra`
+    goes to the solver under its own names.
 
     Raises ValueError for numbers that mean nothing.
     """
@@ -108,6 +114,7 @@ class Options:
     start: Floats | None = None
     log: Callable[[str], None] | None = None
     stop: Callable[[], bool] | None = None
+    presolve: bool = True
     extra: Mapping[str, object] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -139,18 +146,6 @@ class Progress:
 
 Watcher: TypeAlias = Callable[[Progress], bool]
 """Called with news in the thread that called `solve`; True asks to stop and keep the best point."""
-
-
-def relative_gap(objective: float | None, bound: float | None) -> float | None:
-    """`|objective - bound| / |objective|`, None while one of them is unknown.
-
-    >>> relative_gap(50.0, 45.0)
-    0.1
-    """
-    if objective is None or bound is None:
-        return None
-    distance = abs(objective - bound)
-    return 0.0 if distance == 0 else distance / max(abs(objective), _ROUNDING)
 
 
 def settled(model: Model) -> Solution | None:

@@ -32,7 +32,8 @@ class Solver(Protocol):
     def features(self) -> frozenset[str]:
         """What it can do.
 
-        Of "start", "progress", "incumbents", "first", "log", "seed", "threads", "gap" and "cutoff";
+        Of "start", "progress", "incumbents", "first", "log", "seed", "threads", "gap", "cutoff" and
+        "presolve";
         options for what it cannot do are passed over.
         """
 

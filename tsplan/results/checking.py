@@ -10,23 +10,26 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
 from tsplan.errors import Finding, SolverError
-from tsplan.mission.data import SENSES, Mission
+from tsplan.mission.data import Mission
+from tsplan.results.claims import false_objectives, shown
 from tsplan.results.judging import (
     completed,
     count_trace,
     false_claims,
     fulfilments_of,
     satisfaction_of,
+    spare_of,
 )
 from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
 from tsplan.results.occupancy import interval_counts, state_counts
-from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status
+from tsplan.results.plan import Bundle, ObjectiveValue, Plan
 from tsplan.results.swarmjudge import Verdict, judged_swarms, swarm_completed, swarm_facts
 
 if TYPE_CHECKING:
@@ -37,9 +40,6 @@ if TYPE_CHECKING:
     from tsplan.ts import TransitionSystem
 
 Journeys: TypeAlias = "list[tuple[Bundle, tuple[Leg, ...]]]"
-
-TOLERANCE = 1e-6
-"""Relative difference up to which sums of costs that are not whole numbers count as equal."""
 
 _SHOWN = 20  # findings of one kind that are listed before the rest is only counted
 
@@ -77,7 +77,8 @@ def check(mission: Mission, plan: Plan) -> Report:
         return Report(_shortened(findings), ())
     findings += _claims(mission, plan, values)
     facts = _facts(mission, plan, values) if not findings else ()
-    return Report(_shortened(findings), facts, values.availability, values.objectives)
+    measured = {name: float(value) for name, value in values.objectives.items()}
+    return Report(_shortened(findings), facts, values.availability, measured)
 
 
 def certify(mission: Mission, plan: Plan) -> Plan:
@@ -103,10 +104,13 @@ def certify(mission: Mission, plan: Plan) -> Plan:
 
 @dataclass(frozen=True)
 class _Worth:
-    """What a plan is worth: its formula's availability, its objectives, and what it satisfies."""
+    """What a plan is worth: its formula's availability, its objectives, and what it satisfies.
+
+    Objectives are exact; only an availability may be infinite.
+    """
 
     availability: float
-    objectives: Mapping[str, float]
+    objectives: Mapping[str, Fraction | float]
     satisfaction: Satisfaction | None = None
     preferences: tuple[Fulfilment, ...] = ()
 
@@ -138,11 +142,15 @@ def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], _Worth | None]
 
 def _worth(mission: Mission, plan: Plan, journeys: Journeys) -> _Worth:
     """What the paths of a plan are worth."""
-    values = {name: float(measure(journeys)) for name, measure in MEASURES.items()}
-    values["availability"] = formula_robustness(mission, plan.bundles, plan.horizon)
+    values: dict[str, Fraction | float] = {
+        name: Fraction(measure(journeys)) for name, measure in MEASURES.items()
+    }
+    availability = formula_robustness(mission, plan.bundles, plan.horizon)
+    values["availability"] = availability
     if not mission.partial and not mission.prefer:
-        return _Worth(values["availability"], values)
-    return _with_satisfaction(mission, values, count_trace(mission, plan.bundles, plan.horizon))
+        return _Worth(availability, values)
+    trace = count_trace(mission, plan.bundles, plan.horizon)
+    return _with_satisfaction(mission, availability, values, trace)
 
 
 def _swarm_worth(mission: Mission, verdict: Verdict) -> _Worth | None:
@@ -151,28 +159,31 @@ def _swarm_worth(mission: Mission, verdict: Verdict) -> _Worth | None:
         return None
     if not mission.partial and not mission.prefer:
         return _Worth(verdict.values["availability"], verdict.values)
-    return _with_satisfaction(mission, verdict.values, verdict.trace)
+    availability = verdict.values["availability"]
+    return _with_satisfaction(mission, availability, verdict.values, verdict.trace)
 
 
 def _with_satisfaction(
-    mission: Mission, measured: Mapping[str, float], trace: CountTrace
+    mission: Mission,
+    availability: float,
+    measured: Mapping[str, Fraction | float],
+    trace: CountTrace,
 ) -> _Worth:
     """Worth with what is satisfied; availability as an objective is that of what holds."""
     values = dict(measured)
-    availability = values["availability"]
+    values["availability"] = spare_of(mission, trace, availability)
     satisfaction, preferences = satisfaction_of(mission, trace), fulfilments_of(mission, trace)
     if satisfaction is not None and satisfaction.fraction is not None:
-        spare = satisfaction.availability
-        values["availability"] = math.inf if spare is None else spare
-        values["satisfaction"] = float(satisfaction.fraction)
-    values["preferences"] = float(sum(item.worth for item in preferences))
+        values["satisfaction"] = satisfaction.fraction
+    values["preferences"] = sum((item.worth for item in preferences), Fraction(0))
     return _Worth(availability, values, satisfaction, preferences)
 
 
 def _completed(mission: Mission, plan: Plan, worth: _Worth) -> Plan:
     """The plan with what it leaves open filled in."""
     finite = {
-        name: value if math.isfinite(value) else None for name, value in worth.objectives.items()
+        name: float(value) if math.isfinite(value) else None
+        for name, value in worth.objectives.items()
     }
     actual = worth.availability if math.isfinite(worth.availability) else None
     items = plan.objective or tuple(ObjectiveValue(name, None) for name in mission.objective)
@@ -198,8 +209,9 @@ def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
         found = _swarm_worth(mission, verdict)
         if found is None:
             raise SolverError("\n".join(verdict.problems))
-        return dict(found.objectives)
-    return dict(_worth(mission, plan, journeys).objectives)
+    else:
+        found = _worth(mission, plan, journeys)
+    return {name: float(value) for name, value in found.objectives.items()}
 
 
 def formula_robustness(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> float:
@@ -310,58 +322,14 @@ def _claims(mission: Mission, plan: Plan, worth: _Worth) -> list[Finding]:
         findings.append(
             _finding(f"the plan claims availability {plan.availability} and has {actual}")
         )
-    return findings + _objective(mission, plan, worth.objectives)
-
-
-def _objective(mission: Mission, plan: Plan, values: Mapping[str, float]) -> list[Finding]:
-    """Whether the objectives are the mission's, with their true values and possible bounds."""
-    names = tuple(item.name for item in plan.objective)
-    if names != mission.objective:
-        return [
-            _finding(
-                f"the plan's objectives are {', '.join(names) or 'none'} and the mission's "
-                f"{', '.join(mission.objective) or 'none'}"
-            )
-        ]
-    findings = []
-    for item in plan.objective:
-        actual = values[item.name]
-        if not _claimed(item.value, actual):
-            findings.append(
-                _finding(f"the plan claims {item.name} {item.value} and has {actual:g}")
-            )
-        findings += _bound(item, actual, plan.status)
-    return findings
-
-
-def _claimed(value: float | None, actual: float) -> bool:
-    if value is None or not math.isfinite(actual):
-        return value is None and not math.isfinite(actual)
-    return math.isclose(value, actual, rel_tol=TOLERANCE, abs_tol=TOLERANCE)
-
-
-def _bound(item: ObjectiveValue, actual: float, status: Status) -> list[Finding]:
-    if item.bound is None or not math.isfinite(actual):
-        return []
-    if math.isclose(item.bound, actual, rel_tol=TOLERANCE, abs_tol=TOLERANCE):
-        return []
-    over = actual > item.bound
-    if over == (SENSES[item.name] == "maximise"):
-        return [_finding(f"{item.name} {actual:g} is better than its bound {item.bound:g}")]
-    if status is Status.OPTIMAL:
-        return [
-            _finding(f"{item.name} is called optimal at {actual:g} with the bound {item.bound:g}")
-        ]
-    return []
+    objectives = [_finding(text) for text in false_objectives(mission, plan, worth.objectives)]
+    return findings + objectives
 
 
 def _facts(mission: Mission, plan: Plan, worth: _Worth) -> tuple[str, ...]:
-    def number(value: float) -> str:
-        return f"{value:g}" if math.isfinite(value) else "unbounded"
-
     values_found = (
-        *_held(worth, number(worth.availability)),
-        *(f"{name} is {number(worth.objectives[name])}" for name in mission.objective),
+        *_held(worth, shown(worth.availability)),
+        *(f"{name} is {shown(worth.objectives[name])}" for name in mission.objective),
     )
     if mission.swarm is not None:
         return (*swarm_facts(mission, plan, worth.objectives), *values_found)

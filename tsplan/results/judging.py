@@ -53,6 +53,28 @@ def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction | None:
     )
 
 
+def spare_of(mission: Mission, trace: CountTrace, availability: float) -> float:
+    """Agents to spare at all that holds: what must, and what may and does; infinite for nothing.
+
+    `availability` is that of the formula as a whole.
+    """
+    from tsplan.logic.evaluate import robustness  # noqa: PLC0415  (slow to import)
+    from tsplan.logic.fraction import shares  # noqa: PLC0415
+
+    if mission.partial:
+        tree = mission.tree(mission.formula)
+        return shares(tree, trace)[tree][0].spare
+    least = availability
+    for wish in mission.prefer:
+        tree = mission.tree(wish.formula)
+        if wish.partial:
+            least = min(least, shares(tree, trace)[tree][0].spare)
+        else:
+            spare = float(robustness(tree, trace)[..., 0])
+            least = min(least, spare) if spare >= 0 else least
+    return least
+
+
 def fulfilments_of(mission: Mission, trace: CountTrace) -> tuple[Fulfilment, ...]:
     """What became of every preferred formula, in the mission's order."""
     made = []

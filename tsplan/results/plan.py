@@ -45,18 +45,22 @@ class Status(StrEnum):
 
 
 class StoppedBy(StrEnum):
-    """What ended a search before its question was settled."""
+    """What ended a search before its question was settled.
+
+    PRECISION: the solver's arithmetic cannot tell whether there is something better.
+    """
 
     TIME_LIMIT = "time_limit"
     GAP = "gap"
     INTERRUPT = "interrupt"
     MEMORY = "memory"
+    PRECISION = "precision"
 
 
-_LIMITS = frozenset({StoppedBy.TIME_LIMIT, StoppedBy.INTERRUPT, StoppedBy.MEMORY})
+_LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}
 _POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
     Status.OPTIMAL: frozenset({None}),
-    Status.FEASIBLE: frozenset({*_LIMITS, StoppedBy.GAP}),
+    Status.FEASIBLE: frozenset(StoppedBy),
     Status.INFEASIBLE: frozenset({None}),
     Status.NO_PLAN_FOUND: _LIMITS,
     Status.ERROR: frozenset({None, *_LIMITS}),

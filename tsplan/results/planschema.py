@@ -196,7 +196,7 @@ class PlanFile(_Part):
 
     format: Literal["tsplan-plan/1"]
     status: Outcome
-    stopped_by: Literal["time_limit", "gap", "interrupt", "memory"] | None = None
+    stopped_by: Literal["time_limit", "gap", "interrupt", "memory", "precision"] | None = None
     mission: Mission
     horizon: Annotated[int, Field(strict=True, ge=0, le=MOST_STEPS)]
     objective: list[Objective] = []

@@ -32,6 +32,7 @@ _LIMITS = {
     StoppedBy.GAP: "within the accepted gap",
     StoppedBy.INTERRUPT: "when interrupted",
     StoppedBy.MEMORY: "out of memory",
+    StoppedBy.PRECISION: "at the limits of the solver's arithmetic",
 }
 
 

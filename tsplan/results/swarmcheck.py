@@ -54,9 +54,10 @@ def moves_of_paths(journeys: Journeys) -> dict[str, tuple[Move, ...]]:
     entered: dict[str, Counter[tuple[int, str, str]]] = defaultdict(Counter)
     for bundle, legs in journeys:
         agents = len(bundle.agents)
+        counted = entered[bundle.class_name]  # there even if nobody ever moves
         for leg in legs:
             for step in range(leg.entered, leg.left, (leg.left - leg.entered) // leg.times):
-                entered[bundle.class_name][step, leg.edge.source, leg.edge.target] += agents
+                counted[step, leg.edge.source, leg.edge.target] += agents
     return {
         swarm: tuple(sorted(Move(*edge, count) for edge, count in counted.items()))
         for swarm, counted in entered.items()

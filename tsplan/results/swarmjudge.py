@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from tsplan.results.counting import count_trace
@@ -80,7 +81,9 @@ def swarm_completed(mission: Mission, plan: Plan, journeys: Journeys) -> Plan:
     return replace(plan, moves=moves, groups=groups)
 
 
-def swarm_facts(mission: Mission, plan: Plan, values: Mapping[str, float]) -> tuple[str, ...]:
+def swarm_facts(
+    mission: Mission, plan: Plan, values: Mapping[str, Fraction | float]
+) -> tuple[str, ...]:
     """In words, what was found to hold of an accepted plan's moves."""
     assert mission.swarm is not None
     facts = [
@@ -92,7 +95,7 @@ def swarm_facts(mission: Mission, plan: Plan, values: Mapping[str, float]) -> tu
         facts.append(f"the paths of {len(plan.agents):,} agents say the same as the moves")
     facts.append(
         "the bounds on sub-swarms are kept at every step; the smallest one has "
-        f"{values['balance']:,g} agents"
+        f"{int(values['balance']):,} agents"
     )
     if mission.swarm.margin:
         facts.append("every demand of the formula has the mission's head-room")

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tsplan.errors import Finding, MapError
+from tsplan.exact import exact
 from tsplan.ts.parts import NOTHING, Edge, State
 from tsplan.ts.system import TransitionSystem
 
@@ -63,7 +64,7 @@ def _joint_edges(first: TransitionSystem, second: TransitionSystem) -> Iterator[
                 _joint(one.source, two.source),
                 _joint(one.target, two.target),
                 one.duration,
-                _cost(one) + _cost(two),
+                float(exact(_cost(one)) + exact(_cost(two))),
                 needs=one.needs | two.needs,
             )
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.errors import Finding, MapError
+from tsplan.exact import common_unit, exact
 from tsplan.ts.checks import Problem, in_order, problems
 from tsplan.ts.parts import Edge, State
 
@@ -126,6 +128,13 @@ class TransitionSystem:
             if self._position[pair] < self._position[back]:
                 groups.append((edge.capacity, (pair, back)))
         return tuple(groups)
+
+    @cached_property
+    def cost_unit(self) -> Fraction:
+        """The largest number of which every edge's cost is a whole multiple."""
+        costs = {edge.cost for edge in self.edges.values() if edge.cost is not None}
+        durations = any(e.cost is None and not e.is_wait for e in self.edges.values())
+        return common_unit([*map(exact, costs), *([Fraction(1)] if durations else [])])
 
     @cached_property
     def _position(self) -> Mapping[Pair, int]:

@@ -1,9 +1,9 @@
-"""What is maximised, scaled so that solvers count it in whole units where that is possible."""
+"""What is maximised where not everything can hold: one target a level, or several depths in one."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from math import prod
 
@@ -11,52 +11,28 @@ import numpy as np
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.partial.sums import Sum
-from tsplan.milp.model import INFINITY, Floats
+from tsplan.encode.target import Target
+from tsplan.milp.model import INFINITY
 
 MOST_UNITS = 20_000
-"""Values are counted in whole units up to this many; solvers tell so many apart for sure."""
+"""Depths are settled together up to so many outcomes, which the solver's own search tells apart."""
 
-_FINE = 10_000  # units per 1 where the true ones would be smaller
 _HALF = 0.5
 
 
-@dataclass(frozen=True, eq=False)
-class Aim:
-    """A sum to be maximised, as an objective that is minimised.
+def aim_at(total: Sum, units: int, columns: int) -> Target:
+    """A sum that is to be as large as possible; its values are multiples of one over `units`."""
+    unit = Fraction(1, units)
+    return Target.of(total.columns, columns, total.constant, maximise=True, unit=unit)
 
-    `scale` units make 1; if `step` is 1 all values of the objective are whole but for a constant.
-    """
 
-    vector: Floats
-    constant: Fraction
-    scale: int
-    step: float
-
-    @classmethod
-    def of(cls, total: Sum, units: int, most: Fraction, columns: int) -> Aim:
-        """A sum that is at most `most` and whose values are multiples of one over `units`."""
-        exact = units * most <= MOST_UNITS
-        scale = units if exact else _FINE
-        return cls(-total.vector(columns, scale), total.constant, scale, float(exact))
-
-    def shown(self, objective: float) -> float:
-        """The sum's value from that of the objective."""
-        if self.step:
-            return float((self.constant * self.scale - round(objective)) / self.scale)
-        return float(self.constant) - objective / self.scale
-
-    def below(self, encoded: Encoded, value: Fraction) -> Encoded:
-        """The model of those plans that reach less than `value`."""
-        if not self.step:
-            return encoded
-        least = float((self.constant - value) * self.scale) + _HALF
-        return replace(encoded, model=encoded.model.with_row(self.vector, least, INFINITY, "less"))
-
-    def kept(self, encoded: Encoded, objective: float) -> Encoded:
-        """The model of those plans that reach as much as one with this objective."""
-        slack = _HALF if self.step else 1e-6 * max(1.0, abs(objective))
-        model = encoded.model.with_row(self.vector, -INFINITY, objective + slack, "kept")
-        return replace(encoded, model=model)
+def below(encoded: Encoded, target: Target, value: Fraction) -> Encoded:
+    """The model of those plans that reach less than `value`, where that can be told apart."""
+    if not target.step:
+        return encoded
+    least = float((value - target.constant) / target.unit) + _HALF
+    model = encoded.model.with_row(target.vector, least, INFINITY, "less")
+    return replace(encoded, model=model)
 
 
 def chunks(counts: Sequence[int], *, together: bool) -> list[tuple[int, ...]]:
@@ -81,11 +57,11 @@ def chunks(counts: Sequence[int], *, together: bool) -> list[tuple[int, ...]]:
     return found
 
 
-def by_depth(claims: Sequence[np.ndarray[tuple[int], np.dtype[np.int64]]], columns: int) -> Aim:
+def by_depth(claims: Sequence[np.ndarray[tuple[int], np.dtype[np.int64]]], columns: int) -> Target:
     """The claims of several depths, one of a depth worth more than all of the deeper ones."""
     vector = np.zeros(columns)
     weight = 1
     for members in reversed(claims):
         vector[members] = -float(weight)
         weight *= len(members) + 1
-    return Aim(vector, Fraction(0), 1, 1.0)
+    return Target(vector, Fraction(-1))

@@ -18,6 +18,8 @@ from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
 from tsplan.encode.dive import dive
 from tsplan.encode.search import Effort
+from tsplan.encode.target import Target
+from tsplan.milp.confirm import tried
 from tsplan.milp.model import Floats, Ints, Model
 from tsplan.milp.solution import Options
 from tsplan.milp.warm import WarmLP
@@ -30,26 +32,25 @@ _HALF = 0.5
 
 @dataclass(eq=False)
 class Improving:
-    """Looks for a good point of one model; `step` is the least gain that counts."""
+    """Looks for a point of one model at which a target is small."""
 
     encoded: Encoded
-    objective: Floats
+    target: Target
     effort: Effort
     clock: Clock
-    step: float
 
     def best(self, known: Floats | None = None) -> Floats | None:
         """A good point, `known` or better; None if none was found."""
         if self.encoded.refuted:
             return known
-        model = self.encoded.model.with_objective(self.objective)
+        model = self.encoded.model.with_objective(self.target.vector)
         lp = WarmLP(model, self.clock.stop)
         root = lp.solve(time_limit=self.clock.left)
         if root.status != "optimal":
             return known
-        bound = root.objective
+        bound = self.target.proven(root.objective)
         point = known
-        if point is None or self._value(point) > bound + max(self.step, 1e-6):
+        if point is None or not self._best(point, bound):
             turns = 20 + len(self.encoded.indicators) // 10
             clock = self.clock.within(_FIRST)
             dived = dive(lp, self.encoded.indicators, root, clock, turns=turns)
@@ -65,7 +66,7 @@ class Improving:
         waiting = deque([*combinations(choices, 1), *combinations(choices, 2)])
         tried = 0
         while tried < len(waiting) and not clock.over:
-            if self._value(point) <= bound + max(self.step, 1e-6) - 1e-4:
+            if self._best(point, bound):
                 break
             found = self._held(model, point, waiting[0], point, _EACH)
             waiting.rotate(-1)
@@ -88,19 +89,23 @@ class Improving:
                 _hold(group, values, lower, upper)
         options = Options(
             time_limit=self.clock.within(seconds).left,
-            absolute_gap=self.step - 1e-4 if self.step else 0.0,
+            absolute_gap=self.target.absolute_gap,
             threads=self.effort.threads,
             seed=self.effort.seed,
-            cutoff=None if known is None else self._value(known) - self.step + 1e-4,
+            cutoff=None if known is None else self.target.cutoff(self._value(known)),
             stop=self.clock.stop,
         )
-        found = self.effort.solver.solve(model.with_bounds(lower, upper), options).values
-        if found is None or (known is not None and self._value(found) >= self._value(known) - 1e-6):
-            return None
-        return found
+        found = tried(self.effort.solver, model.with_bounds(lower, upper), options)
+        if found is None or known is None:
+            return found
+        return found if self.target.better(self._value(found), self._value(known)) else None
 
     def _value(self, point: Floats) -> float:
-        return float(self.objective @ point)
+        return self.target.value(point)
+
+    def _best(self, point: Floats, bound: float) -> bool:
+        """Whether no point can be better."""
+        return self.target.closed(self._value(point), bound)
 
 
 def _hold(group: Ints, values: Floats, lower: Floats, upper: Floats) -> None:

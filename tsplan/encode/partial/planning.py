@@ -20,12 +20,14 @@ from tsplan.encode.ideas import Idea
 from tsplan.encode.partial.model import Ground, Wish, demand_of, everything, wish_of
 from tsplan.encode.partial.settling import Settled, Settling
 from tsplan.encode.readout import Measure, counts_of, moves_of
-from tsplan.encode.stages import Measured, Outcome, Point, Reached, Stages
+from tsplan.encode.stages import Outcome, Point, Reached, Stages
 from tsplan.errors import Finding, MissionError
+from tsplan.exact import exact
 from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.fraction import shares
 from tsplan.logic.fulfilment import Pair, demanded, levels, satisfied, spots
 from tsplan.logic.traces import CountTrace
+from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
 
 FIRST = frozenset({"satisfaction", "preferences"})
@@ -68,7 +70,8 @@ def plan_soft(stages: Stages) -> Outcome:
     mission = stages.setting.mission
     first = first_of(mission)
     ground = Ground(partial(assembled, stages.setting), stages.setting.horizon)
-    settling = Settling(ground, stages.effort, stages.clock, stages.tell, first)
+    worth = partial(worth_of, stages.setting)
+    settling = Settling(ground, stages.effort, stages.clock, stages.tell, first, worth)
     tried = _whole(stages, settling) if mission.partial else None
     if tried is not None and tried.point is not None:
         whole = Settled(tried.point, (), True, False, None, tried.size)
@@ -97,10 +100,21 @@ def plan_soft(stages: Stages) -> Outcome:
         reached=(choice.objective, *(others or (Reached(name, None, None) for name in names))),
         proven=settled.proven and outcome.proven,
         infeasible=False,
-        stopped_by=settled.stopped_by or outcome.stopped_by,
+        stopped_by=why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible),
         size=outcome.size,
         levels=settled.levels,
+        notes=outcome.notes,
     )
+
+
+def why_open(
+    settling: StoppedBy | None, rest: StoppedBy | None, *, refuted: bool
+) -> StoppedBy | None:
+    """What kept the first objective or the `rest` from being proven.
+
+    `refuted` says that the rest was called impossible, and yet a plan is known.
+    """
+    return settling or rest or (StoppedBy.PRECISION if refuted else None)
 
 
 def first_of(mission: Mission) -> str:
@@ -132,9 +146,25 @@ def _unheard(*_: object) -> None:
     """A try's bounds are not those of the objective."""
 
 
-def _unmeasured(_: Point) -> Measured:
+def _unmeasured(*_: object) -> float:
     """Any plan will do."""
-    return Measured(0.0, 0)
+    return 0.0
+
+
+def worth_of(setting: Setting, point: Point) -> float:
+    """What the plan of a point comes to in the objective that says what is to hold."""
+    mission = setting.mission
+    wishes = wishes_of(mission)
+    every = conjunction(wish.tree for wish in wishes)
+    trace = _trace(setting, every, point)
+    fractions = [shares(wish.tree, trace)[wish.tree][0].fraction for wish in wishes]
+    if mission.partial:
+        return float(fractions[0])
+    worths = (
+        preference.weight * (fraction if preference.partial else int(fraction == 1))
+        for preference, fraction in zip(mission.prefer, fractions, strict=True)
+    )
+    return float(sum(worths, Fraction(0)))
 
 
 def chosen(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
@@ -200,9 +230,9 @@ def _met(wish: Wish, trace: CountTrace) -> Iterable[Pair]:
 
 def _summed(settled: Settled) -> tuple[float | None, float | None]:
     """Value and bound of all levels together; the value of what is not proven stays open."""
-    known = [level.bound for level in settled.levels if level.bound is not None]
-    bound = sum(known) if len(known) == len(settled.levels) else None
-    value = sum(level.value or 0.0 for level in settled.levels)
+    known = [exact(level.bound) for level in settled.levels if level.bound is not None]
+    bound = float(sum(known)) if len(known) == len(settled.levels) else None
+    value = float(sum(exact(level.value or 0.0) for level in settled.levels))
     return (value if settled.proven else None), bound
 
 

@@ -12,13 +12,15 @@ import numpy as np
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
 from tsplan.encode.ideas import Idea
-from tsplan.encode.partial.aims import Aim, by_depth, chunks
+from tsplan.encode.partial.aims import aim_at, below, by_depth, chunks
 from tsplan.encode.partial.improving import Improving
 from tsplan.encode.partial.model import Claimed, Ground, Wish, claimed, valued
 from tsplan.encode.partial.rivals import Rivals, without_rivalry
 from tsplan.encode.partial.sums import Sum
 from tsplan.encode.search import Effort, Found, Search
 from tsplan.encode.stages import Point, Reached
+from tsplan.encode.target import Target
+from tsplan.exact import exact
 from tsplan.logic import Formula
 from tsplan.logic.fulfilment import spots
 from tsplan.milp.model import Floats
@@ -44,13 +46,17 @@ class Settled:
 
 @dataclass(eq=False)
 class Settling:
-    """Searches one ground for what holds at best; `name` is what the objective is called."""
+    """Searches one ground for what holds at best.
+
+    `name` is what the objective is called, `worth` what a point comes to in it by its moves.
+    """
 
     ground: Ground
     effort: Effort
     clock: Clock
     tell: Tell
     name: str
+    worth: Callable[[Point], float]
     _point: Point | None = field(default=None, init=False)
     _levels: list[Reached] = field(default_factory=list, init=False)
     _proven: bool = field(default=True, init=False)
@@ -82,20 +88,33 @@ class Settling:
         for level in sorted(levels, reverse=True):
             entries = levels[level]
             total = Sum.total((model.worth[number], weight) for number, weight in entries)
+            most = _total(entries)
             units = lcm(*(wishes[n].denominator * weight.denominator for n, weight in entries))
-            most = sum((weight for _, weight in entries), Fraction(0))
-            aim = Aim.of(total, units, most, encoded.model.size.columns)
+            aim = aim_at(total, units, encoded.model.size.columns)
             if refuted and not self._levels:
-                encoded = aim.below(encoded, most)
-            found = self._best(encoded, aim, model.rivals)
+                encoded = below(encoded, aim, most)
+            others = sum((_total(levels[lower]) for lower in levels if lower < level), Fraction(0))
+            found = self._best(encoded, aim, model.rivals, self._bounded(others))
             certain = self._noted(found)
             if found.objective is None:
                 return self._settled(infeasible=found.proven)
-            bound = found.objective if certain else found.bound
-            reached = min(aim.shown(bound), float(most))
-            self._levels.append(Reached(str(level), aim.shown(found.objective), reached))
-            encoded = aim.kept(encoded, found.objective)
+            reached = min(aim.own(found.objective if certain else found.bound), float(most))
+            self._levels.append(Reached(str(level), aim.own(found.objective), reached))
+            kept = aim.kept(encoded.model, found.objective, "kept")
+            encoded = replace(encoded, model=kept)
         return self._settled()
+
+    def _bounded(self, others: Fraction) -> Callable[[float], float | None]:
+        """A bound on all levels from one on the present level; `others` is all that may follow."""
+        known = [level.bound for level in self._levels]
+
+        def bounded(own: float) -> float | None:
+            parts = [exact(bound) for bound in known if bound is not None]
+            if len(parts) < len(known) or not np.isfinite(own):
+                return None
+            return float(sum(parts, exact(own) + others))
+
+        return bounded
 
     # --- depths ------------------------------------------------------------------------------
 
@@ -115,7 +134,7 @@ class Settling:
             model = claimed(self.ground, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
-            found = self._best(_within(model, known), aim, model.rivals)
+            found = self._best(_within(model, known), aim, model.rivals, lambda _: None)
             surest, certain = self._proven, self._noted(found)
             if found.values is None:
                 return self._settled(infeasible=found.proven)
@@ -127,7 +146,7 @@ class Settling:
                 bounds |= made
             else:
                 unit = -aim.vector.min()
-                first = min(floor(-found.bound / unit + 1e-6), counts[chunk[0]])
+                first = min(floor(-found.bound / unit), counts[chunk[0]])
                 bounds |= {**dict.fromkeys(chunk), chunk[0]: float(first)}
         values = {depth: known.get(depth, (0.0, 0.0))[0] for depth in range(len(counts))}
         self._levels = [Reached(str(d), value, bounds.get(d)) for d, value in values.items()]
@@ -135,27 +154,37 @@ class Settling:
 
     # --- search ------------------------------------------------------------------------------
 
-    def _best(self, encoded: Encoded, aim: Aim, rivals: Rivals) -> Found:
+    def _best(
+        self,
+        encoded: Encoded,
+        aim: Target,
+        rivals: Rivals,
+        bounded: Callable[[float], float | None],
+    ) -> Found:
+        """Search for the best point; `bounded` makes a bound of the objective from the aim's."""
         encoded = without_rivalry(encoded, aim.vector, rivals, self.clock)
+        best: float | None = None
 
-        def report(values: Floats | None, value: float | None, bound: float | None) -> None:
+        def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
+            nonlocal best
             point = None if values is None else Point(encoded, values, tight=True)
-            shown = [None if n is None else aim.shown(n) for n in (value, bound)]
-            self.tell(self.name, point, *shown)
+            if point is not None:
+                self._point = point
+                best = self.worth(point)
+            told = None if bound is None else bounded(aim.own(bound))
+            if point is not None or told is not None:
+                self.tell(self.name, point, best, told)
 
         size = encoded.model.size
         self._size = (size.columns, size.integers, size.rows, size.nonzeros)
         effort = replace(self.effort, ideas=self.effort.ideas - {Idea.CONTINUOUS})
-        search = Search(encoded, aim.vector, effort, self.clock, report, step=aim.step)
+        search = Search(encoded, aim, effort, self.clock, report)
         search.patience = _PATIENCE
         former = None
         if self._point is not None:
             former = search.adopt(self._point.values[self._point.encoded.flows])
-        start = Improving(encoded, aim.vector, self.effort, self.clock, aim.step).best(former)
-        found = search.minimise(start)
-        if found.values is not None:
-            self._point = Point(encoded, found.values, tight=True)
-        return found
+        start = Improving(encoded, aim, self.effort, self.clock).best(former)
+        return search.minimise(start)
 
     def _noted(self, found: Found) -> bool:
         """Whether a search was carried to its end; if not, nothing after it is certain."""
@@ -166,10 +195,17 @@ class Settling:
 
     def _settled(self, *, infeasible: bool = False) -> Settled:
         proven = self._proven and self._point is not None
-        stopped = None if proven or infeasible else self._stopped or StoppedBy.TIME_LIMIT
+        stopped = None
+        if not proven and not infeasible:
+            stopped = self._stopped or self.clock.stopped_by or StoppedBy.PRECISION
         levels = tuple(self._levels)
         none = infeasible and self._point is None
         return Settled(self._point, levels, proven, none, stopped, self._size)
+
+
+def _total(entries: Sequence[tuple[int, Fraction]]) -> Fraction:
+    """What the wishes of a level are worth together."""
+    return sum((weight for _, weight in entries), Fraction(0))
 
 
 def _within(model: Claimed, known: Mapping[int, tuple[float, float]]) -> Encoded:

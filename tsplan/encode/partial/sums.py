@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from tsplan.milp.model import Draft, Floats
+from tsplan.milp.model import Draft
 
 _ONE = Fraction(1)
 
@@ -39,13 +39,6 @@ class Sum:
             for column, value in part.columns.items():
                 columns[column] = columns.get(column, Fraction(0)) + factor * value
         return cls(columns, constant)
-
-    def vector(self, count: int, scale: float) -> Floats:
-        """The coefficients over `count` columns, times `scale`, without the constant."""
-        made = np.zeros(count)
-        for column, value in self.columns.items():
-            made[column] = float(value * Fraction(scale))
-        return made
 
 
 class Ledger:

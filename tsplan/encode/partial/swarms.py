@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property, partial
 
 from tsplan.encode.build import Asking, Encoded, Setting
 from tsplan.encode.classes import agent_classes, map_arrays
@@ -21,7 +22,9 @@ from tsplan.encode.partial.planning import (
     first_of,
     refuse_if_too_large,
     trial,
+    why_open,
     wishes_of,
+    worth_of,
 )
 from tsplan.encode.partial.settling import Settling
 from tsplan.encode.reduction import whole
@@ -49,7 +52,8 @@ class SoftSwarms:
         mission = self.mission
         first = first_of(mission)
         refuted = False
-        settling = Settling(self._ground(), self.effort, self.clock, self._told(), first)
+        worth = partial(worth_of, self._setting)
+        settling = Settling(self._ground(), self.effort, self.clock, self._told(), first, worth)
         if mission.partial:
             refuse_if_too_large(mission)
             self.tell(first, None, None, None)
@@ -88,7 +92,7 @@ class SoftSwarms:
             reached=(reached, *others),
             proven=outcome.proven and settled.proven,
             infeasible=False,
-            stopped_by=settled.stopped_by or outcome.stopped_by,
+            stopped_by=why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible),
             levels=settled.levels,
         )
 
@@ -104,7 +108,7 @@ class SoftSwarms:
 
         return Ground(assemble, self.mission.horizon)
 
-    @property
+    @cached_property
     def _setting(self) -> Setting:
         """The swarms as classes, on the whole map."""
         mission = self.mission

@@ -1,4 +1,4 @@
-"""Objectives of swarms as coefficients over columns; all are minimised."""
+"""Objectives of swarms that are linear in the columns; all are minimised."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import numpy as np
 
 from tsplan.encode.swarm.groups import Occupancy, split_terms
 from tsplan.encode.swarm.model import SwarmModel
+from tsplan.encode.target import Target
 from tsplan.milp.model import Floats, Ints
 
 OF_GROUPS = frozenset({"splits", "moves", "makespan"})
@@ -43,6 +44,11 @@ def late(swarm: Occupancy, makespan: int) -> Ints:
     edge, step, column = swarm.entered.unrolled()
     graph = swarm.entered.graph
     return column[~graph.wait[edge] & (step + graph.duration[edge] > makespan)]
+
+
+def target(model: SwarmModel, name: str, columns: int) -> Target:
+    """One of these objectives over so many columns."""
+    return Target(VECTORS[name](model, columns))
 
 
 VECTORS = {"splits": splits, "moves": moves, "travel": travel}

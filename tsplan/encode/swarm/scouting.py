@@ -18,16 +18,14 @@ from tsplan.encode.swarm.groups import Occupancy
 from tsplan.encode.swarm.model import SwarmModel
 from tsplan.encode.swarm.tokens import Track, tokens
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.solution import Solution
 from tsplan.mission import Mission
 
 _SECONDS = 10.0  # for the tokens
 _SLACKS = (0, 2, 6)  # steps that a plan may differ from the tokens it follows
-_WHOLE = 1e-6
 
 
 def scout(
-    mission: Mission, model: SwarmModel, clock: Clock, solve: Callable[[Model], Solution]
+    mission: Mission, model: SwarmModel, clock: Clock, solve: Callable[[Model], Floats | None]
 ) -> Iterator[tuple[float, Floats | None]]:
     """A bound on the number of splits, infinite if there is no plan; then points of `counted`.
 
@@ -35,7 +33,7 @@ def scout(
     """
     few = tokens(mission)
     fewest = few.fewest(clock.within(_SECONDS))
-    bound = float(np.ceil(fewest.bound - _WHOLE))
+    bound = fewest.bound
     yield bound, None
     whole = None if fewest.values is None else few.whole(fewest.values, solve)
     if whole is None:
@@ -45,7 +43,7 @@ def scout(
     best = np.inf
     for slack in _SLACKS:
         narrow = _near(counted, model.swarms, few.tracks(whole), slack)
-        values = solve(narrow.with_objective(vector)).values
+        values = solve(narrow.with_objective(vector))
         splits = np.inf if values is None else float(np.round(vector @ values))
         if splits < best:
             best = splits

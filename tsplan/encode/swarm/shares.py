@@ -18,9 +18,8 @@ from tsplan.encode.network import ClassColumns
 from tsplan.encode.swarm.groups import Occupancy
 from tsplan.encode.swarm.model import SwarmModel, agents_at_states
 from tsplan.milp.model import INFINITY, Floats, Ints, Model, Tag
-from tsplan.milp.solution import Solution
 
-Solve = Callable[[Model], Solution]
+Solve = Callable[[Model], "Floats | None"]
 
 _SLACK = 1e-6
 _HALF = 0.5
@@ -198,11 +197,11 @@ def even_shares(
     smallest = int(np.flatnonzero(free == whole.size.columns)[0])
     goal[smallest] = -1.0
     best = solve(small.with_objective(goal))
-    if best.values is None:
+    if best is None:
         return values
-    values = _placed(values, free, best.values)
+    values = _placed(values, free, best)
     lower = small.lower.copy()
-    lower[smallest] = np.floor(best.values[smallest] + _SLACK)
+    lower[smallest] = np.floor(best[smallest] + _SLACK)
     place = np.full(whole.size.columns + 1, -1)
     place[free] = np.arange(len(free))
     pairs = tuple(zip(model.agents.classes, model.swarms, strict=True))
@@ -210,9 +209,9 @@ def even_shares(
     if uneven is None:
         return values
     evened = solve(uneven)
-    if evened.values is None:
+    if evened is None:
         return values
-    return _placed(values, free, evened.values[: len(free)])
+    return _placed(values, free, evened[: len(free)])
 
 
 def _placeless(model: SwarmModel, whole: Model, values: Floats) -> Model:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import TypeAlias
 
 import numpy as np
@@ -19,12 +20,15 @@ from tsplan.encode.ideas import Idea
 from tsplan.encode.network import Network
 from tsplan.encode.search import Effort, Found, Reporter, Search
 from tsplan.encode.stages import Reached
-from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, late
+from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, late, target
 from tsplan.encode.swarm.model import SwarmModel, moves_of
 from tsplan.encode.swarm.scouting import scout
 from tsplan.encode.swarm.shares import even_shares, sizes, with_smallest
+from tsplan.encode.target import Target
+from tsplan.errors import SolverError
+from tsplan.milp.confirm import tried
 from tsplan.milp.model import INFINITY, Floats, Model
-from tsplan.milp.solution import Options, Solution, Status, StoppedBy
+from tsplan.milp.solution import Options, StoppedBy
 from tsplan.mission import Mission
 from tsplan.results import Move
 
@@ -32,6 +36,7 @@ SwarmFlows: TypeAlias = Mapping[str, tuple[Move, ...]]
 Tell: TypeAlias = Callable[[str, "SwarmFlows | None", "float | None", "float | None"], None]
 
 _COUNTING = 10.0  # seconds for counting agents into known groups
+_EVENING, _LATE = 5.0, 0.5  # seconds for even shares, and where the time is up
 _SHORTENING = 3.0  # seconds for a point of few moves before agents' travel is minimised
 _FEASIBLE = 1e-6
 
@@ -50,6 +55,7 @@ class SwarmOutcome:
     stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
     levels: tuple[Reached, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -65,6 +71,24 @@ class _Kept:
         return all(name in OF_GROUPS for name, _ in self.rows)
 
 
+@dataclass(frozen=True)
+class _Ask:
+    """What one search is for: the least value of an objective, or its `first` plan.
+
+    `stage` is the objective whose values are told meanwhile, where that is another one.
+    """
+
+    name: str
+    kept: _Kept
+    first: bool = False
+    stage: str = ""
+
+    @property
+    def told(self) -> str:
+        """The objective whose values are told."""
+        return self.stage or self.name
+
+
 @dataclass(eq=False)
 class SwarmStages:
     """Runs the objectives of one problem in order; points are those of the counted model."""
@@ -77,34 +101,35 @@ class SwarmStages:
     _point: Floats | None = field(default=None, init=False)
     _kept: _Kept = field(default=_Kept(), init=False)
     _stopped: StoppedBy | None = field(default=None, init=False)
+    _notes: list[str] = field(default_factory=list, init=False)
 
     def run(self) -> SwarmOutcome:
         """All stages until the time is up; the best plan known is kept throughout."""
         names = self.mission.objective
         reached: list[Reached] = []
-        proven = True
         if not names or names[0] not in VECTORS:
-            found = self._search("splits", self._kept, first=True)
+            found = self._search(_Ask("splits", self._kept, first=True))
             if self._point is None:
-                return self._outcome((), proven=False, infeasible=found.proven)
+                return self._outcome((), infeasible=found.proven)
         for name in names:
-            result, exact, impossible = self._stage(name)
+            result, impossible = self._guarded(name)
             if self._point is None:
-                return self._outcome((), proven=False, infeasible=impossible)
+                return self._outcome((), infeasible=impossible)
             reached.append(result)
-            proven = proven and exact
-        return self._outcome(tuple(reached), proven=proven, infeasible=False)
+        return self._outcome(tuple(reached), infeasible=False)
 
-    def _outcome(
-        self, reached: tuple[Reached, ...], *, proven: bool, infeasible: bool
-    ) -> SwarmOutcome:
+    def _outcome(self, reached: tuple[Reached, ...], *, infeasible: bool) -> SwarmOutcome:
         size = self.model.counted.model.size
-        stopped = None if proven or infeasible else self._stopped or self._limit()
         flows = None
         if self._point is not None:
-            self._point = self._evened(self._point)
-            flows = self._flows(self._point)
-            reached = tuple(self._again(item, self._point) for item in reached)
+            point = self._point = self._evened(self._point)
+            flows = self._flows(point)
+            # even shares may be better in what was not proven
+            reached = tuple(replace(item, value=self._worth(item.name, point)) for item in reached)
+        proven = flows is not None and all(item.proven for item in reached)
+        stopped = None
+        if not proven and not infeasible:
+            stopped = self._stopped or self.clock.stopped_by or StoppedBy.PRECISION
         return SwarmOutcome(
             flows,
             reached,
@@ -112,151 +137,164 @@ class SwarmStages:
             infeasible,
             stopped,
             (size.columns, size.integers, size.rows, size.nonzeros),
+            notes=tuple(self._notes),
         )
 
-    def _again(self, item: Reached, point: Floats) -> Reached:
-        """What is reached in the end: even shares may be better in what was not proven."""
-        if item.name == "makespan":
-            return replace(item, value=self._last_move(point))
-        return replace(item, value=self._shown(item.name, self._value(item.name, point)))
-
-    def _limit(self) -> StoppedBy:
-        return StoppedBy.INTERRUPT if self.clock.stop() else StoppedBy.TIME_LIMIT
-
-    def _stage(self, name: str) -> tuple[Reached, bool, bool]:
-        """One objective: what is reached, whether that is proven, whether there is no plan."""
+    def _worth(self, name: str, point: Floats) -> float:
+        """An objective's value in its own unit."""
         if name == "makespan":
-            return (*self._makespan(), False)
-        found = self._search(name, self._kept)
+            return float(self._last_move(point))
+        value = self._value(name, point)
+        return 0.0 - value if name == "balance" else value
+
+    def _guarded(self, name: str) -> tuple[Reached, bool]:
+        """One stage; where the solver contradicts itself, the plan that is known is kept."""
+        try:
+            return self._stage(name)
+        except SolverError as error:
+            if self._point is None:
+                raise
+            self._notes.append(f"{name} is not proven: {error}")
+            self._stopped = self._stopped or StoppedBy.PRECISION
+            return Reached(name, None, None), False
+
+    def _stage(self, name: str) -> tuple[Reached, bool]:
+        """One objective: its bound, and whether there is no plan at all."""
+        if name == "makespan":
+            return self._makespan(), False
+        found = self._search(_Ask(name, self._kept))
         if self._point is None:
-            return Reached(name, None, None), False, found.proven
+            return Reached(name, None, None), found.proven
         value = self._value(name, self._point)
         self._kept = replace(self._kept, rows=(*self._kept.rows, (name, value)))
         self._stopped = self._stopped or found.stopped_by
-        exact = found.proven and found.stopped_by is None
         bound = min(found.bound, value) if np.isfinite(found.bound) else None
-        return Reached(name, self._shown(name, value), self._shown(name, bound)), exact, False
-
-    def _shown(self, name: str, value: float | None) -> float | None:
-        """An objective's value as its name means it; the smallest sub-swarm is maximised."""
-        if value is None:
-            return None
-        return 0.0 - value if name == "balance" else value
+        if bound is not None and name == "balance":
+            bound = 0.0 - bound
+        return Reached(name, None, bound), False
 
     # --- one objective -------------------------------------------------------------------------
 
-    def _search(self, name: str, kept: _Kept, *, first: bool = False) -> Found:
+    def _search(self, ask: _Ask) -> Found:
         """The least value of an objective: by groups alone if that settles it."""
-        self.tell(name, None, None, None)
+        name, kept = ask.name, ask.kept
+        self.tell(ask.told, None, None, None)
         bound = -np.inf
         if name == "splits" and kept == _Kept():
-            bound = self._scouted(first=first)
+            bound = self._scouted(first=ask.first)
             known = np.inf if self._point is None else self._value(name, self._point)
-            if known <= bound or (first and self._point is not None):
+            if known <= bound or (ask.first and self._point is not None):
                 value = None if self._point is None else known
                 return Found(self._point, value, bound, proven=known <= bound)
         if name in OF_GROUPS and kept.of_groups:
-            found = self._by_groups(name, kept, bound, first=first)
+            found = self._by_groups(ask, bound)
             settled = found.values is not None or (found.proven and found.objective is None)
             if settled or self.clock.over:
                 return found
             bound = found.bound
         if name == "travel" and kept.of_groups:
             self._shortened(kept)
-        found = self._by_counts(name, kept, first=first)
-        return replace(found, bound=max(found.bound, bound))
+        return self._by_counts(ask, bound)
 
     def _scouted(self, *, first: bool) -> float:
         """A bound on the number of splits; plans that are found on the way are kept."""
         bound = -np.inf
-        for splits, point in scout(
-            self.mission, self.model, self.clock, lambda model: self._solve(model, Options())
-        ):
+        for splits, point in scout(self.mission, self.model, self.clock, self._solve):
             if point is None:
                 bound = splits
                 self.tell("splits", None, None, bound)
                 continue
             self._point = point
             self.tell("splits", self._flows(point), splits, bound)
-            if first:
+            if first or self.clock.over:
                 break
         return bound
 
-    def _by_groups(self, name: str, kept: _Kept, bound: float, *, first: bool) -> Found:
+    def _by_groups(self, ask: _Ask, bound: float) -> Found:
         """Search where the groups are. Without values: no plan if proven, else undecided."""
+        name, kept, first = ask.name, ask.kept, ask.first
         encoded = self._narrowed(self.model.occupied, kept)
-        vector = VECTORS[name](self.model, encoded.model.size.columns)
+        aim = target(self.model, name, encoded.model.size.columns)
         heard: list[Floats] = []
-        report = self._hearing(name, kept, heard)
-        search = Search(encoded, vector, self.effort, self.clock, report)
+        report = self._hearing(ask, heard)
+        search = Search(encoded, aim, self.effort, self.clock, report)
         search.know(bound)
         start = None if first else self._start(encoded)
         found = search.minimise(start, first=first)
         if found.values is None:
             return found
-        held = heard and self._value(name, heard[-1]) <= (found.objective or 0.0) + _FEASIBLE
+        held = heard and self._value(name, heard[-1]) <= (found.objective or 0.0)
         return found if held else Found(None, found.objective, found.bound, proven=False)
 
-    def _hearing(self, name: str, kept: _Kept, heard: list[Floats]) -> Reporter:
-        """Hears of groups, counts agents into them, and keeps and tells what can be counted."""
+    def _hearing(self, ask: _Ask, heard: list[Floats]) -> Reporter:
+        """Hears of groups, counts agents into them, and keeps and tells what can be counted.
 
-        def report(values: Floats | None, value: float | None, bound: float | None) -> None:
-            point = None if values is None else self._counted(values, kept)
+        A search for any plan has no bound that could be told.
+        """
+
+        def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
+            point = None if values is None else self._counted(values, ask.kept)
             if point is not None:
                 heard.append(point)
-                self._point = point
-            flows = None if point is None else self._flows(point)
-            self.tell(name, flows, value if values is None or point is not None else None, bound)
+            self._heard(ask.told, point, None if ask.first else bound)
 
         return report
 
-    def _by_counts(self, name: str, kept: _Kept, *, first: bool) -> Found:
+    def _heard(self, name: str, point: Floats | None, bound: float | None) -> None:
+        """Keep a point of the counted model, and tell of it and of a bound in the own unit."""
+        if point is not None:
+            self._point = point
+        best = None if self._point is None else self._worth(name, self._point)
+        if point is not None or bound is not None:
+            self.tell(name, None if point is None else self._flows(point), best, bound)
+
+    def _by_counts(self, ask: _Ask, bound: float) -> Found:
+        name, kept, first = ask.name, ask.kept, ask.first
         encoded = self._narrowed(self.model.counted, kept)
         if name == "balance":
-            encoded, vector = self._balancing(encoded)
+            encoded, aim = self._balancing(encoded)
         else:
-            vector = VECTORS[name](self.model, encoded.model.size.columns)
+            aim = target(self.model, name, encoded.model.size.columns)
         columns = self.model.counted.model.size.columns
 
-        def report(values: Floats | None, value: float | None, bound: float | None) -> None:
-            flows = None if values is None else self._flows(values)
-            self.tell(name, flows, self._shown(name, value), self._shown(name, bound))
+        def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
+            shown = None if first or bound is None else aim.own(bound)
+            self._heard(ask.told, None if values is None else values[:columns], shown)
 
         # a tree on the witnesses leaves open where the groups go: that is the solver's part
         plain = replace(self.effort, ideas=self.effort.ideas - {Idea.TREE})
-        search = Search(encoded, vector, plain, self.clock, report)
-        found = search.minimise(None if first else self._start(encoded), first=first)
-        if found.values is not None:
-            self._point = found.values[:columns]
-        return found
+        search = Search(encoded, aim, plain, self.clock, report)
+        search.know(bound)
+        return search.minimise(None if first else self._start(encoded), first=first)
 
-    def _balancing(self, encoded: Encoded) -> tuple[Encoded, Floats]:
+    def _balancing(self, encoded: Encoded) -> tuple[Encoded, Target]:
         """The model with a column for the smallest sub-swarm's size, which is maximised."""
         found = sizes(self.model)
         model = with_smallest(encoded.model, found, float(found.most.max(initial=0.0)))
         vector = np.zeros(model.size.columns)
         vector[-1] = -1.0
         flows = np.append(encoded.flows, model.size.columns - 1)
-        return replace(encoded, model=model, flows=flows), vector
+        return replace(encoded, model=model, flows=flows), Target(vector, Fraction(-1))
 
-    def _makespan(self) -> tuple[Reached, bool]:
+    def _makespan(self) -> Reached:
         assert self._point is not None
         low, high = 0, self._last_move(self._point)
         while low < high and not self.clock.over:
             probe = (low + high) // 2
             kept = replace(self._kept, makespan=probe)
             before = self._point
-            found = self._search("splits", kept, first=True)
+            found = self._search(_Ask("splits", kept, first=True, stage="makespan"))
             if found.values is not None:
                 high = min(probe, self._last_move(self._point))
             elif found.proven:
                 low = probe + 1
             else:
                 self._point = before
+                self._stopped = self._stopped or found.stopped_by
                 break
             self.tell("makespan", None, high, low)
         self._kept = replace(self._kept, makespan=high)
-        return Reached("makespan", high, low), low >= high
+        return Reached("makespan", None, low)
 
     # --- models and points ---------------------------------------------------------------------
 
@@ -272,9 +310,8 @@ class SwarmStages:
             if name == "balance":
                 model = self._at_least(model, -value)
                 continue
-            vector = VECTORS[name](self.model, model.size.columns)
-            slack = 1e-6 * max(1.0, abs(value))
-            model = model.with_row(vector, -INFINITY, value + slack, f"kept {name}")
+            aim = target(self.model, name, model.size.columns)
+            model = aim.kept(model, value, f"kept {name}")
         return replace(encoded, model=model)
 
     def _at_least(self, model: Model, size: float) -> Model:
@@ -304,12 +341,12 @@ class SwarmStages:
         lower[columns] = upper[columns] = np.round(values[columns])
         model = encoded.model.with_bounds(lower, upper)
         vector = VECTORS["travel"](self.model, model.size.columns)
-        return self._solve(model.with_objective(vector), Options()).values
+        return self._solve(model.with_objective(vector))
 
     def _shortened(self, kept: _Kept) -> None:
         """A better point to begin with: where groups move little, agents travel little."""
         encoded = self._narrowed(self.model.occupied, kept)
-        vector = VECTORS["moves"](self.model, encoded.model.size.columns)
+        aim = target(self.model, "moves", encoded.model.size.columns)
 
         def report(values: Floats | None, _value: float | None, _bound: float | None) -> None:
             point = None if values is None else self._counted(values, kept)
@@ -317,18 +354,20 @@ class SwarmStages:
                 return
             travel = self._value("travel", point)
             if self._point is None or travel < self._value("travel", self._point):
-                self._point = point
-                self.tell("travel", self._flows(point), travel, None)
+                self._heard("travel", point, None)
 
         clock = self.clock.within(_SHORTENING)
-        Search(encoded, vector, self.effort, clock, report).minimise(self._start(encoded))
+        Search(encoded, aim, self.effort, clock, report).minimise(self._start(encoded))
 
-    def _solve(self, model: Model, options: Options) -> Solution:
-        left = self.clock.within(_COUNTING).left
-        asked = replace(
-            options, time_limit=left, threads=self.effort.threads, seed=self.effort.seed
+    def _solve(self, model: Model) -> Floats | None:
+        """A point of a part of the problem, if it is found soon."""
+        options = Options(
+            time_limit=self.clock.within(_COUNTING).left,
+            threads=self.effort.threads,
+            seed=self.effort.seed,
+            stop=self.clock.stop,
         )
-        return self.effort.solver.solve(model, asked)
+        return tried(self.effort.solver, model, options)
 
     def _evened(self, point: Floats) -> Floats:
         """The point with its shares settled: nothing that was reached is lost."""
@@ -338,11 +377,13 @@ class SwarmStages:
         fixed = self.model.counted.indicators
         values = np.append(point, np.full(wide, -self._value("balance", point) if wide else 0.0))
 
-        def solve(model: Model) -> Solution:
+        def solve(model: Model) -> Floats | None:
             if self.clock.stop():
-                return Solution(Status.UNKNOWN, StoppedBy.INTERRUPT)
-            asked = Options(time_limit=_COUNTING / 2, threads=self.effort.threads)
-            return self.effort.solver.solve(model, asked)
+                return None
+            left = self.clock.left
+            seconds = _EVENING if left is None else min(max(left, _LATE), _EVENING)
+            options = Options(time_limit=seconds, threads=self.effort.threads, stop=self.clock.stop)
+            return tried(self.effort.solver, model, options)
 
         return even_shares(self.model, encoded.model, values, fixed, solve)[:count]
 

@@ -15,7 +15,7 @@ and a plan of as few splits is often found near the ways that the tokens take.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -32,10 +32,10 @@ from tsplan.encode.swarm.presence import (
     swarm_graphs,
     witnesses_of,
 )
+from tsplan.encode.target import Target
 from tsplan.encode.tree import Grown, Tree, Witnessing
 from tsplan.logic import Count, walk
 from tsplan.milp.model import INFINITY, Bools, Draft, Floats, Ints, Model
-from tsplan.milp.solution import Solution
 from tsplan.milp.warm import WarmLP
 from tsplan.mission import Mission
 
@@ -63,9 +63,11 @@ class Tokens:
         if root.status != "optimal":
             impossible = root.status == "infeasible"
             return Grown(None, np.inf if impossible else 0.0, done=impossible)
-        return Tree(lp, self.witnessing, 1.0).grow(root, clock, None)
+        target = Target(self.model.objective)
+        grown = Tree(lp, self.witnessing, target).grow(root, clock, None)
+        return replace(grown, bound=target.proven(grown.bound))
 
-    def whole(self, values: Floats, solve: Callable[[Model], Solution]) -> Floats | None:
+    def whole(self, values: Floats, solve: Callable[[Model], Floats | None]) -> Floats | None:
         """Whole tokens with the witnesses of a point, that move as little as they can."""
         model, fixed = self.model, self.witnessing.indicators
         lower, upper = model.lower.copy(), model.upper.copy()
@@ -74,7 +76,7 @@ class Tokens:
         for columns in self._entered:
             edge, _, column = columns.unrolled()
             price[column] = (columns.graph.duration * ~columns.graph.wait)[edge]
-        return solve(model.with_bounds(lower, upper).with_objective(price)).values
+        return solve(model.with_bounds(lower, upper).with_objective(price))
 
     def tracks(self, values: Floats) -> list[Track]:
         """The edges of each swarm's map that its tokens take, and when."""

@@ -1,0 +1,44 @@
+"""Decimal numbers as they are written: floats are read back to the digits that they stand for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from fractions import Fraction
+
+MOST_EXACT = 2**53
+"""Whole numbers up to this are told apart in double precision."""
+
+
+def exact(number: float | Fraction) -> Fraction:
+    """The decimal number that a float is written as; whole numbers and fractions as they are.
+
+    Raises ValueError for what is not finite.
+
+    >>> exact(0.1)
+    Fraction(1, 10)
+    """
+    return Fraction(repr(float(number))) if isinstance(number, float) else Fraction(number)
+
+
+def digits(number: float | Fraction) -> str:
+    """A number with as many digits as tell it from all others, whole ones without a point.
+
+    >>> digits(10000009.0), digits(0.1), digits(float("inf"))
+    ('10000009', '0.1', 'inf')
+    """
+    return repr(float(number)).removesuffix(".0")
+
+
+def common_unit(numbers: Iterable[Fraction]) -> Fraction:
+    """The largest number of which all are whole multiples; 1 if there are none but zeros.
+
+    >>> common_unit([Fraction("2.5"), Fraction("0.75")])
+    Fraction(1, 4)
+    """
+    given = {abs(number) for number in numbers if number}
+    if not given:
+        return Fraction(1)
+    below = math.lcm(*(number.denominator for number in given))
+    above = math.gcd(*(int(number * below) for number in given))
+    return Fraction(above, below)
