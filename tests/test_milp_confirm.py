@@ -1,0 +1,194 @@
+"""Solvers are not believed: what they say wrongly is found out, or is no proof."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from random import Random
+
+import numpy as np
+import pytest
+from scipy import sparse
+
+import tsplan
+from tests.random_missions import random_mission
+from tsplan.encode import search
+from tsplan.errors import SolverError
+from tsplan.milp.answer import Ending, Question, Verdict
+from tsplan.milp.confirm import confirmed
+from tsplan.milp.highs import Highs
+from tsplan.milp.model import Model
+from tsplan.milp.solution import Options, Solution, Status, StoppedBy
+from tsplan.milp.solver import installed, solver
+
+ONCE_WRONG = sorted((Path(__file__).parent / "models").glob("*.json"))
+
+
+def numbers(values: list[float | None], missing: float) -> np.ndarray:
+    return np.array([missing if value is None else value for value in values], dtype=float)
+
+
+def read(path: Path) -> tuple[Model, np.ndarray, float]:
+    """A model that some release of a solver was wrong about, its start and its true optimum."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    entries = [(i, j, v) for i, row in enumerate(data["rows"]) for j, v in row]
+    rows, columns, values = zip(*entries, strict=True)
+    shape = (len(data["rows"]), len(data["objective"]))
+    model = Model(
+        numbers(data["objective"], 0.0),
+        numbers(data["lower"], -np.inf),
+        numbers(data["upper"], np.inf),
+        np.array(data["integer"], dtype=bool),
+        sparse.csr_array(sparse.coo_array((values, (rows, columns)), shape=shape)),
+        numbers(data["row_lower"], -np.inf),
+        numbers(data["row_upper"], np.inf),
+    )
+    return model, numbers(data["start"], 0.0), data["optimum"]
+
+
+def fits(name: str, model: Model) -> bool:
+    return name != "gurobi" or max(model.size.columns, model.size.rows) < 2000
+
+
+@pytest.mark.parametrize("path", ONCE_WRONG, ids=lambda path: path.stem)
+@pytest.mark.parametrize("name", installed())
+def test_models_that_solvers_were_wrong_about(path: Path, name: str) -> None:
+    model, start, optimum = read(path)
+    found = confirmed(solver(name), model, Options(start=start, time_limit=30.0))
+    assert (found.status, found.objective) == (Status.OPTIMAL, optimum)
+
+
+def knapsack(seed: int) -> Model:
+    """A small model with points of many values; the least one is found by listing them."""
+    random = np.random.default_rng(seed)
+    return Model(
+        -random.integers(1, 9, 5).astype(float),
+        np.zeros(5),
+        np.full(5, 2.0),
+        np.ones(5, dtype=bool),
+        sparse.csr_array(random.integers(1, 6, (2, 5)).astype(float)),
+        np.full(2, -np.inf),
+        np.array([9.0, 11.0]),
+    )
+
+
+def listed(model: Model) -> float:
+    points = np.array(np.meshgrid(*[range(3)] * 5)).reshape(5, -1)
+    good = (model.matrix @ points <= model.row_upper[:, None]).all(axis=0)
+    return float((model.objective @ points[:, good]).min())
+
+
+Lie = Callable[[Question, Ending], Ending]
+
+
+def worse(question: Question, said: Ending) -> Ending:
+    """A point that is not the best is called so; the bound stays what it is."""
+    return replace(said, values=np.zeros_like(said.values))
+
+
+def refuted(question: Question, said: Ending) -> Ending:
+    return Ending(Verdict.REFUTED)
+
+
+def outside(question: Question, said: Ending) -> Ending:
+    return replace(said, values=said.values + 1.0)
+
+
+def split(question: Question, said: Ending) -> Ending:
+    return replace(said, values=said.values - 0.6)
+
+
+def high(question: Question, said: Ending) -> Ending:
+    """A bound above the point."""
+    return replace(said, values=np.zeros_like(said.values), bound=3.0)
+
+
+@dataclass
+class Liar:
+    """HiGHS, whose answers are changed in the runs that `lies` lists."""
+
+    lies: dict[int, Lie]
+    runs: list[Options] = field(default_factory=list)
+    name: str = "liar"
+    features: frozenset[str] = Highs.features
+
+    def solve(self, model: Model, options: Options, watch=None) -> Solution:
+        lie = self.lies.get(len(self.runs))
+        self.runs.append(options)
+        found = Highs().solve(model, options, watch)
+        if lie is None or found.values is None:
+            return found
+        question = Question(model, options)
+        said = Ending(Verdict.SOLVED, found.values, found.bound)
+        return question.answer(lie(question, said), found.seconds)
+
+
+@pytest.mark.parametrize("lie", [worse, refuted, outside, split, high])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_lie_is_found_out(lie: Lie, seed: int) -> None:
+    model = knapsack(seed)
+    liar = Liar({0: lie})
+    found = confirmed(liar, model, Options())
+    assert (found.status, found.objective) == (Status.OPTIMAL, listed(model))
+    assert len(liar.runs) > 1
+
+
+def test_each_setting_is_tried_once() -> None:
+    liar = Liar(dict.fromkeys(range(9), worse))
+    start = np.zeros(5)
+    found = confirmed(liar, knapsack(0), Options(start=start, seed=7))
+    assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
+    assert found.bound is not None
+    assert found.bound <= listed(knapsack(0)) + 1e-6
+    assert [run.start is None for run in liar.runs] == [False, True, True]
+    assert [run.presolve for run in liar.runs] == [True, True, False]
+    assert len({run.seed for run in liar.runs}) == 2
+
+
+def test_points_and_refutations_contradict_each_other() -> None:
+    with pytest.raises(SolverError, match="another has a point"):
+        confirmed(Liar({0: worse, 1: refuted}), knapsack(1), Options())
+    with pytest.raises(SolverError, match="violates"):
+        confirmed(Liar(dict.fromkeys(range(9), outside)), knapsack(1), Options())
+
+
+def test_infeasible_is_said_twice() -> None:
+    model = replace(knapsack(2), row_upper=np.array([-1.0, 11.0]), lower=np.full(5, -0.1))
+    liar = Liar({})
+    assert confirmed(liar, model, Options()).status is Status.INFEASIBLE
+    assert len(liar.runs) == 2
+
+
+def test_a_first_point_is_enough() -> None:
+    liar = Liar({})
+    found = confirmed(liar, knapsack(3), Options(first=True))
+    assert found.values is not None
+    assert len(liar.runs) == 1
+
+
+@pytest.mark.parametrize("block", range(4))
+def test_a_solver_that_lies_now_and_then_never_makes_a_wrong_plan(block: int, monkeypatch) -> None:
+    """Plans are as good as without lies, or open; nothing wrong is ever called proven."""
+    random = Random(block)
+    told = 0
+
+    def lying(made, model, options, watch=None):
+        nonlocal told
+        number = random.randrange(3)
+        liar = Liar({number: random.choice([worse, refuted, outside, split, high])})
+        found = confirmed(liar, model, options, watch)
+        told += len(liar.runs)
+        return found
+
+    for seed in range(400 + 15 * block, 415 + 15 * block):
+        mission = random_mission(seed)
+        monkeypatch.setattr(search, "confirmed", confirmed)
+        right = tsplan.plan(mission)
+        monkeypatch.setattr(search, "confirmed", lying)
+        found = tsplan.plan(mission, without=("tree", "dive"))
+        assert found.status in (right.status, "feasible", "no_plan_found")
+        if found.status == "optimal":
+            assert found.objective == right.objective
+    assert told > 0
