@@ -15,7 +15,7 @@ from tests.random_missions import LABELS, random_map, random_text
 from tests.test_brute_force import Path, paths, trace, within_capacity
 from tsplan import Mission
 from tsplan.encode.clock import Clock
-from tsplan.encode.search import Effort
+from tsplan.encode.effort import Effort
 from tsplan.encode.swarm.problem import SwarmProblem
 from tsplan.encode.swarm.stages import SwarmOutcome
 from tsplan.errors import MissionError

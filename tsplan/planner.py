@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from tsplan.encode.clock import Clock
+from tsplan.encode.effort import Effort
 from tsplan.encode.problem import Problem, Tuning
 from tsplan.encode.readout import class_flow, moves_of
-from tsplan.encode.search import Effort
 from tsplan.encode.stages import Point
 from tsplan.errors import Finding, MissionError
 from tsplan.mission import Mission

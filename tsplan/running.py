@@ -14,7 +14,7 @@ from types import FrameType
 from typing import Generic, TypedDict, TypeVar
 
 from tsplan.encode.clock import Clock
-from tsplan.encode.search import Effort
+from tsplan.encode.effort import Effort
 from tsplan.encode.stages import Reached
 from tsplan.events import Bound, Event, Incumbent, Stage
 from tsplan.exact import digits
@@ -218,8 +218,8 @@ class Run(ABC, Generic[FoundT]):
 
 
 def known(value: float | None) -> float | None:
-    """A number that can be told: what is infinite or undefined is not known."""
-    return value if value is not None and math.isfinite(value) else None
+    """A number that can be told: what is infinite or undefined is not known, and -0.0 is 0."""
+    return value + 0.0 if value is not None and math.isfinite(value) else None
 
 
 def _own(item: Reached) -> str:

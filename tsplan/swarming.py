@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tsplan.encode.clock import Clock
+from tsplan.encode.effort import Effort
 from tsplan.encode.partial.planning import is_soft
 from tsplan.encode.partial.swarms import SoftSwarms
-from tsplan.encode.search import Effort
 from tsplan.encode.swarm.problem import SwarmProblem
 from tsplan.mission import Mission
 from tsplan.results import Move

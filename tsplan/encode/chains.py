@@ -14,8 +14,9 @@ from dataclasses import replace
 from tsplan.encode.build import Encoded, Setting, tight
 from tsplan.encode.clock import Clock
 from tsplan.encode.dive import Earliest
+from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import Idea
-from tsplan.encode.search import Effort, Search
+from tsplan.encode.search import Search
 from tsplan.encode.target import Target
 from tsplan.milp.model import Floats
 

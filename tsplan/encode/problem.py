@@ -9,10 +9,10 @@ from typing import Any, Literal, TypeAlias
 from tsplan.encode.build import Encoded, Setting, prepare, reference, tight
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import Constraint, CountTerm, Expression
+from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import ALL_IDEAS, Idea
 from tsplan.encode.partial.planning import is_soft, plan_soft, prepare_soft
 from tsplan.encode.readout import Measure
-from tsplan.encode.search import Effort
 from tsplan.encode.stages import Outcome, Point, Stages
 from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model

@@ -16,37 +16,28 @@ from scipy import sparse
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
-from tsplan.encode.dive import Earliest, Picker, dive, fractional, largest
+from tsplan.encode.dive import Earliest, Picker, dive, largest
+from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import Idea
 from tsplan.encode.separation import violated
 from tsplan.encode.target import Target
 from tsplan.encode.tree import Grown, Tree, Witnessing
-from tsplan.encode.wholeness import Rounding
+from tsplan.encode.wholeness import Wholes
 from tsplan.errors import SolverError
 from tsplan.gap import relative_gap
-from tsplan.milp.confirm import confirmed, tried
-from tsplan.milp.model import Floats, Ints, Model, Tag
-from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy
-from tsplan.milp.solver import Solver
+from tsplan.milp.confirm import confirmed
+from tsplan.milp.model import Floats, Model, Tag
+from tsplan.milp.solution import Progress, Solution, Status, StoppedBy
 from tsplan.milp.warm import LPResult, WarmLP
 
 _ROUNDS = 12  # of separation at the root
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
 _LONG = 2.0  # seconds at the root after which a second dive is worth its while
 _REST = 0.5  # of what the tree has gained may be left for it to go on
+_SMALL = 50_000  # nonzeros up to which a model counts as small
+_FEW = 50  # linear programs that the tree solves there before the general solver's turn
+_SPRINT = 0.3  # seconds that such a turn takes at most, if what went before took less than a third
 _FORGIVEN = 1e-6  # by which a point may violate a row of numbers that are not whole
-
-
-@dataclass(frozen=True)
-class Effort:
-    """How to solve: the solver and its settings, and which ideas to use."""
-
-    solver: Solver
-    gap: float = 0.0
-    threads: int | None = None
-    seed: int | None = None
-    log: Callable[[str], None] | None = None
-    ideas: frozenset[Idea] = frozenset(Idea)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +79,9 @@ class Search:
         self._bound = -np.inf
         self._refuted = encoded.refuted
         self._first = False
+        self._sprinted = False
         self._lp: WarmLP | None = None
+        self._wholes = Wholes(encoded, target, effort, clock)
         self._began = clock.elapsed
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
@@ -106,8 +99,9 @@ class Search:
                 self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
                 self._lp = None
+        self._sprint()
         if not self._done and not self._clock.over:
-            self._by_solver()
+            self._by_solver(self._clock)
         return self._found()
 
     @property
@@ -139,18 +133,14 @@ class Search:
 
     def adopt(self, flows: Floats) -> Floats | None:
         """Keep and return the best point of this model with the given flows, if there is one."""
-        columns = self._encoded.flows
-        lower, upper = self._model.lower.copy(), self._model.upper.copy()
-        lower[columns] = upper[columns] = np.round(flows)
-        fixed = self._model.with_bounds(lower, upper)
-        values = self._part(fixed)
+        values = self._wholes.carrying(self._model, flows, self._values)
         if values is not None:
             self._accept(values)
         return values
 
     def _accept(self, values: Floats) -> None:
         """Keep a point of whole agents if it is one, and better than the one known."""
-        values = self._rounded(values)
+        values = np.where(self._model.integer, np.round(values), values)
         value = self._target.value(values)
         if not self._target.better(value, self._value):
             return
@@ -279,28 +269,33 @@ class Search:
         return root
 
     def _grow(self, lp: WarmLP) -> None:
-        again = lp.solve(time_limit=self._clock.left)
-        if again.status != "optimal":
+        root = lp.solve(time_limit=self._clock.left)
+        if root.status != "optimal":
             return
-        first = self._first
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
-        tree = Tree(lp, witnessing, self._target)
+        tree = Tree(lp, witnessing, self._target, root)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
-        known = None if self._values is None else self._value
-        grown = tree.grow(again, self._clock.within(budget), known, first=first)
-        if not grown.done and self._nearly(grown, again.objective):
-            self._raise_bound(grown.bound)
-            if grown.values is not None:
-                self._keep(grown.values)
-            if self._done:
-                return
-            grown = tree.go_on(self._clock.within(budget), first=first)
-        if grown.done and grown.values is None and known is None:
+        if self._model.matrix.nnz <= _SMALL:
+            # on small models the general solver may be much faster: it gets its turn early
+            self._climb(tree, budget, most=_FEW)
+            self._sprint()
+        if not self._done:
+            grown = self._climb(tree, budget)
+            if not self._done and self._nearly(grown, root.objective):
+                self._climb(tree, budget)
+
+    def _climb(self, tree: Tree, seconds: float, most: float = np.inf) -> Grown:
+        """Let the tree search for so many seconds or programs, and take in what it finds."""
+        blind = self._values is None
+        clock = self._clock.within(seconds)
+        grown = tree.grow(clock, self._value, first=self._first, most=most)
+        if grown.done and grown.values is None and blind:
             self._refuted = True
-            return
+            return grown
         self._raise_bound(grown.bound)
         if grown.values is not None:
             self._whole(grown.values)
+        return grown
 
     def _nearly(self, grown: Grown, root: float) -> bool:
         """Whether the tree has closed most of the gap, so that it may well close the rest."""
@@ -310,42 +305,21 @@ class Search:
 
     def _keep(self, values: Floats) -> None:
         """Keep a point whose indicators are whole, its flows made whole where they are not."""
-        near = self._nearby(values)
+        near = self._wholes.near(self._warm(), self._model, values)
         if near is None:
-            near = self._repaired(values)
+            near = self._wholes.best(self._model, values, self._values)
         if near is not None:
             self._accept(near)
 
     def _whole(self, values: Floats) -> None:
         """Keep such a point; a better one of its witnesses is looked for if it is not the best."""
-        for attempt in (self._nearby, self._repaired):
-            found = attempt(values)
-            if found is not None:
-                self._accept(found)
-                if self._closed:
-                    return
-
-    def _nearby(self, values: Floats) -> Floats | None:
-        """A point of whole agents by rounding."""
-        encoded = self._encoded
-        if not len(fractional(values, encoded.flows)):
-            return self._rounded(values)
-        rounding = Rounding(self._warm(), self._model, encoded.indicators, encoded.flows)
-        near = rounding.whole(values, self._clock.within(5.0))
-        return None if near is None else self._rounded(near)
-
-    def _repaired(self, values: Floats) -> Floats | None:
-        """The best point of whole agents with the witnesses of `values`, if the solver finds it."""
-        logic = self._encoded.indicators
-        fixed = self._model.with_bounds(
-            _placed(self._model.lower, logic, np.round(values)),
-            _placed(self._model.upper, logic, np.round(values)),
-        )
-        return self._part(fixed)
-
-    def _rounded(self, values: Floats) -> Floats:
-        """The point without the last digits of its whole numbers."""
-        return np.where(self._model.integer, np.round(values), values)
+        near = self._wholes.near(self._warm(), self._model, values)
+        if near is not None:
+            self._accept(near)
+        if not self._done:
+            best = self._wholes.best(self._model, values, self._values)
+            if best is not None:
+                self._accept(best)
 
     def _warm(self) -> WarmLP:
         if self._lp is None:
@@ -354,24 +328,32 @@ class Search:
 
     # --- the solver's side -------------------------------------------------------------------
 
-    def _by_solver(self) -> None:
+    def _sprint(self) -> None:
+        """Give the general solver a short turn on a small model, once."""
+        if self._done or self._sprinted or self._model.matrix.nnz > _SMALL:
+            return
+        self._sprinted = True
+        spent = self._clock.elapsed - self._began
+        self._by_solver(self._clock.within(max(_SPRINT, 3 * spent)))
+
+    def _by_solver(self, clock: Clock) -> None:
         """The general MIP solver: continuous flows first, then whole agents if need be."""
         model = self._model
         if Idea.CONTINUOUS in self._effort.ideas:
             loose = model.integer.copy()
             loose[self._encoded.flows] = False
-            solution = self._ask(model.with_integrality(loose))
+            relaxed = model.with_integrality(loose)
+            solution = self._ask(relaxed, clock)
             if solution.values is not None:
                 self._whole(solution.values)
-            if self._done or self._clock.over:
+            if self._done or clock.over:
                 return
-        solution = self._ask(model)
-        if solution.values is not None:
-            self._accept(solution.values)
+        self._ask(model, clock)
 
-    def _ask(self, model: Model) -> Solution:
-        """The solver's answer about the whole question, confirmed; its bound is taken in."""
-        options = replace(self._options(self._clock), first=self._first)
+    def _ask(self, model: Model, clock: Clock) -> Solution:
+        """The solver's answer about the whole question, confirmed; all of it is taken in."""
+        options = self._effort.options(clock, self._target, self._values)
+        options = replace(options, first=self._first)
         solution = confirmed(self._effort.solver, model, options, self._watch)
         if solution.status is Status.INFEASIBLE:
             if self._values is not None:
@@ -379,34 +361,14 @@ class Search:
             self._refuted = True
         elif solution.bound is not None:
             self._raise_bound(solution.bound)
+        if solution.values is not None and model is self._model:
+            self._accept(solution.values)
         return solution
-
-    def _part(self, model: Model) -> Floats | None:
-        """The best point of a part of the model, if the solver finds one soon."""
-        options = self._options(self._clock.within(5.0))
-        return tried(self._effort.solver, model, options, lambda _: self._clock.stop())
-
-    def _options(self, clock: Clock) -> Options:
-        return Options(
-            time_limit=clock.left,
-            gap=self._effort.gap,
-            absolute_gap=self._target.absolute_gap,
-            threads=self._effort.threads,
-            seed=self._effort.seed,
-            start=self._values if "start" in self._effort.solver.features else None,
-            log=self._effort.log,
-        )
 
     def _watch(self, progress: Progress) -> bool:
         if progress.bound is not None:
             self._raise_bound(progress.bound)
         return self._clock.stop()
-
-
-def _placed(bounds: Floats, columns: Ints, values: Floats) -> Floats:
-    placed = bounds.copy()
-    placed[columns] = values[columns]
-    return placed
 
 
 def _with_cuts(model: Model, cuts: sparse.csr_array) -> Model:

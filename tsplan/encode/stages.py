@@ -23,10 +23,11 @@ from tsplan.encode.build import Encoded, Setting, reference, tight
 from tsplan.encode.chains import chain_model, first_flows
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import CountTerm, resolve
+from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import Idea
 from tsplan.encode.network import unroll
 from tsplan.encode.outlook import Outlook
-from tsplan.encode.search import Effort, Found, Search
+from tsplan.encode.search import Found, Search
 from tsplan.encode.target import Target
 from tsplan.errors import SolverError
 from tsplan.exact import exact
@@ -335,7 +336,8 @@ class Stages:
 
     def _restricted(self, encoded: Encoded) -> Encoded:
         """The chained model within the bounds and kept rows of the exact one."""
-        restricted = chain_model(self.setting, encoded.level)
+        with self.clock.timed("build"):
+            restricted = chain_model(self.setting, encoded.level)
         model = restricted.model
         upper = model.upper.copy()
         upper[restricted.flows] = encoded.model.upper[encoded.flows]

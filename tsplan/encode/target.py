@@ -98,7 +98,7 @@ class Target:
             return bound
         if not self.step:
             return bound
-        return float(np.ceil(bound - self.doubt(bound)))
+        return float(np.ceil(bound - self.doubt(bound))) + 0.0  # not -0.0
 
     def cutoff(self, value: float) -> float:
         """What is above this cannot hold a plan that is better than `value`."""

@@ -54,9 +54,12 @@ class Witnessing:
 
 
 class Tree:
-    """Branch and bound over the indicators of one model, for the least value of its target."""
+    """Branch and bound over the indicators of one model, for the least value of its target.
 
-    def __init__(self, lp: WarmLP, witnessing: Witnessing, target: Target) -> None:
+    `root` is the LP's solution as it is; it can be searched on where the last search stopped.
+    """
+
+    def __init__(self, lp: WarmLP, witnessing: Witnessing, target: Target, root: LPResult) -> None:
         self._lp = lp
         self._witnessing = witnessing
         self._target = target
@@ -64,28 +67,33 @@ class Tree:
         self._values: Floats | None = None
         self._value = np.inf
         self._order = count(1)
-        self._heap: list[_Node] = []
+        self._heap = [_Node(root.objective, 0, {})]
         self._deep: list[_Node] = []
 
     def grow(
-        self, root: LPResult, clock: Clock, known: float | None, *, first: bool = False
+        self,
+        clock: Clock,
+        known: float = np.inf,
+        *,
+        first: bool = False,
+        most: float = np.inf,
     ) -> Grown:
-        """Search below `root`, the LP's present solution; its bounds are restored at the end.
+        """Search until the clock is over; the LP's bounds are restored at the end.
 
-        Points that do not beat a `known` value are not looked for; `first` ends with any point.
+        Points that do not beat a `known` value are not looked for; `first` ends with any point. At
+        `most` so many linear programs are solved.
         """
-        self._value = np.inf if known is None else known
-        self._heap = [_Node(root.objective, 0, {})]
-        return self.go_on(clock, first=first)
-
-    def go_on(self, clock: Clock, *, first: bool = False) -> Grown:
-        """Search on where `grow` or this was stopped by its clock."""
+        self._value = min(self._value, known)
         heap, deep = self._heap, self._deep
-        while (heap or deep) and not clock.over and not (first and self._values is not None):
+        solved = 0
+        while (heap or deep) and not (first and self._values is not None):
+            if clock.over or solved >= most:
+                break
             node = deep.pop() if deep else heapq.heappop(heap)
             if not self._promising(node.bound):
                 continue
             result = self._solve(node.fixed, clock)
+            solved += 1
             if result.status == "limit":
                 heapq.heappush(heap, node)
                 break

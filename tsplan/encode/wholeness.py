@@ -13,12 +13,52 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
 from tsplan.encode.dive import fractional
+from tsplan.encode.effort import Effort
+from tsplan.encode.target import Target
+from tsplan.milp.confirm import tried
 from tsplan.milp.model import Floats, Ints, Model
 from tsplan.milp.warm import WarmLP
 
 _LEAST_TRIES = 20
+_SECONDS = 5.0  # for one attempt
+
+
+@dataclass(frozen=True, eq=False)
+class Wholes:
+    """Makes points of whole agents from points with parts of them, for one search."""
+
+    encoded: Encoded
+    target: Target
+    effort: Effort
+    clock: Clock
+
+    def near(self, lp: WarmLP, model: Model, values: Floats) -> Floats | None:
+        """A point of whole agents by rounding; `lp` is the relaxation of the model."""
+        encoded = self.encoded
+        if not len(fractional(values, encoded.flows)):
+            return values
+        rounding = Rounding(lp, model, encoded.indicators, encoded.flows)
+        return rounding.whole(values, self.clock.within(_SECONDS))
+
+    def best(self, model: Model, values: Floats, start: Floats | None) -> Floats | None:
+        """The best point with the witnesses of `values`, if the solver finds it soon."""
+        logic = self.encoded.indicators
+        return self._fixed(model, logic, values[logic], start)
+
+    def carrying(self, model: Model, flows: Floats, start: Floats | None) -> Floats | None:
+        """The best point with the given flows, if there is one."""
+        return self._fixed(model, self.encoded.flows, flows, start)
+
+    def _fixed(
+        self, model: Model, columns: Ints, values: Floats, start: Floats | None
+    ) -> Floats | None:
+        lower, upper = model.lower.copy(), model.upper.copy()
+        lower[columns] = upper[columns] = np.round(values)
+        options = self.effort.options(self.clock.within(_SECONDS), self.target, start)
+        return tried(self.effort.solver, model.with_bounds(lower, upper), options)
 
 
 @dataclass(frozen=True, eq=False)

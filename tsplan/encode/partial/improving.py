@@ -17,7 +17,7 @@ import numpy as np
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
 from tsplan.encode.dive import dive
-from tsplan.encode.search import Effort
+from tsplan.encode.effort import Effort
 from tsplan.encode.target import Target
 from tsplan.milp.confirm import tried
 from tsplan.milp.model import Floats, Ints, Model

@@ -11,13 +11,14 @@ import numpy as np
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
+from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import Idea
 from tsplan.encode.partial.aims import aim_at, below, by_depth, chunks
 from tsplan.encode.partial.improving import Improving
 from tsplan.encode.partial.model import Claimed, Ground, Wish, claimed, valued
 from tsplan.encode.partial.rivals import Rivals, without_rivalry
 from tsplan.encode.partial.sums import Sum
-from tsplan.encode.search import Effort, Found, Search
+from tsplan.encode.search import Found, Search
 from tsplan.encode.stages import Point, Reached
 from tsplan.encode.target import Target
 from tsplan.exact import exact
@@ -83,7 +84,8 @@ class Settling:
         `levels` has the numbers of wishes and their weights. `refuted` says that no plan reaches
         everything at the first of them.
         """
-        model = valued(self.ground, demand, wishes)
+        with self.clock.timed("build"):
+            model = valued(self.ground, demand, wishes)
         encoded = model.encoded
         for level in sorted(levels, reverse=True):
             entries = levels[level]
@@ -131,7 +133,8 @@ class Settling:
         known: dict[int, tuple[float, float]] = {0: (0.0, 0.0)} if refuted else {}
         bounds: dict[int, float | None] = {d: 0.0 for d, n in enumerate(counts) if not n}
         for chunk in chunks(counts, together=together) or [(0,)]:  # some plan is needed
-            model = claimed(self.ground, tree, chunk[-1])
+            with self.clock.timed("build"):
+                model = claimed(self.ground, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
             found = self._best(_within(model, known), aim, model.rivals, lambda _: None)

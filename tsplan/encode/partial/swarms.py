@@ -14,6 +14,7 @@ from functools import cached_property, partial
 from tsplan.encode.build import Asking, Encoded, Setting
 from tsplan.encode.classes import agent_classes, map_arrays
 from tsplan.encode.clock import Clock
+from tsplan.encode.effort import Effort
 from tsplan.encode.partial.model import Ground, demand_of, everything
 from tsplan.encode.partial.planning import (
     FIRST,
@@ -28,7 +29,6 @@ from tsplan.encode.partial.planning import (
 )
 from tsplan.encode.partial.settling import Settling
 from tsplan.encode.reduction import whole
-from tsplan.encode.search import Effort
 from tsplan.encode.stages import Point, Reached
 from tsplan.encode.swarm.model import swarm_model
 from tsplan.encode.swarm.presence import Wanting

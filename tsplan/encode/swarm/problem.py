@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from tsplan.encode.clock import Clock
-from tsplan.encode.search import Effort
+from tsplan.encode.effort import Effort
 from tsplan.encode.swarm.model import SwarmModel, swarm_model
 from tsplan.encode.swarm.stages import SwarmOutcome, SwarmStages, Tell
 from tsplan.mission import Mission
@@ -24,4 +24,6 @@ class SwarmProblem:
 
     def solve(self, effort: Effort, clock: Clock, tell: Tell) -> SwarmOutcome:
         """Run all objectives; `tell` hears of stages, plans and bounds."""
-        return SwarmStages(self.mission, self.model, effort, clock, tell).run()
+        with clock.timed("build"):
+            model = self.model
+        return SwarmStages(self.mission, model, effort, clock, tell).run()

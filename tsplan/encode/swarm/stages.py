@@ -16,9 +16,10 @@ import numpy as np
 
 from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock
+from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import Idea
 from tsplan.encode.network import Network
-from tsplan.encode.search import Effort, Found, Reporter, Search
+from tsplan.encode.search import Found, Reporter, Search
 from tsplan.encode.stages import Reached
 from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, late, target
 from tsplan.encode.swarm.model import SwarmModel, moves_of

@@ -64,7 +64,7 @@ class Tokens:
             impossible = root.status == "infeasible"
             return Grown(None, np.inf if impossible else 0.0, done=impossible)
         target = Target(self.model.objective)
-        grown = Tree(lp, self.witnessing, target).grow(root, clock, None)
+        grown = Tree(lp, self.witnessing, target, root).grow(clock)
         return replace(grown, bound=target.proven(grown.bound))
 
     def whole(self, values: Floats, solve: Callable[[Model], Floats | None]) -> Floats | None:
