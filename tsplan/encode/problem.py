@@ -54,9 +54,12 @@ class Problem:
 
     Raises MissionError for the mission of a swarm.
 
-    >>> problem = Problem(mission)                                      # doctest: +SKIP
-    >>> problem.add(problem.count("dock", step=5) >= 2)                 # doctest: +SKIP
-    >>> plan = tsplan.plan(problem, time_limit=10)                      # doctest: +SKIP
+    >>> import tsplan
+    >>> problem = Problem(tsplan.load_mission("mission.yaml"))
+    >>> problem.add(problem.count("dock", step=5) >= 2)
+    >>> plan = tsplan.plan(problem, time_limit=10)
+    >>> int(plan.counts(states=["dock"])[0, 5])
+    2
     """
 
     def __init__(self, mission: Mission, tuning: Tuning = Tuning()) -> None:

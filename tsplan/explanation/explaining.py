@@ -51,9 +51,9 @@ def explain(
     Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails.
 
     >>> import tsplan
-    >>> mission = tsplan.load_mission("mission.yaml")                   # doctest: +SKIP
-    >>> for conflict in tsplan.explain(mission).conflicts:              # doctest: +SKIP
-    ...     print([part.text for part in conflict.parts])
+    >>> made = tsplan.explain(tsplan.load_mission("mission.yaml"))
+    >>> made.status.value, [[part.text for part in conflict.parts] for conflict in made.conflicts]
+    ('feasible', [])
     """
     limit = mission.solver.time_limit if time_limit is None else time_limit
     run = _Run(mission, Clock(limit), solver, on_stage or (lambda _: None))

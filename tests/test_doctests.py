@@ -1,0 +1,63 @@
+"""The examples in the docstrings do what they say.
+
+Each module's examples run from a folder with a `mission.yaml`, since many of them read one.
+"""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+from pathlib import Path
+
+import pytest
+
+import tsplan
+
+PACKAGE = Path(tsplan.__file__).parent
+OPTIONAL = {"gurobipy", "matplotlib", "pulp"}
+MISSION = """\
+format: tsplan-mission/1
+name: ferry
+map:
+  waiting: true
+  states: {yard: {labels: [home]}, dock: {labels: [shore]}}
+  edges: [{from: yard, to: dock, duration: 2, both_ways: true}]
+team: [{class: crew, count: 3, at: yard}]
+spec: {language: mtl, formula: "F[0,6] sum(shore) >= 1"}
+objective: [travel]
+"""
+
+
+def modules() -> list[str]:
+    """The modules whose text has an example."""
+    files = sorted(path for path in PACKAGE.rglob("*.py") if ">>> " in path.read_text("utf-8"))
+    parts = [path.relative_to(PACKAGE.parent).with_suffix("").parts for path in files]
+    return [".".join(part).removesuffix(".__init__") for part in parts]
+
+
+def found(name: str) -> list[doctest.DocTest]:
+    """The examples of a module; skips the test where what it needs is optional and missing."""
+    try:
+        module = importlib.import_module(name)
+    except ImportError as error:
+        if error.name not in OPTIONAL:
+            raise
+        pytest.skip(f"needs {error.name}")
+    return [item for item in doctest.DocTestFinder().find(module) if item.examples]
+
+
+@pytest.mark.parametrize("name", modules())
+def test_examples(name, tmp_path, monkeypatch):
+    (tmp_path / "mission.yaml").write_text(MISSION, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    said: list[str] = []
+    runner = doctest.DocTestRunner(verbose=False)
+    tried = [runner.run(item, out=said.append).attempted for item in found(name)]
+    assert sum(tried) > 0
+    assert not said, "".join(said)
+
+
+def test_no_example_is_left_out():
+    assert len(modules()) > 50
+    skipped = [path for path in PACKAGE.rglob("*.py") if "+SKIP" in path.read_text("utf-8")]
+    assert skipped == []

@@ -1,0 +1,70 @@
+"""The README: its Python example runs, and its consoles show what the commands print."""
+
+from __future__ import annotations
+
+import doctest
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PROMPT = "$ tsplan "
+
+
+def blocks(language: str) -> list[str]:
+    """The README's blocks of one language."""
+    return [text for said, text in BLOCK.findall(README) if said == language]
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    """This Python with the package that is tested, from the README's folder."""
+    return subprocess.run(
+        [sys.executable, *arguments],
+        cwd=ROOT,
+        env=os.environ | {"PYTHONPATH": str(ROOT), "COLUMNS": "110", "PYTHONUTF8": "1"},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+def test_the_python_example_runs():
+    [text] = blocks("python")
+    answer = run("-W", "error", "-c", text)
+    assert (answer.returncode, answer.stderr) == (0, "")
+    assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.stdout)
+
+
+CONSOLES = [text for text in blocks("") if text.startswith(PROMPT)]
+
+
+@pytest.mark.parametrize("text", CONSOLES, ids=lambda text: text.split("\n")[0])
+def test_consoles_show_what_is_printed(text):
+    command, shown = text.removeprefix(PROMPT).split("\n", maxsplit=1)
+    if command.startswith("plan"):
+        # which of several best plans is found may differ; what is said of it may not
+        shown = shown.split("\n\n")[0] + "\n"
+    answer = run("-m", "tsplan", *shlex.split(command))
+    # what is shown may be the beginning, and leaves out what stands for "..."
+    rules = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+    assert doctest.OutputChecker().check_output(f"{shown}...", answer.stdout, rules), answer.stdout
+
+
+def test_there_are_consoles_and_the_files_it_names_are_there():
+    assert len(CONSOLES) >= 2
+    named = {path for path in re.findall(r"\]\(([^)#]+)", README) if "://" not in path}
+    named |= set(re.findall(r"environments/\w+\.yaml", README))
+    assert sorted(path for path in named if not (ROOT / path).exists()) == []
+
+
+def test_the_second_command_installs_and_runs_the_tests():
+    [line] = [line for line in README.splitlines() if "pip install" in line and "pytest" in line]
+    assert "'.[dev]'" in line
+    assert line.split("&&")[1].split()[0] == ".venv/bin/pytest"
