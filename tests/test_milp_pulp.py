@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 
 from tsplan.errors import SolverError, SolverUnavailableError
-from tsplan.milp.answer import Verdict
+from tsplan.milp.answer import Ending, Question, Verdict
+from tsplan.milp.model import Model
 from tsplan.milp.offspring import Offspring
-from tsplan.milp.pulp_words import told
-from tsplan.milp.solution import StoppedBy
+from tsplan.milp.pulp_words import UnclearError, told
+from tsplan.milp.solution import Options, StoppedBy
 
 
 @pytest.mark.parametrize(
@@ -60,6 +61,33 @@ def test_no_answer_is_an_error() -> None:
         stats = SimpleNamespace(status=status, has_solution=False, best_bound=None, status_str="?")
         with pytest.raises(SolverError, match="without an answer"):
             told(object(), stats)
+
+
+@pytest.mark.parametrize("point", [None, np.array([3.0])])
+def test_either_infeasible_or_unbounded_is_asked_again(monkeypatch, point) -> None:
+    from tests.test_milp_solvers import made  # noqa: PLC0415
+    from tsplan.milp.pulp import _Solve  # noqa: PLC0415
+
+    asked: list[Model] = []
+
+    def run(_: _Solve, model: Model) -> Ending:
+        asked.append(model)
+        if model.objective.any():
+            raise UnclearError("PuLP's solver ended without an answer (Undefined)")
+        return Ending(Verdict.REFUTED if point is None else Verdict.SOLVED, point)
+
+    monkeypatch.setattr(_Solve, "_run", run)
+    falling = made([-1], [[1]], [2], [np.inf])
+    if point is None:
+        ending = _Solve("ANY", Question(falling, Options()), 0.0).ending()
+        assert ending.verdict is Verdict.REFUTED
+    else:
+        with pytest.raises(SolverError, match="unbounded"):
+            _Solve("ANY", Question(falling, Options()), 0.0).ending()
+    assert len(asked) == 2
+    bounded = made([-1], [[1]], [2], [np.inf], upper=[9])
+    with pytest.raises(UnclearError):
+        _Solve("ANY", Question(bounded, Options()), 0.0).ending()
 
 
 def test_a_missing_backend_is_refused_with_those_that_are_there() -> None:

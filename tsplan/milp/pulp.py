@@ -25,7 +25,7 @@ from tsplan.milp.answer import Ending, Question, Verdict
 from tsplan.milp.attend import Attendant, Patience
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.offspring import Offspring
-from tsplan.milp.pulp_words import load, told
+from tsplan.milp.pulp_words import UnclearError, load, told
 from tsplan.milp.solution import Options, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
 
@@ -134,10 +134,14 @@ class _Solve:
     _read: int = field(default=0, init=False)
 
     def ending(self) -> Ending:
-        # no backend has a cutoff that all versions of PuLP pass on
-        said = self._run(self.question.cut())
-        model = self.question.model
-        if said.verdict is Verdict.REFUTED and not _bounded(model):
+        model, said = self.question.model, None
+        try:
+            # no backend has a cutoff that all versions of PuLP pass on
+            said = self._run(self.question.cut())
+        except UnclearError:
+            if _bounded(model):
+                raise
+        if said is None or (said.verdict is Verdict.REFUTED and not _bounded(model)):
             # some backends say so of unbounded models too: ask for any point
             said = self._run(model.with_objective(np.zeros(model.size.columns)))
             if said.values is not None:

@@ -20,6 +20,10 @@ _NOT_SOLVED, _SOLVED, _INFEASIBLE, _UNBOUNDED, _UNDEFINED = 0, 1, -1, -2, -3  # 
 _TIME, _MEMORY, _GAP, _NUMERICAL = -4, -5, -7, -12  # PuLP 4
 
 
+class UnclearError(SolverError):
+    """The solver says neither that the model is infeasible nor that it is unbounded, but either."""
+
+
 def load(model: Model) -> tuple[Any, list[Any]]:
     """The model as a `pulp.LpProblem`, and its variables in the order of the columns."""
     import pulp  # noqa: PLC0415 - never imported unasked
@@ -79,7 +83,9 @@ def _told_by_stats(stats: Any) -> Ending:
     if status in (_INFEASIBLE, _UNBOUNDED):
         return Ending(Verdict.REFUTED)
     if status in (_UNDEFINED, _NUMERICAL, _NOT_SOLVED):
-        raise SolverError(f"PuLP's solver ended without an answer ({stats.status_str})")
+        # PuLP 4 has the first for "infeasible or unbounded" too
+        kind = UnclearError if status == _UNDEFINED else SolverError
+        raise kind(f"PuLP's solver ended without an answer ({stats.status_str})")
     # its `best_bound` is read off logs, and was seen above the best point of a stopped CBC
     if status in (_SOLVED, _GAP):
         return Ending(Verdict.SOLVED)
