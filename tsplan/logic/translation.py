@@ -54,7 +54,8 @@ def translate(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     ]
     if findings:
         raise FormulaError(findings)
-    return fold(formula, lambda node, below: counted(node, below, interval))
+    plain: Formula = fold(formula, lambda node, below: counted(node, below, interval))
+    return plain
 
 
 def _untranslatable(node: Task, interval: TaskInterval) -> list[Finding]:
