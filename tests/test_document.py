@@ -2,11 +2,12 @@
 
 import hashlib
 import json
+from typing import Annotated, Literal
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pydantic import BaseModel, ConfigDict
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from tsplan.document import parse_document, read_document, validated
 from tsplan.document.compose import DEEPEST
@@ -260,3 +261,30 @@ def test_json_is_read_as_it_is(value):
     document = parse_document(json.dumps(value), "f")
     assert document.data == value
     assert all(document.at(path) is not NotImplemented for path in document.positions)
+
+
+def test_no_word_of_the_library_is_in_a_finding():
+    class Schema(BaseModel):
+        model_config = ConfigDict(extra="forbid")
+
+        least: Annotated[float, Field(ge=1)]
+        most: Annotated[int, Field(lt=5)]
+        choice: Literal["one", "two"]
+        own: Annotated[int, AfterValidator(_odd)]
+        words: Words
+
+    document = parse_document("{least: 0.5, most: 5, choice: three, own: 2, words: [1]}", "t")
+    _, found = validated(document, Schema)
+    assert [str(finding).split(": ", 1)[1] for finding in found] == [
+        "least: '0.5' should be greater than or equal to 1.0; use a number that is at least 1.0",
+        "most: '5' should be less than 5; use a number that is less than 5",
+        "choice: 'three' should be 'one' or 'two'; use one of 'one' or 'two'",
+        "own: it has to be odd",
+        "words: '1' is not text; put it in quotes",
+    ]
+
+
+def _odd(value):
+    if value % 2 == 0:
+        raise ValueError("It has to be odd")
+    return value

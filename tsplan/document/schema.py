@@ -34,6 +34,14 @@ _KINDS: dict[str, tuple[str, str]] = {
     "model_attributes_type": ("a mapping", "write it as {key: value}"),
 }
 
+_LIMITS = {
+    "ge": ("greater than or equal to", "at least"),
+    "gt": ("greater than", "more than"),
+    "le": ("less than or equal to", "at most"),
+    "lt": ("less than", "less than"),
+}
+"""Limits of numbers by pydantic's names: what a value should be, and what to use."""
+
 
 def validated(
     document: Document, schema: type[SchemaT], path: Path = ()
@@ -91,20 +99,19 @@ def _subject(path: Path) -> str:
 
 
 def _message(error: ErrorDetails) -> str:
-    """Pydantic's own words, in this project's style."""
-    text = error["msg"].removeprefix("Value error, ").removeprefix("Input ")
-    if text.startswith("should"):
-        text = f"{shown(error['input'])} {text}"
+    """What is wrong, in words that do not depend on pydantic's where this project's files err."""
+    context, value = error.get("ctx", {}), shown(error["input"])
+    for key, (words, _) in _LIMITS.items():
+        if key in context:
+            return f"{value} should be {words} {context[key]}"
+    if error["type"] == "literal_error":
+        return f"{value} should be {context['expected']}"
+    text = str(context.get("message") or context.get("error") or error["msg"])
     return text[:1].lower() + text[1:] if text[1:2].islower() else text
 
 
 def _bound_remedy(kind: str, context: Mapping[str, Any]) -> str:
-    for key, words in (
-        ("ge", "at least"),
-        ("gt", "more than"),
-        ("le", "at most"),
-        ("lt", "less than"),
-    ):
+    for key, (_, words) in _LIMITS.items():
         if key in context:
             return f"use a number that is {words} {context[key]}"
     if kind == "literal_error" and "expected" in context:
