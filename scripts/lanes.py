@@ -325,7 +325,7 @@ def table(outcomes: Sequence[Outcome]) -> str:
     width = max(len(outcome.lane) for outcome in outcomes)
     lines = [f"{'lane':{width}}  Python  outcome"]
     for outcome in outcomes:
-        mark = "ok" if outcome.passed else "FAILED" if outcome.binding else "fails, known of"
+        mark = "ok" if outcome.passed else "FAILED" if outcome.binding else "fails (reported)"
         lines.append(f"{outcome.lane:{width}}  {outcome.python:6}  {mark}: {outcome.words}")
     lines.append("")
     lines += [f"{o.lane}, {o.python}: {_listed(o.versions)}" for o in outcomes if o.versions]

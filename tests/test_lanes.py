@@ -98,7 +98,7 @@ def test_the_table_tells_what_fails_and_what_may():
     lines = lanes.table(outcomes).splitlines()
     assert lines[1].split() == ["lowest", "3.11", "ok:", "12", "passed", "in", "1s"]
     assert "FAILED: 1 failed" in lines[2]
-    assert "fails, known of: 2 failed" in lines[3]
+    assert "fails (reported): 2 failed" in lines[3]
     assert lines[-1] == "a 2 (outside <2), 3.11: numpy 2.1"
 
 
