@@ -114,7 +114,7 @@ def requirements(project: Mapping[str, Any], extra: str, python: str) -> list[Re
     texts = [*project["dependencies"], *_followed(project, extra)]
     asked = [Requirement(text) for text in texts]
     return [
-        Requirement(f"{item.name}{item.specifier}")
+        Requirement(f"{_named(item)}{item.specifier}")
         for item in asked
         if item.marker is None or item.marker.evaluate(environment)
     ]
@@ -153,7 +153,7 @@ def pinned(requirement: Requirement) -> str:
     >>> pinned(Requirement("numpy>=1.26"))
     'numpy==1.26'
     """
-    return f"{requirement.name}=={lowest(requirement)}"
+    return f"{_named(requirement)}=={lowest(requirement)}"
 
 
 def caps(requirement: Requirement) -> SpecifierSet:
@@ -173,7 +173,13 @@ def uncapped(requirement: Requirement) -> str:
     'pulp>=3'
     """
     kept = (str(part) for part in requirement.specifier if part.operator not in _CAPS)
-    return requirement.name + ",".join(sorted(kept))
+    return _named(requirement) + ",".join(sorted(kept))
+
+
+def _named(requirement: Requirement) -> str:
+    """The name with its extras."""
+    extras = ",".join(sorted(requirement.extras))
+    return f"{requirement.name}[{extras}]" if extras else requirement.name
 
 
 def short_set(folder: Path = ROOT / "tests") -> list[str]:

@@ -40,6 +40,7 @@ def test_what_an_extra_needs_is_followed_and_markers_are_heeded():
         ("a>=1.2,>=1.4", "a==1.4"),
         ("a~=1.4.2", "a==1.4.2"),
         ("a==3", "a==3"),
+        ("a[y,x]>=1", "a[x,y]==1"),
     ],
 )
 def test_the_lowest_version_is_the_one_that_the_range_names(text, pin):
