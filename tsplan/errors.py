@@ -7,6 +7,10 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 _SHOWN = 8  # known words listed where none is close
+_LONGEST = 600  # characters of a message or of a remedy that are told
+
+MOST_TOLD = 100
+"""Findings of one input that are told; there may be one for each character of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +32,30 @@ class Finding:
         if self.line is not None:
             place += [str(self.line), str(self.column or 1)]
         where = ":".join(part for part in place if part)
-        text = f"{self.message}; {self.remedy}" if self.remedy else self.message
+        parts = [clipped(part) for part in (self.message, self.remedy) if part]
+        text = "; ".join(parts)
         return f"{where}: {text}" if where else text
+
+
+def clipped(text: str) -> str:
+    """A text of a bearable length: names and formulas in it may be of any.
+
+    >>> len(clipped("a" * 1_000_000))
+    600
+    """
+    if len(text) <= _LONGEST:
+        return text
+    half = (_LONGEST - 5) // 2
+    return f"{text[:half]} ... {text[-(_LONGEST - 5 - half) :]}"
+
+
+def told(findings: Iterable[Finding]) -> list[str]:
+    """The lines that tell of findings: the first ones, and how many more there are."""
+    listed = list(findings)
+    lines = [str(finding) for finding in listed[:MOST_TOLD]]
+    if len(listed) > MOST_TOLD:
+        lines.append(f"and {len(listed) - MOST_TOLD:,} more findings; correct these first")
+    return lines
 
 
 class TsplanError(Exception):
@@ -41,7 +67,7 @@ class InputError(TsplanError, ValueError):
 
     def __init__(self, findings: Iterable[Finding]) -> None:
         self.findings: tuple[Finding, ...] = tuple(findings)
-        super().__init__("\n".join(str(finding) for finding in self.findings))
+        super().__init__("\n".join(told(self.findings)))
 
     def __reduce__(self) -> tuple[type[InputError], tuple[tuple[Finding, ...]]]:
         """Pickle by the findings, so that errors survive the way between processes."""
@@ -78,11 +104,33 @@ def nearest(name: str, known: Iterable[str]) -> str:
     >>> nearest("gren", ["green", "blue"])
     "did you mean 'green'?"
     """
-    words = sorted(set(known))
-    close = get_close_matches(name, words, n=1, cutoff=0.5)
-    if close:
-        return f"did you mean '{close[0]}'?"
-    if not words:
-        return "none are defined"
-    shown = ", ".join([*words[:_SHOWN], *(["..."] if len(words) > _SHOWN else [])])
-    return f"known: {shown}"
+    return Nearest(known)(name)
+
+
+class Nearest:
+    """Remedies for many unknown names: as `nearest`, and without one once many were asked for.
+
+    Looking for a close word takes time with every known word, and nobody reads so many remedies.
+    """
+
+    def __init__(self, known: Iterable[str]) -> None:
+        self._words = sorted(set(known))
+        self._found: dict[str, str] = {}
+
+    def __call__(self, name: str) -> str:
+        """The remedy for one name."""
+        if name not in self._found:
+            if len(self._found) >= MOST_TOLD:
+                return ""
+            self._found[name] = self._remedy(name[:_LONGEST])
+        return self._found[name]
+
+    def _remedy(self, name: str) -> str:
+        words = self._words
+        close = get_close_matches(name, words, n=1, cutoff=0.5)
+        if close:
+            return f"did you mean '{close[0]}'?"
+        if not words:
+            return "none are defined"
+        shown = ", ".join([*words[:_SHOWN], *(["..."] if len(words) > _SHOWN else [])])
+        return f"known: {shown}"

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Literal, TypeAlias, cast
 
 from tsplan.logic.nodes import Formula
+from tsplan.names import nfc
 
 Function: TypeAlias = Literal["sum", "min", "max"]
 Relation: TypeAlias = Literal[">=", "<=", ">", "<", "=", "!="]
@@ -90,7 +91,9 @@ class Count(Formula):
     def __post_init__(self) -> None:
         _known(self.function, FUNCTIONS)
         _known(self.relation, RELATIONS)
-        _names(self.label, *(() if self.capability is None else (self.capability,)))
+        object.__setattr__(self, "label", _name(self.label))
+        if self.capability is not None:
+            object.__setattr__(self, "capability", _name(self.capability))
         if not isinstance(self.bound, Percent):
             _whole(self.bound)
 
@@ -113,9 +116,9 @@ class Linear(Formula):
     def __post_init__(self) -> None:
         _known(self.relation, RELATIONS)
         merged: dict[str, float] = {}
-        for name, factor in self.terms:
+        for given, factor in self.terms:
+            name = _name(given)
             merged[name] = merged.get(name, 0.0) + float(factor)
-        _names(*merged)
         terms = tuple((name, merged[name]) for name in sorted(merged) if merged[name] != 0)
         bound, relation = float(self.bound), self.relation
         if terms and terms[0][1] < 0:
@@ -142,12 +145,11 @@ class Task(Formula):
 
     def __post_init__(self) -> None:
         _whole(self.duration, least=0)
-        _names(self.label)
+        object.__setattr__(self, "label", _name(self.label))
         object.__setattr__(self, "needs", _staffing(self.needs))
-        object.__setattr__(
-            self, "resources", tuple((name, float(amount)) for name, amount in self.resources)
-        )
-        _distinct(name for name, _ in self.resources)
+        spent = tuple((_name(name), float(amount)) for name, amount in self.resources)
+        object.__setattr__(self, "resources", spent)
+        _distinct(name for name, _ in spent)
         if not all(isfinite(amount) and amount >= 0 for _, amount in self.resources):
             raise ValueError("amounts of resources are finite and not negative")
         if not self.needs and not self.resources:
@@ -165,12 +167,12 @@ class Limit(Formula):
     needs: Needs
 
     def __post_init__(self) -> None:
-        _names(self.label)
+        object.__setattr__(self, "label", _name(self.label))
         object.__setattr__(self, "needs", _staffing(self.needs))
 
 
 def _staffing(needs: Iterable[tuple[str, int]]) -> Needs:
-    pairs = tuple((name, number) for name, number in needs)
+    pairs = tuple((_name(name), number) for name, number in needs)
     _distinct(name for name, _ in pairs)
     for _, number in pairs:
         _whole(number, least=0)
@@ -178,11 +180,11 @@ def _staffing(needs: Iterable[tuple[str, int]]) -> Needs:
 
 
 def _distinct(names: Iterable[str]) -> None:
-    listed = list(names)
-    _names(*listed)
-    for name in listed:
-        if listed.count(name) > 1:
+    seen: set[str] = set()
+    for name in names:
+        if name in seen:
             raise ValueError(f"'{name}' is named twice")
+        seen.add(name)
 
 
 def _whole(value: object, least: int | None = None) -> None:
@@ -192,10 +194,11 @@ def _whole(value: object, least: int | None = None) -> None:
         raise ValueError(f"a number of at least {least} is needed here, not {value}")
 
 
-def _names(*values: object) -> None:
-    for value in values:
-        if not isinstance(value, str) or not value:
-            raise TypeError(f"a name is needed here, not {value!r}")
+def _name(value: object) -> str:
+    """A name in the form in which names are compared."""
+    if not isinstance(value, str) or not value:
+        raise TypeError(f"a name is needed here, not {value!r}")
+    return nfc(value)
 
 
 def _known(value: str, words: tuple[str, ...]) -> None:

@@ -43,4 +43,4 @@ def parse_with_places(
         raise FormulaError([Finding(message, nearest(language, LANGUAGES))])
     from tsplan.logic.reading.languages import read  # noqa: PLC0415  (ANTLR is slow to import)
 
-    return read(text, language)
+    return read(text.removeprefix("\ufeff"), language)

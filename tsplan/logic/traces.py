@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tsplan.errors import nearest
+from tsplan.names import nfc
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Values: TypeAlias = npt.NDArray[Any]
@@ -30,6 +31,9 @@ class CountTrace:
     labels: Mapping[str, Values]
 
     def __post_init__(self) -> None:
+        counts = {name and nfc(name): array for name, array in self.counts.items()}
+        object.__setattr__(self, "counts", counts)
+        object.__setattr__(self, "labels", {nfc(name): at for name, at in self.labels.items()})
         shapes = {np.shape(array) for array in self.counts.values()}
         if not shapes:
             raise ValueError("a trace of counts needs the counts of all agents, under the key None")
@@ -69,6 +73,8 @@ class SignalTrace:
     signals: Mapping[str, Values]
 
     def __post_init__(self) -> None:
+        signals = {nfc(name): array for name, array in self.signals.items()}
+        object.__setattr__(self, "signals", signals)
         shapes = {np.shape(array) for array in self.signals.values()}
         if len(shapes) != 1 or not min(shapes):
             raise ValueError(f"signals must all have one shape (..., steps), not {sorted(shapes)}")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias, cast
 
+from tsplan.limits import LARGEST
 from tsplan.logic.atoms import MIRRORED, Count, Function, Limit, Percent, Relation, Task
 from tsplan.logic.nodes import Formula
 from tsplan.logic.reading.numbers import exact, whole
@@ -191,8 +192,9 @@ class CountReader(Reader):
             return None
         amounts = []
         for name, number, at in pairs:
-            if number.value is None or number.value < 0 or number.percent:
-                remedy = "write how much is spent as a number from 0"
+            small = number.value is not None and 0 <= number.value <= LARGEST
+            if number.value is None or not small or number.percent:
+                remedy = f"write how much is spent as a number from 0 to {LARGEST:,}"
                 self.complain(at, f"{number.text} is not an amount", remedy)
             else:
                 amounts.append((name, float(number.value)))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
+from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 
-LARGEST = 15  # digits before the decimal point of a whole number
+from tsplan.limits import LARGEST
+
 _FINEST = 400  # digits after it; more than a float can tell apart
 
 
@@ -15,7 +16,10 @@ def exact(text: str) -> Fraction | None:
     >>> exact("1e1"), exact("5."), exact(".7"), exact("1e999")
     (Fraction(10, 1), Fraction(5, 1), Fraction(7, 10), None)
     """
-    number = Decimal(text)
+    try:
+        number = Decimal(text)
+    except InvalidOperation:  # an exponent of 19 digits or more
+        return None
     exponent = number.as_tuple().exponent
     if not isinstance(exponent, int) or exponent < -_FINEST or number.adjusted() > _FINEST:
         return None
@@ -24,6 +28,6 @@ def exact(text: str) -> Fraction | None:
 
 def whole(value: Fraction | None) -> int | None:
     """The number if it is whole and not absurdly large."""
-    if value is None or value.denominator != 1 or abs(value) >= 10**LARGEST:
+    if value is None or value.denominator != 1 or abs(value) > LARGEST:
         return None
     return value.numerator

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, cast
@@ -13,6 +13,9 @@ from tsplan.logic.reading.counting import relation_of
 from tsplan.logic.reading.numbers import exact
 from tsplan.logic.reading.reader import Reader
 
+_NOTHING = Fraction(0)
+_HUGE = 10**800  # twice the digits of the largest and finest numbers that are read
+
 
 @dataclass(frozen=True, slots=True)
 class Expression:
@@ -21,19 +24,27 @@ class Expression:
     factors: Mapping[str, Fraction] = field(default_factory=dict)
     constant: Fraction = Fraction(0)
 
-    def plus(self, other: Expression, sign: int = 1) -> Expression:
-        """The sum with another expression, or the difference where `sign` is -1."""
-        names = dict.fromkeys((*self.factors, *other.factors))
-        factors = {
-            name: self.factors.get(name, Fraction(0)) + sign * other.factors.get(name, Fraction(0))
-            for name in names
-        }
-        return Expression(factors, self.constant + sign * other.constant)
+    @classmethod
+    def total(cls, signed: Iterable[tuple[int, Expression]]) -> Expression:
+        """The sum of expressions, each with its sign, in time linear in their terms."""
+        factors: dict[str, Fraction] = {}
+        constant = Fraction(0)
+        for sign, expression in signed:
+            for name, value in expression.factors.items():
+                factors[name] = factors.get(name, _NOTHING) + sign * value
+            constant += sign * expression.constant
+        return cls(factors, constant)
 
     def times(self, factor: Fraction) -> Expression:
         """Multiply by a number."""
         factors = {name: value * factor for name, value in self.factors.items()}
         return Expression(factors, self.constant * factor)
+
+    @property
+    def is_readable(self) -> bool:
+        """Whether all its numbers are ones that could be written out: a product grows fast."""
+        numbers = (*self.factors.values(), self.constant)
+        return all(max(abs(number.numerator), number.denominator) < _HUGE for number in numbers)
 
     @property
     def is_number(self) -> bool:
@@ -67,7 +78,7 @@ class SignalReader(Reader):
         sides = [self._expression(value, at) for value, at in zip(values, sums, strict=True)]
         if sides[0] is None or sides[1] is None:
             return None
-        difference = sides[0].plus(sides[1], -1)
+        difference = Expression.total([(1, sides[0]), (-1, sides[1])])
         try:
             terms = tuple((name, float(value)) for name, value in difference.factors.items())
             linear = Linear(terms, relation_of(relations[0]), float(-difference.constant))
@@ -78,11 +89,36 @@ class SignalReader(Reader):
 
     def read_total(self, part: Any) -> Any:
         """Read terms added and subtracted."""
-        return self._chain(part, part.term(), self._added)
+        terms = part.term()
+        values = [self.read(term) for term in terms]
+        if len(values) == 1:
+            return values[0]
+        sides = self._expressions(values, terms)
+        if sides is None:
+            return None
+        signs = [1, *(-1 if mark.getText() == "-" else 1 for mark in part.children[1::2])]
+        return Expression.total(zip(signs, sides, strict=True))
 
     def read_term(self, part: Any) -> Any:
         """Read factors multiplied and divided, at most one of them with signals."""
-        return self._chain(part, part.factor(), self._multiplied)
+        factors = part.factor()
+        values = [self.read(factor) for factor in factors]
+        if len(values) == 1:
+            return values[0]
+        sides = self._expressions(values, factors)
+        if sides is None:
+            return None
+        product = sides[0]
+        marks = part.children[1::2]
+        for mark, side, factor in zip(marks, sides[1:], factors[1:], strict=True):
+            made = self._multiplied(product, side, mark.getText(), factor)
+            if made is None:
+                return None
+            product = made
+            if not product.is_readable:
+                self._too_large(part)
+                return None
+        return product
 
     def read_factor(self, part: Any) -> Any:
         """Read an operand with its signs."""
@@ -107,21 +143,11 @@ class SignalReader(Reader):
             return None if name is None else Expression({name: Fraction(1)})
         return super().read_operand(part)
 
-    def _chain(self, part: Any, parts: list[Any], combine: Any) -> Any:
-        """Combine operands from left to right; a single one passes through as it is."""
-        values = [self.read(operand) for operand in parts]
-        if len(values) == 1:
-            return values[0]
+    def _expressions(self, values: list[Any], parts: list[Any]) -> list[Expression] | None:
+        """The values of several parts as expressions; None if one is none."""
         sides = [self._expression(value, at) for value, at in zip(values, parts, strict=True)]
-        total = sides[0]
-        for place, side in enumerate(sides[1:], start=1):
-            if total is None or side is None:
-                return None
-            total = combine(total, side, part.children[2 * place - 1].getText(), parts[place])
-        return total
-
-    def _added(self, total: Expression, side: Expression, sign: str, _part: Any) -> Expression:
-        return total.plus(side, -1 if sign == "-" else 1)
+        sure = [side for side in sides if side is not None]
+        return sure if len(sure) == len(sides) else None
 
     def _multiplied(
         self, total: Expression, side: Expression, sign: str, part: Any
