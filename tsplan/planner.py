@@ -33,7 +33,8 @@ def plan(
     swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
     1,000; `assign` makes them for more.
 
-    Raises MissionError for unknown names, SolverUnavailableError for a solver that cannot be used
+    Raises MissionError for unknown names, InputError for numbers out of range,
+    SolverUnavailableError for a solver that cannot be used
     and SolverError when a solver fails or a plan is refused by the independent check.
     """
     asked = Settings(solver, time_limit, gap, threads, seed)

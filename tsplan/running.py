@@ -18,6 +18,7 @@ from tsplan.encode.effort import Effort
 from tsplan.encode.stages import Reached
 from tsplan.events import Bound, Event, Incumbent, Stage
 from tsplan.exact import digits
+from tsplan.limits import refuse_options
 from tsplan.milp.solution import StoppedBy as Stopped
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
@@ -42,7 +43,10 @@ Listener = Callable[[Event], "bool | None"]
 
 @dataclass(frozen=True)
 class Settings:
-    """How long and how hard to search, and with what; None leaves it to the mission or default."""
+    """How long and how hard to search, and with what; None leaves it to the mission or default.
+
+    Raises InputError for numbers out of range.
+    """
 
     solver: str | None = None
     time_limit: float | None = None
@@ -50,6 +54,11 @@ class Settings:
     threads: int | None = None
     seed: int | None = None
     log: Callable[[str], None] | None = None
+
+    def __post_init__(self) -> None:
+        refuse_options(
+            time_limit=self.time_limit, gap=self.gap, threads=self.threads, seed=self.seed
+        )
 
     def over(self, mission: Mission) -> Settings:
         """These settings, filled up with what the mission asks for."""

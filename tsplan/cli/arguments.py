@@ -1,11 +1,16 @@
-"""Commands and options. Nothing here imports more than argparse, so that help comes at once."""
+"""Commands and options. Nothing here imports more than argparse needs, so help comes at once."""
 
 from __future__ import annotations
 
 import argparse
-import math
+from collections.abc import Callable
 from enum import IntEnum
 from pathlib import Path
+from typing import TypeVar
+
+from tsplan.limits import DIGITS, LARGEST, OPTIONS, Range
+
+NumberT = TypeVar("NumberT", int, float)
 
 
 class Exit(IntEnum):
@@ -58,7 +63,7 @@ def _plan(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     plan.add_argument("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
     plan.add_argument("--time-limit", type=_positive, metavar="S", help="seconds of search")
     plan.add_argument("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
-    plan.add_argument("--threads", type=_count, metavar="N", help="threads of the solver")
+    plan.add_argument("--threads", type=_threads, metavar="N", help="threads of the solver")
     plan.add_argument("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
     plan.add_argument(
         "--encoding",
@@ -112,7 +117,7 @@ def _simulate(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
     )
     simulate.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
     simulate.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
-    simulate.add_argument("--runs", type=_count, default=1000, metavar="N", help="default 1000")
+    simulate.add_argument("--runs", type=_runs, default=1000, metavar="N", help="default 1000")
     simulate.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the chances")
     simulate.add_argument(
         "--probability",
@@ -200,53 +205,42 @@ def _lint(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def _number(text: str) -> float:
     try:
-        value = float(text)
+        return float(text)
     except ValueError:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number") from None
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a finite number")
-    return value
+        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not a number") from None
 
 
-def _positive(text: str) -> float:
-    value = _number(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError(f"'{text}' is not above 0")
-    return value
+def _clipped(text: str) -> str:
+    return text if len(text) <= DIGITS else f"{text[:DIGITS]}..."
 
 
-def _chance(text: str) -> float:
-    value = _number(text)
-    if not 0 < value < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is not between 0 and 1")
-    return value
+def _real(allowed: Range) -> Callable[[str], float]:
+    """A reader of numbers in a range."""
+
+    def read(text: str) -> float:
+        return allowed_only(_number(text), allowed)
+
+    return read
 
 
-def _share(text: str) -> float:
-    value = _number(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"'{text}' is below 0")
-    return value
+def _whole(allowed: Range) -> Callable[[str], int]:
+    """A reader of whole numbers in a range."""
+
+    def read(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not a whole number") from None
+        return allowed_only(value, allowed)
+
+    return read
 
 
-def _whole(text: str, least: int) -> int:
-    try:
-        value = int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number") from None
-    if value < least:
-        raise argparse.ArgumentTypeError(f"'{text}' is below {least}")
-    return value
-
-
-def _count(text: str) -> int:
-    return _whole(text, 1)
-
-
-def _frames(text: str) -> int:
-    value = _whole(text, 1)
-    if value > MOST_FRAMES:
-        raise argparse.ArgumentTypeError(f"'{text}' is above {MOST_FRAMES}")
+def allowed_only(value: NumberT, allowed: Range) -> NumberT:
+    """The value, if its range allows it."""
+    words = allowed.complaint(value)
+    if words is not None:
+        raise argparse.ArgumentTypeError(words)
     return value
 
 
@@ -254,11 +248,18 @@ def _size(text: str) -> tuple[int, int]:
     width, cross, height = text.lower().partition("x")
     if not cross:
         raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT, as in 960x600")
-    size = _whole(width, LEAST_SIDE), _whole(height, LEAST_SIDE)
+    side = _whole(Range(LEAST_SIDE, LARGEST, whole=True))
+    size = side(width), side(height)
     if max(size) > MOST_SIDE:
         raise argparse.ArgumentTypeError(f"'{text}' is larger than {MOST_SIDE}x{MOST_SIDE}")
     return size
 
 
-def _seed(text: str) -> int:
-    return _whole(text, 0)
+_positive = _real(OPTIONS["time_limit"])
+_share = _real(OPTIONS["gap"])
+_chance = _real(OPTIONS["probability"])
+_count = _whole(Range(1, LARGEST, whole=True))
+_threads = _whole(OPTIONS["threads"])
+_seed = _whole(OPTIONS["seed"])
+_runs = _whole(OPTIONS["runs"])
+_frames = _whole(Range(1, MOST_FRAMES, whole=True))

@@ -12,14 +12,18 @@ from typing import Any
 import yaml
 from yaml import events
 
+from tsplan.document.mishaps import FORMULA_KEYS, quoted, stopped
 from tsplan.document.pause import collector_paused
 from tsplan.document.scalars import TAGS, resolve
 from tsplan.errors import Finding, InputError
+from tsplan.names import nfc
 
 DEEPEST = 50
+TOO_DEEP = (f"nested deeper than {DEEPEST} levels", "use a flatter structure")
 MOST_FROM_ALIASES = 100_000
 
 _STANDARD = "tag:yaml.org,2002:"
+MERGE = "<<"
 SET = _STANDARD + "set"
 TUPLE = _STANDARD + "python/tuple"
 _COLLECTIONS = frozenset({"!", SET, TUPLE, "!Ts", "!Model"}) | {
@@ -34,7 +38,8 @@ class Node:
 
     `children` follows `value`: a dict or list of nodes, None for scalars. `text` is a scalar's
     own text; `start` and `end` are offsets into the document's text; `keys` holds the places of a
-    mapping's keys, None for others. `size` counts the nodes below, aliases expanded.
+    mapping's keys, None for others. `size` counts the nodes below, aliases expanded. `flow` says
+    that a scalar stands inside braces or brackets.
     """
 
     value: Any
@@ -48,6 +53,7 @@ class Node:
     children: dict[str, Node] | list[Node] | None = None
     keys: dict[str, tuple[int, int]] | None = None
     size: int = 1
+    flow: bool = False
 
 
 @dataclass(slots=True, eq=False)
@@ -57,8 +63,10 @@ class _Open:
     node: Node
     anchor: str | None
     mapping: bool
+    flow: bool
     key: Node | None = None
     key_places: dict[str, tuple[int, int]] = field(default_factory=dict)
+    merged: list[Node] | None = None
 
 
 class Composer:
@@ -70,6 +78,7 @@ class Composer:
         self.root: Node | None = None
         self._stack: list[_Open] = []
         self._anchors: dict[str, Node | None] = {}
+        self._unused: dict[str, Finding] = {}  # anchors of formulas to which no alias refers yet
         self._copied = 0
 
     def take(self, event: Any) -> None:
@@ -81,12 +90,30 @@ class Composer:
             self._begin(event, mapping=kind is events.MappingStartEvent)
         elif kind is events.MappingEndEvent or kind is events.SequenceEndEvent:
             done = self._stack.pop()
+            self._merge(done)
             done.node.end = event.end_mark.index
             self._place(done.node, done.anchor)
         elif kind is events.AliasEvent:
             self._alias(event)
         elif kind is events.DocumentStartEvent and self.root is not None:
             raise self._stop("the file holds more than one document", "keep one", event.start_mark)
+
+    @property
+    def flow(self) -> bool:
+        """Whether the next value stands inside braces or brackets."""
+        return bool(self._stack) and self._stack[-1].flow
+
+    @property
+    def what(self) -> str:
+        """What the next text is, in words: a formula or just a text."""
+        keys = {item.key.text for item in self._stack if item.key is not None}
+        return "formula" if keys & FORMULA_KEYS else "text"
+
+    def all_findings(self) -> list[Finding]:
+        """What was found wrong with the whole text, in its order."""
+        return sorted(
+            [*self.findings, *self._unused.values()], key=lambda f: (f.line or 0, f.column or 0)
+        )
 
     def _stop(self, message: str, remedy: str, mark: Any) -> InputError:
         last = Finding(message, remedy, self.source, mark.line + 1, mark.column + 1)
@@ -96,20 +123,34 @@ class Composer:
         self.findings.append(Finding(message, remedy, self.source, line, column))
 
     def _scalar(self, event: Any) -> Node:
-        mark, text, tag = event.start_mark, event.value, event.tag
+        mark, text, tag = event.start_mark, nfc(event.value), event.tag
         line, column = mark.line + 1, mark.column + 1
+        value: Any = text
         if tag is None:
             value = resolve(text) if event.implicit[0] else text
         elif tag in TAGS:
             try:
                 value = TAGS[tag](text)
             except ValueError:
-                value = text
                 self._report(f"'{text}' does not fit its tag", "drop the tag", line, column)
         else:
-            value = text
+            self._tagged(tag, text, line, column)
+        if event.anchor is not None and self.what == "formula":
+            message = f"YAML takes '&{event.anchor}' for an anchor, and only '{text}' is left"
+            remedy = quoted("formula")
+            self._unused[event.anchor] = Finding(message, remedy, self.source, line, column)
+        begin, end = mark.index, event.end_mark.index
+        return Node(value, line, column, begin, end, tag, text, event.style, flow=self.flow)
+
+    def _tagged(self, tag: str, text: str, line: int, column: int) -> None:
+        """A word with an exclamation mark before a text: hardly ever meant as a tag."""
+        if tag.startswith(_STANDARD) and text:
             self._unknown_tag(tag, line, column)
-        return Node(value, line, column, mark.index, event.end_mark.index, tag, text, event.style)
+            return
+        shown = tag.replace(_STANDARD, "!!")
+        left = f", and only '{text}' is left" if text else ""
+        remedy = f"put the {self.what} in quotes: '{f'{shown} {text}'.rstrip()}'"
+        self._report(f"YAML takes '{shown}' for a tag{left}", remedy, line, column)
 
     def _unknown_tag(self, tag: str, line: int, column: int) -> None:
         shown = tag.replace(_STANDARD, "!!")
@@ -118,9 +159,7 @@ class Composer:
     def _begin(self, event: Any, *, mapping: bool) -> None:
         mark, tag = event.start_mark, event.tag
         if len(self._stack) >= DEEPEST:
-            raise self._stop(
-                f"nested deeper than {DEEPEST} levels", "use a flatter structure", mark
-            )
+            raise self._stop(*TOO_DEEP, mark)
         line, column = mark.line + 1, mark.column + 1
         if tag is not None and tag not in _COLLECTIONS:
             self._unknown_tag(tag, line, column)
@@ -129,15 +168,16 @@ class Composer:
         node.children = {} if mapping else []
         if event.anchor is not None:
             self._anchors[event.anchor] = None
-        opened = _Open(node, event.anchor, mapping)
+        opened = _Open(node, event.anchor, mapping, bool(event.flow_style))
         node.keys = opened.key_places
         self._stack.append(opened)
 
     def _alias(self, event: Any) -> None:
+        self._unused.pop(event.anchor, None)
         if event.anchor not in self._anchors:
-            raise self._stop(
-                f"'*{event.anchor}' refers to nothing", "define its anchor first", event.start_mark
-            )
+            formula = self.what == "formula"
+            remedy = quoted("formula") if formula else "define its anchor first"
+            raise self._stop(f"'*{event.anchor}' refers to nothing", remedy, event.start_mark)
         target = self._anchors[event.anchor]
         if target is None:
             raise self._stop(
@@ -176,18 +216,50 @@ class Composer:
         assert isinstance(children, dict)
         key = self._key(key_node)
         top.node.size += node.size + 1
+        if key == MERGE and not key_node.style:
+            if top.merged is None:
+                top.merged = self._sources(key_node, node)
+            else:
+                remedy = f"name all in one list, {MERGE}: [*one, *two]"
+                what = f"the key '{MERGE}' appears twice"
+                self._report(what, remedy, key_node.line, key_node.column)
+            return
         if key in children:
             first = top.key_places[key][0]
-            self._report(
-                f"the key '{key}' appears twice, first in line {first}",
-                "keep one of them",
-                key_node.line,
-                key_node.column,
-            )
+            what = f"the key '{key}' appears twice, first in line {first}"
+            self._report(what, "keep one of them", key_node.line, key_node.column)
             return
         top.node.value[key] = node.value
         children[key] = node
         top.key_places[key] = (key_node.line, key_node.column)
+
+    def _sources(self, key: Node, node: Node) -> list[Node]:
+        """The mappings that a merge key names, the one that wins first."""
+        several = isinstance(node.children, list)
+        sources = list(node.children) if isinstance(node.children, list) else [node]
+        wrong = [item for item in sources if not isinstance(item.children, dict)]
+        if wrong or not sources:
+            at = wrong[0] if wrong and several else key
+            what = f"'{MERGE}' takes in the entries of mappings, and this is none"
+            self._report(what, f"write {MERGE}: *name or {MERGE}: [*one, *two]", at.line, at.column)
+            return []
+        return sources
+
+    def _merge(self, top: _Open) -> None:
+        """Take in what merge keys name: https://yaml.org/type/merge.html.
+
+        An entry that the mapping has itself wins, then the first mapping that has it. What is
+        taken in keeps its place, so that findings point at where it is written.
+        """
+        children = top.node.children
+        for source in top.merged or ():
+            assert isinstance(children, dict)
+            assert isinstance(source.children, dict)
+            for key, child in source.children.items():
+                if key not in children:
+                    children[key] = child
+                    top.node.value[key] = child.value
+                    top.key_places[key] = (source.keys or {})[key]
 
     def _key(self, node: Node) -> str:
         """The text of a key; a sequence of scalars (a tuple in Python) is written `(a, b)`."""
@@ -230,24 +302,39 @@ def compose(text: str, source: str) -> Node:
         finally:
             loader.dispose()
     except yaml.MarkedYAMLError as error:
-        raise InputError([*composer.findings, _syntax(error, source)]) from None
+        raise InputError([*composer.findings, _syntax(error, text, composer)]) from None
     except yaml.YAMLError as error:
         raise InputError([*composer.findings, _character(error, text, source)]) from None
-    if composer.findings:
-        raise InputError(composer.findings)
+    findings = composer.all_findings()
+    if findings:
+        raise InputError(findings)
     return composer.root or Node(None, 1, 1, 0, 0, text="")
 
 
-def _syntax(error: yaml.MarkedYAMLError, source: str) -> Finding:
+def _syntax(error: yaml.MarkedYAMLError, text: str, composer: Composer) -> Finding:
+    """Where reading had to stop, and what YAML took the text there for."""
     mark = error.problem_mark or error.context_mark
-    words = [part for part in (error.context, error.problem) if part]
-    return Finding(
-        "not valid YAML: " + ", ".join(words),
-        "look at the punctuation and the indentation here",
-        source,
-        mark.line + 1 if mark else None,
-        mark.column + 1 if mark else None,
-    )
+    place = (mark.line + 1, mark.column + 1) if mark else (None, None)
+    words = ", ".join(part for part in (error.context, error.problem) if part)
+    message, remedy = words, "look at the punctuation and the indentation here"
+    if mark and _unclosed(text[: _offset(text, mark)]) >= DEEPEST:
+        return Finding(*TOO_DEEP, composer.source, *place)  # the library has a limit of its own
+    if mark:
+        began = None if error.context_mark is None else _offset(text, error.context_mark)
+        known = stopped(text, _offset(text, mark), began, flow=composer.flow, what=composer.what)
+        message, remedy = known or (message, remedy)
+    return Finding(f"not valid YAML: {message}", remedy, composer.source, *place)
+
+
+def _unclosed(text: str) -> int:
+    """How many braces and brackets are open at the end of a text, quotes not looked at."""
+    return sum(map(text.count, "[{")) - sum(map(text.count, "]}"))
+
+
+def _offset(text: str, mark: Any) -> int:
+    """The offset of a mark, by its line and column."""
+    lines = text.split("\n")
+    return sum(len(line) + 1 for line in lines[: mark.line]) + int(mark.column)
 
 
 def _character(error: yaml.YAMLError, text: str, source: str) -> Finding:

@@ -9,8 +9,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, TypeAlias
 
+from tsplan.document import mishaps
 from tsplan.document.compose import Node, compose
+from tsplan.document.files import read_text
+from tsplan.document.kinds import kind_of_text
 from tsplan.errors import Finding, InputError
+from tsplan.names import nfc
 
 Path: TypeAlias = tuple[str | int, ...]
 
@@ -113,6 +117,19 @@ class Document:
         """A finding at the place of the key that a path ends with."""
         return Finding(message, remedy, self.source, *self.key_place(path))
 
+    def cut(self, path: Path) -> list[Finding]:
+        """What YAML took away from the formula at a path, with the place where; else nothing."""
+        node = self._node(path)
+        words = mishaps.cut(node, self.content)
+        if words is None:
+            return []
+        at = node.start if node.style else node.end
+        return [Finding(*words, self.source, *self._line_and_column(at))]
+
+    def loses_end(self, path: Path) -> bool:
+        """Whether YAML made a key of the end of the formula at a path, inside braces."""
+        return mishaps.loses_end(self._node(path), self._node(path[:-1]), self.content)
+
     def text_origin(self, path: Path) -> tuple[int, int]:
         """Line and column of the first character of a scalar's content."""
         return self.inside(path, 1, 1)
@@ -173,8 +190,15 @@ def parse_document(text: str, source: str) -> Document:
 
     """
     text = text.removeprefix("\ufeff")
-    root = compose(text, source)
     digest = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+    text = nfc(text)
+    try:
+        root = compose(text, source)
+    except InputError:
+        kind = kind_of_text(text)
+        if kind is None:
+            raise
+        raise InputError([Finding(f"this is {kind}", "write it as YAML", source)]) from None
     return Document(root.value, source, digest, text, root)
 
 
@@ -184,46 +208,7 @@ def read_document(path: str | pathlib.Path) -> Document:
     Raises
     ------
     InputError
-        The file is missing, too large or not UTF-8, or as `parse_document` says.
+        The file is missing, no ordinary file, too large or not UTF-8, or as `parse_document` says.
 
     """
-    source = str(path)
-    return parse_document(read_text(path), source)
-
-
-def read_text(path: str | pathlib.Path) -> str:
-    """The text of an input file; InputError where it is missing, too large or not UTF-8."""
-    file, source = pathlib.Path(path), str(path)
-    try:
-        if file.is_dir():
-            raise InputError([Finding("this is a directory", "name a file", source)])
-        if file.stat().st_size > LARGEST_FILE:
-            limit = LARGEST_FILE // 1024**2
-            raise InputError([Finding(f"larger than {limit} MiB", "use a smaller file", source)])
-        raw = file.read_bytes()
-    except FileNotFoundError:
-        raise InputError([_missing(file, source)]) from None
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        reason = error.strerror if isinstance(error, OSError) else str(error)
-        raise InputError([Finding(f"cannot be read: {reason}", "check the path", source)]) from None
-    try:
-        return raw.decode("utf-8")
-    except UnicodeDecodeError as error:
-        before = raw[: error.start]
-        line = before.count(b"\n") + 1
-        column = len(before[before.rfind(b"\n") + 1 :].decode("utf-8", "replace")) + 1
-        finding = Finding("not UTF-8 text", "save the file as UTF-8", source, line, column)
-        raise InputError([finding]) from None
-
-
-def _missing(file: pathlib.Path, source: str) -> Finding:
-    """There is no such file; name the closest one beside it."""
-    from difflib import get_close_matches  # noqa: PLC0415 - only for the message
-
-    folder = file.parent
-    names = [item.name for item in folder.iterdir()] if folder.is_dir() else []
-    close = get_close_matches(file.name, names, n=1)
-    remedy = f"did you mean '{folder / close[0]}'?" if close else "check the path"
-    return Finding("there is no such file", remedy, source)
+    return parse_document(read_text(path, most=LARGEST_FILE), str(path))

@@ -10,6 +10,8 @@ import re
 from collections.abc import Callable
 from typing import TypeAlias
 
+from tsplan.limits import DIGITS
+
 Scalar: TypeAlias = str | int | float | bool | None
 
 _WORDS: dict[str, Scalar] = {
@@ -29,8 +31,8 @@ _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?\Z")
 _SPECIAL = re.compile(r"[-+]?\.(inf|Inf|INF)\Z|\.(nan|NaN|NAN)\Z")
 _NUMBER_START = frozenset("+-.0123456789")
 
-# longer whole numbers mean nothing here, and turning very long ones into ints is slow
-LONGEST_INTEGER = 40
+# turning very long texts into whole numbers is slow
+LONGEST_INTEGER = DIGITS
 
 
 def resolve(text: str) -> Scalar:
@@ -76,7 +78,6 @@ _STANDARD = "tag:yaml.org,2002:"
 
 # tags a scalar may carry; Python's are those that its dumpers write for plain data
 TAGS: dict[str, Callable[[str], Scalar]] = {
-    "!": str,
     _STANDARD + "str": str,
     _STANDARD + "int": _integer,
     _STANDARD + "float": _real,

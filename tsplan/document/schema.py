@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, TypeVar, get_args
+from typing import Any, Literal, TypeVar, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
@@ -58,13 +58,34 @@ def validated(
         return None, list(dict.fromkeys(found))
 
 
+def salvaged(
+    document: Document, schema: type[SchemaT], stand_ins: Mapping[str, Any]
+) -> tuple[SchemaT | None, frozenset[str]]:
+    """A whole document without its faulty keys, and which these are; None if that is no use.
+
+    `stand_ins` has a value for each key that the schema wants, for where it is faulty.
+    """
+    data = document.data
+    if not isinstance(data, dict):
+        return None, frozenset()
+    try:
+        return schema.model_validate(data), frozenset()
+    except ValidationError as error:
+        faulty = frozenset(str(item["loc"][0]) for item in error.errors() if item["loc"])
+    kept = {key: value for key, value in data.items() if key not in faulty}
+    try:
+        return schema.model_validate({**stand_ins, **kept}), faulty
+    except ValidationError:
+        return None, faulty
+
+
 def _finding(
     document: Document, schema: type[BaseModel], path: Path, error: ErrorDetails
 ) -> Finding:
     here = (*path, *error["loc"])
     kind, context = error["type"], error.get("ctx", {})
     if kind == "missing":
-        return _missing(document, here)
+        return _missing(document, here, _only_value(schema, error["loc"]))
     if kind == "extra_forbidden":
         remedy = nearest(str(here[-1]), _known_keys(schema, error["loc"][:-1]))
         return document.key_finding(here, f"unknown key '{here[-1]}'", remedy)
@@ -85,11 +106,22 @@ def _finding(
     return document.finding(here, f"{subject}{_message(error)}", remedy)
 
 
-def _missing(document: Document, path: Path) -> Finding:
+def _missing(document: Document, path: Path, value: str | None) -> Finding:
     """A key that is not there, or an entry that a list is too short for."""
     if isinstance(path[-1], int):
         return document.finding(path[:-1], f"entry {path[-1] + 1} is missing", "add it")
-    return document.finding(path[:-1], f"'{path[-1]}' is missing", f"add '{path[-1]}: ...'")
+    remedy = f"add '{path[-1]}: {value or '...'}'"
+    return document.finding(path[:-1], f"'{path[-1]}' is missing", remedy)
+
+
+def _only_value(schema: type[BaseModel], location: tuple[int | str, ...]) -> str | None:
+    """The value of a key that can have one value only, such as the name of the format."""
+    for model in _models_at(schema, location[:-1]):
+        field = model.model_fields.get(str(location[-1]))
+        if field is not None and get_origin(field.annotation) is Literal:
+            values = get_args(field.annotation)
+            return str(values[0]) if len(values) == 1 else None
+    return None
 
 
 def _subject(path: Path) -> str:
@@ -128,6 +160,12 @@ def _models(annotation: Any) -> list[type[BaseModel]]:
 
 def _known_keys(schema: type[BaseModel], location: tuple[int | str, ...]) -> list[str]:
     """The keys that are known at a location below a schema."""
+    models = _models_at(schema, location)
+    return [field.alias or name for model in models for name, field in model.model_fields.items()]
+
+
+def _models_at(schema: type[BaseModel], location: tuple[int | str, ...]) -> list[type[BaseModel]]:
+    """The models of which one describes a location below a schema."""
     models = [schema]
     for step in location:
         inner = [
@@ -139,4 +177,4 @@ def _known_keys(schema: type[BaseModel], location: tuple[int | str, ...]) -> lis
         ]
         # a list position or a free key stays within the same models
         models = inner or models
-    return [field.alias or name for model in models for name, field in model.model_fields.items()]
+    return models

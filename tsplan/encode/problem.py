@@ -18,6 +18,7 @@ from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
+from tsplan.names import nfc
 
 Encoding: TypeAlias = Literal["tight", "reference"]
 
@@ -74,7 +75,7 @@ class Problem:
 
     def count(self, place: str, capability: str | None = None, *, step: int) -> Expression:
         """Agents with a capability (None: all) at a state, or at a label's states, at a step."""
-        return Expression(((CountTerm(place, capability, step), 1.0),))
+        return Expression(((CountTerm(nfc(place), capability and nfc(capability), step), 1.0),))
 
     def add(self, constraint: Constraint, name: str = "constraint") -> None:
         """Demand a linear constraint over counts of every plan."""

@@ -17,6 +17,7 @@ from tsplan.explanation.facts import View, find_facts
 from tsplan.explanation.oracle import Oracle
 from tsplan.explanation.several import Several
 from tsplan.explanation.surroundings import EdgeTime
+from tsplan.limits import refuse_options
 from tsplan.running import on_interrupt
 
 if TYPE_CHECKING:
@@ -48,13 +49,15 @@ def explain(
     met, it is found how much sooner each deadline could be. `time_limit` is in seconds;
     `on_stage` hears in words what is done. Ctrl-C ends the search with what is known.
 
-    Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails.
+    Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails, and
+    InputError for a time limit out of range.
 
     >>> import tsplan
     >>> made = tsplan.explain(tsplan.load_mission("mission.yaml"))
     >>> made.status.value, [[part.text for part in conflict.parts] for conflict in made.conflicts]
     ('feasible', [])
     """
+    refuse_options(time_limit=time_limit)
     limit = mission.solver.time_limit if time_limit is None else time_limit
     run = _Run(mission, Clock(limit), solver, on_stage or (lambda _: None))
     with on_interrupt(run.oracle.stop):

@@ -17,9 +17,9 @@ from tsplan.explanation.bounds import unbounded
 from tsplan.explanation.data import Element
 from tsplan.explanation.elements import leaf_of
 from tsplan.explanation.occurrences import without
+from tsplan.limits import MOST_ROBOTS
 from tsplan.logic import Always, Count, walk
 from tsplan.mission import Group
-from tsplan.mission.data import MOST_ROBOTS
 from tsplan.ts import Edge, State, TransitionSystem
 
 if TYPE_CHECKING:

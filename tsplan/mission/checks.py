@@ -11,17 +11,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tsplan.errors import FormulaError, nearest
+from tsplan.errors import FormulaError, Nearest, nearest
+from tsplan.limits import MOST_ROBOTS, MOST_STEPS
 from tsplan.mission.data import (
-    MOST_ROBOTS,
-    MOST_STEPS,
     OBJECTIVES,
     SENSES,
     SWARM_OBJECTIVES,
     SwarmRules,
     TaskInterval,
 )
-from tsplan.mission.problem import FORMULA, Place, Problem
+from tsplan.mission.numbers import number_problems
+from tsplan.mission.problem import FORMULA, Place, Problem, preferred
 from tsplan.mission.swarms import swarm_problems
 
 if TYPE_CHECKING:
@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 
 def problems_of(mission: Mission) -> list[Problem]:
     """Everything that does not fit together in a mission."""
+    numbers = number_problems(mission)
+    if numbers:
+        return numbers  # with numbers that are none, nothing else can be judged
     return [
         *objective_problems(mission.objective, mission.swarm),
         *wish_problems(mission.objective, mission.prefer, mission.swarm),
@@ -54,11 +57,6 @@ def preferred_problems(wish: Preference, number: int, mission: Mission) -> list[
         *horizon_problems(wish.formula, mission.task_interval, mission.horizon),
     ]
     return moved(found, preferred(number))
-
-
-def preferred(number: int) -> Place:
-    """Where the formula of a preference stands."""
-    return ("spec", "prefer", number, "formula")
 
 
 def moved(problems: Iterable[Problem], place: Place) -> list[Problem]:
@@ -119,6 +117,7 @@ def team_problems(
     if not team:
         problems.append(Problem(("team",), "the team is empty", "add at least one robot"))
     places = [entry_place(number, team, swarm) for number in range(len(team))]
+    closest = Nearest(() if system is None else system.states)
     for place, group in zip(places, team, strict=True):
         if not group.starts:
             problems.append(Problem((*place, "at"), "no start state", "say where the robots start"))
@@ -132,7 +131,7 @@ def team_problems(
                     )
                 )
             if system is not None:
-                problems += _start_problems(system, group, (*place, "at", state))
+                problems += _start_problems(system, group, (*place, "at", state), closest)
     size = sum(group.count for group in team)
     if size > MOST_ROBOTS:
         problems.append(
@@ -153,11 +152,12 @@ def entry_place(number: int, team: Sequence[Group], swarm: SwarmRules | None) ->
     return ("swarm",) if single else ("swarms", number)
 
 
-def _start_problems(system: TransitionSystem, group: Group, path: Place) -> list[Problem]:
+def _start_problems(
+    system: TransitionSystem, group: Group, path: Place, closest: Nearest
+) -> list[Problem]:
     state = str(path[-1])
     if state not in system.states:
-        remedy = nearest(state, system.states)
-        return [Problem(path, f"the map has no state '{state}'", remedy)]
+        return [Problem(path, f"the map has no state '{state}'", closest(state))]
     missing = sorted(system.states[state].needs - group.capabilities)
     if not missing:
         return []
@@ -238,42 +238,53 @@ def map_problems(system: TransitionSystem, team: Sequence[Group]) -> list[Proble
 def formula_problems(
     formula: Formula,
     system: TransitionSystem | None,
-    team: Iterable[Group],
+    team: Iterable[Group] | None,
     swarm: SwarmRules | None,
 ) -> list[Problem]:
-    """Labels, capabilities and kinds of atoms; without a map, labels are not judged."""
+    """Labels, capabilities and kinds of atoms, as far as map and team are known."""
     from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
 
-    known: frozenset[str] = frozenset().union(*(group.capabilities for group in team))
+    known: frozenset[str] = frozenset().union(*(group.capabilities for group in team or ()))
+    places = Nearest(() if system is None else {*system.labels, *system.states})
+    able = Nearest(known)
     problems: list[Problem] = []
     for node in logic.walk(formula):
         problems += _refused(node)
-        problems += _percentages(node) if swarm is None else []
+        problems += _percentages(node) if swarm is None and team is not None else []
         if isinstance(node, logic.Count | logic.Task | logic.Limit):
-            if system is not None and node.label not in system.labels:
-                problems.append(
-                    Problem(
-                        FORMULA,
-                        f"no state of the map has the label '{node.label}'",
-                        nearest(node.label, system.labels),
-                        node=node,
-                        word=node.label,
-                    )
-                )
+            problems += [] if system is None else _unplaced(node, node.label, system, places)
             problems += [
-                _stranger(node, name, known, swarm)
+                _stranger(node, name, able if known or swarm is None else None, swarm)
                 for name in _capabilities(node)
-                if name not in known
+                if name not in known and team is not None
             ]
     return problems
 
 
-def _stranger(node: Formula, name: str, known: frozenset[str], swarm: SwarmRules | None) -> Problem:
+def _unplaced(
+    node: Formula, label: str, system: TransitionSystem, closest: Nearest
+) -> list[Problem]:
+    """A label of no state, or (a warning) one that is the name of a state without it."""
+    state = system.states.get(label)
+    if label not in system.labels and state is None:
+        what = f"no state of the map has the label '{label}'"
+        return [Problem(FORMULA, what, closest(label), node=node, word=label)]
+    if state is None or label not in system.labels or label in state.labels:
+        return []
+    carriers = ", ".join(system.labels[label][:3])
+    what = f"'{label}' is the label of {carriers}, and also the name of a state without it"
+    remedy = "the label is meant; give the state a label of its own to count there"
+    return [Problem(FORMULA, what, remedy, serious=False, node=node, word=label)]
+
+
+def _stranger(
+    node: Formula, name: str, closest: Nearest | None, swarm: SwarmRules | None
+) -> Problem:
     """A capability that nobody has, which a share of a swarm cannot be taken of."""
+    remedy = f"leave '{name}' out: the one swarm has no name" if closest is None else closest(name)
     if swarm is None:
         what = f"no robot has the capability '{name}', so it always counts 0"
-        return Problem(FORMULA, what, nearest(name, known), serious=False, node=node, word=name)
-    remedy = nearest(name, known) if known else f"leave '{name}' out: the one swarm has no name"
+        return Problem(FORMULA, what, remedy, serious=False, node=node, word=name)
     return Problem(FORMULA, f"there is no swarm '{name}'", remedy, node=node, word=name)
 
 

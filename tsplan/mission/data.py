@@ -12,10 +12,12 @@ from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
 from math import ceil
+from numbers import Integral
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, cast
 
 from tsplan.errors import Finding, MissionError
+from tsplan.names import nfc
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -60,12 +62,6 @@ DEFAULT_SWARM_OBJECTIVE = ("splits", "travel")
 SENSES: Mapping[str, Sense] = MappingProxyType({**OBJECTIVES, **SWARM_OBJECTIVES})
 """Every objective, of teams and of swarms; those with the same name mean the same."""
 
-MOST_ROBOTS = 10_000_000
-"""Robots in a team; each one gets a path of its own, so a misprint must not fill the memory."""
-
-MOST_STEPS = 1_000_000
-"""Steps up to the horizon."""
-
 
 class Agent(NamedTuple):
     """One robot of the team, before it has a path."""
@@ -83,6 +79,13 @@ class Group:
     class_name: str
     capabilities: frozenset[str]
     starts: tuple[tuple[str, int], ...]
+
+    def __post_init__(self) -> None:
+        """Bring names into the form in which they are compared."""
+        object.__setattr__(self, "class_name", nfc(self.class_name))
+        object.__setattr__(self, "capabilities", frozenset(map(nfc, self.capabilities)))
+        starts = tuple((nfc(state), _whole(count)) for state, count in self.starts)
+        object.__setattr__(self, "starts", starts)
 
     @property
     def count(self) -> int:
@@ -102,7 +105,7 @@ class Group:
         3
         """
         pairs = starts.items() if isinstance(starts, Mapping) else starts
-        return cls(class_name, frozenset(capabilities), tuple((s, n) for s, n in pairs))
+        return cls(class_name, frozenset(capabilities), tuple(pairs))
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +129,10 @@ class SwarmRules:
     each: Mapping[str, SwarmBounds] = field(hash=False)
     together: int | None = None
     margin: Fraction | int = Fraction(0)
+
+    def __post_init__(self) -> None:
+        """Bring names into the form in which they are compared."""
+        object.__setattr__(self, "each", {nfc(name): item for name, item in self.each.items()})
 
     def spare(self, agents: int) -> int:
         """The head-room, in agents, of a demand on a swarm of so many `agents`.
@@ -174,6 +181,8 @@ class Mission:
     With the objective `satisfaction` the formula need not hold: as much of it as possible does, in
     the order `satisfaction`. `prefer` holds formulas that are met as far as possible beside it;
     then `preferences` comes first among the objectives.
+    A state that a formula names where no state has such a label gets its name as a label of the
+    mission's own map, so that everything made from the mission counts there alike.
     With `swarm` rules every class of the team is a swarm, whose agents move as sub-swarms.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
@@ -201,12 +210,19 @@ class Mission:
 
     def __post_init__(self) -> None:
         from tsplan.mission.checks import problems_of  # noqa: PLC0415  (imports this module)
+        from tsplan.mission.places import with_named_places  # noqa: PLC0415  (needs the logic)
 
+        object.__setattr__(self, "system", with_named_places(self.system, self._formulas))
         if self.prefer and "preferences" not in self.objective:
             object.__setattr__(self, "objective", ("preferences", *self.objective))
         errors = [problem for problem in problems_of(self) if problem.serious]
         if errors:
             raise MissionError(problem.finding() for problem in errors)
+
+    @property
+    def _formulas(self) -> tuple[Formula, ...]:
+        """The formula and those that are preferred."""
+        return self.formula, *(wish.formula for wish in self.prefer)
 
     @cached_property
     def counted(self) -> Formula:
@@ -328,7 +344,7 @@ class Mission:
             "max_subswarms": max_subswarms,
             "margin": margin,
             "spec": {
-                "language": language or ("catl" if team else "mtl"),
+                "language": language or default_language(team=bool(team)),
                 **spec,
                 **({"prefer": wishes} if wishes else {}),
             },
@@ -338,6 +354,16 @@ class Mission:
             "solver": solver,
         }
         return mission_from_values(cast("Mapping[str, Any]", values))
+
+
+def _whole(value: Any) -> Any:
+    """A whole number of any kind as Python's own; what is none is left to the checks."""
+    return int(value) if isinstance(value, Integral) and not isinstance(value, bool) else value
+
+
+def default_language(*, team: bool) -> Language:
+    """The language of a formula where none is named: of a team, or else of swarms."""
+    return "catl" if team else "mtl"
 
 
 def digest_of(text: str) -> str:

@@ -14,6 +14,11 @@ Place: TypeAlias = "tuple[str | int, ...]"
 FORMULA: Place = ("spec", "formula")
 
 
+def preferred(number: int) -> Place:
+    """Where the formula of a preference stands."""
+    return ("spec", "prefer", number, "formula")
+
+
 @dataclass(frozen=True, slots=True)
 class Problem:
     """Something that does not fit: where it is in the mission, and whether it forbids planning.

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 import time
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from tsplan.errors import Finding, InputError, MissionError
 from tsplan.mission.checks import (
@@ -18,14 +17,12 @@ from tsplan.mission.checks import (
     map_problems,
     moved,
     objective_problems,
-    preferred,
     team_problems,
     wish_problems,
 )
 from tsplan.mission.data import (
     DEFAULT_OBJECTIVE,
     DEFAULT_SWARM_OBJECTIVE,
-    LANGUAGES,
     ORDERS,
     Group,
     Mission,
@@ -34,8 +31,9 @@ from tsplan.mission.data import (
     SolverChoice,
     SwarmRules,
 )
-from tsplan.mission.problem import FORMULA, Place, Problem
-from tsplan.mission.swarms import kind_problems, swarm_rules, total_problems
+from tsplan.mission.formulas import Formulas, spelled_out
+from tsplan.mission.problem import Place, Problem
+from tsplan.mission.swarms import KINDS, kind_problems, swarm_rules, total_problems
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -77,46 +75,31 @@ def mission_from_document(
     document: Document, folder: Path, system: TransitionSystem | None = None
 ) -> Mission:
     """A mission from its document. With `system`, the document's own map is not read."""
-    from tsplan.document.schema import validated  # noqa: PLC0415  (pydantic is slow to import)
-    from tsplan.mission.schema import MissionFile  # noqa: PLC0415  (needs pydantic)
+    from tsplan.document.kinds import MISSION, misfit  # noqa: PLC0415  (as below)
+    from tsplan.document.schema import salvaged, validated  # noqa: PLC0415  (slow to import)
+    from tsplan.mission.schema import STAND_INS, MissionFile  # noqa: PLC0415  (needs pydantic)
 
+    strange = misfit(document, (), MISSION)
+    if strange is not None:
+        raise MissionError([strange])
+    document = spelled_out(document)
     file, findings = validated(document, MissionFile)
     draft = _Draft(document, list(findings))
     draft.judge_kind()
     draft.system = system if system is not None else draft.read_map(folder)
     began = time.perf_counter()
-    draft.read_formulas()
+    draft.formulas.read()
     draft.seconds = time.perf_counter() - began
     if file is not None:
         draft.read_agents(file)
         draft.judge(file)
-    serious = [finding for finding in draft.findings if finding not in draft.warnings]
-    if serious or file is None or draft.system is None or draft.formula is None:
+    else:
+        draft.judge_rest(*salvaged(document, MissionFile, STAND_INS))
+    serious = any(draft.known.get(finding, True) for finding in draft.findings)
+    formula = draft.formulas.formula
+    if serious or file is None or draft.system is None or formula is None:
         raise MissionError(draft.in_order())
-    return draft.mission(file, draft.system, draft.formula)
-
-
-class Span(NamedTuple):
-    """Where a part of a formula stands: `place` is (line, column, end line, end column)."""
-
-    path: Place
-    text: str
-    place: tuple[int, int, int, int]
-
-    def find(self, word: str) -> tuple[int, int]:
-        """Line and column of a word inside the part; where the part begins if it is not there."""
-        line, column, end_line, end_column = self.place
-        lines = self.text.split("\n")
-        begin = sum(len(row) + 1 for row in lines[: line - 1]) + column - 1
-        end = sum(len(row) + 1 for row in lines[: end_line - 1]) + end_column - 1
-        # after the operator's own letter: a label may be called T, too
-        found = re.compile(rf"(?<![\w.]){re.escape(word)}(?![\w.])").search(
-            self.text, begin + 1, end
-        )
-        if not word or found is None:
-            return line, column
-        before = self.text[: found.start()]
-        return before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
+    return draft.mission(file, draft.system, formula)
 
 
 @dataclass
@@ -126,25 +109,25 @@ class _Draft:
     document: Document
     findings: list[Finding]
     warnings: list[Finding] = field(default_factory=list)
+    known: dict[Finding, bool] = field(default_factory=dict)  # by whether they are serious
     system: TransitionSystem | None = None
-    formula: Formula | None = None
-    team: tuple[Group, ...] = ()
+    team: tuple[Group, ...] | None = ()  # None where what is said of it is wrong
     swarm: SwarmRules | None = None
-    text: str = ""
     seconds: float = 0.0
-    where: Place = FORMULA
-    wishes: dict[int, tuple[Formula, str] | None] = field(default_factory=dict)
-    places: dict[tuple[Place, Formula], Span] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.formulas = Formulas(self.document, self.findings)
 
     def read_map(self, folder: Path) -> TransitionSystem | None:
         """The map, inline or from the file beside the mission."""
+        from tsplan.document.files import beside  # noqa: PLC0415  (missions made in Python)
         from tsplan.ts.read import load_map, map_from_document  # noqa: PLC0415  (slow to import)
 
         given = self.document.data.get("map") if isinstance(self.document.data, dict) else None
         if isinstance(given, dict):
             read = partial(map_from_document, self.document, ("map",))
         elif isinstance(given, str):
-            read = partial(load_map, folder / given)
+            read = partial(load_map, beside(folder, given))
         else:
             if given is not None:
                 what = "the map is neither a file name nor a map"
@@ -157,84 +140,6 @@ class _Draft:
             what = "the map cannot be used, so labels and start states were not looked up in it"
             self._report(("map",), what, "correct the map first")
             return None
-
-    def read_formulas(self) -> None:
-        """The formula that must hold, and those that are preferred."""
-        from tsplan.logic import TRUE  # noqa: PLC0415  (the parser is slow to import)
-
-        spec = self.document.data.get("spec") if isinstance(self.document.data, dict) else None
-        if not isinstance(spec, dict):
-            return
-        prefer = spec.get("prefer")
-        wishes = prefer if isinstance(prefer, list) else []
-        for number, wish in enumerate(wishes):
-            if isinstance(wish, dict) and "formula" in wish:
-                self.wishes[number] = self._formula_at(preferred(number))
-        if "formula" in spec and "must" in spec:
-            what = "the formula is there twice, as 'formula' and as 'must'"
-            self._report(("spec", "must"), what, "keep one of them")
-        self.where = ("spec", "must") if "must" in spec else FORMULA
-        if self.where[-1] in spec:
-            read = self._formula_at(self.where)
-            self.formula, self.text = (None, "") if read is None else read
-        elif wishes:
-            self.formula, self.text = TRUE, "true"
-        else:
-            self._report(("spec",), "'formula' is missing", "add 'formula: ...'")
-
-    def _formula_at(self, where: Place) -> tuple[Formula, str] | None:
-        """A formula and its text; a list of texts means their conjunction."""
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-
-        given = self.document.at(where)
-        entries = given if isinstance(given, list) else [given]
-        paths: list[Place] = [
-            (*where, n) if isinstance(given, list) else where for n in range(len(entries))
-        ]
-        if not entries:
-            self._report(where, "the list of formulas is empty", "write true for no demand")
-            return None
-        texts = [self._text(entry, path) for entry, path in zip(entries, paths, strict=True)]
-        parsed = [
-            self._parsed(text, path, where)
-            for text, path in zip(texts, paths, strict=True)
-            if text is not None
-        ]
-        formulas = [formula for formula in parsed if formula is not None]
-        if len(formulas) < len(entries):
-            return None
-        known = [text for text in texts if text is not None]
-        text = known[0] if len(known) == 1 else " && ".join(f"({text})" for text in known)
-        return formulas[0] if len(formulas) == 1 else logic.And(tuple(formulas)), text
-
-    def _text(self, value: Any, path: Place) -> str | None:
-        if isinstance(value, bool):
-            return "true" if value else "false"
-        if isinstance(value, str):
-            return value
-        self._report(path, "the formula is not a text", "write it in quotes or after a bar |")
-        return None
-
-    def _parsed(self, text: str, path: Place, where: Place) -> Formula | None:
-        from tsplan.logic.parsing import parse_with_places  # noqa: PLC0415  (slow to import)
-
-        language = str(self.document.data["spec"].get("language"))
-        known = next((name for name in LANGUAGES if name == language), None)
-        if known is None:
-            return None  # an unknown language is the schema's finding
-        try:
-            formula, places = parse_with_places(text, known)
-        except InputError as error:
-            for item in error.findings:
-                line, column = self.document.inside(path, item.line or 1, item.column or 1)
-                self.findings.append(
-                    replace(item, source=self.document.source, line=line, column=column)
-                )
-            return None
-        for node, found in places.items():
-            if found:
-                self.places.setdefault((where, node), Span(path, text, found[0]))
-        return formula
 
     def judge_kind(self) -> None:
         """Report what a mission file says of teams and swarms that it cannot be for at once."""
@@ -257,7 +162,7 @@ class _Draft:
             self.team = self.read_team(file.team)
             return
         entries = [file.swarm] if file.swarm is not None else file.swarms
-        names = [group.class_name for group in self.team]
+        names = [group.class_name for group in self.team or ()]
         self.swarm = swarm_rules(names, entries, file.max_subswarms, file.margin)
 
     def _swarm(self, entry: Swarm, name: str, path: Place) -> Group:
@@ -295,21 +200,31 @@ class _Draft:
         """A name as it is written: `01` is no number here."""
         return self.document.text(path) or value
 
+    def judge_rest(self, file: MissionFile | None, faulty: frozenset[str]) -> None:
+        """Judge what a file says elsewhere than under its faulty keys."""
+        if file is None:
+            return
+        if not faulty.intersection(KINDS) and any(kind in self.document.data for kind in KINDS):
+            self.read_agents(file)
+        else:
+            self.team = None
+        self.judge(file)
+
     def judge(self, file: MissionFile) -> None:
         """Report what does not fit together, as far as the parts are known."""
         names, wishes = self.objective(file), self.preferences(file.spec.prefer)
-        problems = objective_problems(names, self.swarm) + wish_problems(names, wishes, self.swarm)
-        problems += team_problems(self.team, self.system, self.swarm)
-        if self.system is not None:
+        problems = []
+        if self.team is not None:
+            problems += objective_problems(names, self.swarm)
+            problems += wish_problems(names, wishes, self.swarm)
+            problems += team_problems(self.team, self.system, self.swarm)
+        if self.system is not None and self.team is not None:
             problems += map_problems(self.system, self.team)
-        formulas = [(self.where, self.formula)]
-        formulas += [(preferred(n), read and read[0]) for n, read in self.wishes.items()]
-        for where, formula in formulas:
-            if formula is not None:
-                found = formula_problems(formula, self.system, self.team, self.swarm)
-                _, empty = formula_horizon(formula, file.task_interval)
-                found += empty or horizon_problems(formula, file.task_interval, file.horizon)
-                problems += moved(found, where)
+        for where, formula in self.formulas.all():
+            found = formula_problems(formula, self.system, self.team, self.swarm)
+            _, empty = formula_horizon(formula, file.task_interval)
+            found += empty or horizon_problems(formula, file.task_interval, file.horizon)
+            problems += moved(found, where)
         for problem in problems:
             self._file(problem)
 
@@ -323,7 +238,7 @@ class _Draft:
         """The preferences whose formulas could be read, named by their text if by nothing else."""
         made = []
         for number, wish in enumerate(wishes):
-            read = self.wishes.get(number)
+            read = self.formulas.wishes.get(number)
             if read is not None:
                 formula, text = read
                 place = ("spec", "prefer", number, "name")
@@ -337,12 +252,10 @@ class _Draft:
 
     def _file(self, problem: Problem) -> None:
         """Turn a problem into a finding at its place."""
-        line, column = self.document.place(problem.path)
-        span = self.places.get((problem.path, problem.node)) if problem.node is not None else None
-        if span is not None:
-            line, column = self.document.inside(span.path, *span.find(problem.word))
+        line, column = self.formulas.place(problem)
         finding = Finding(problem.message, problem.remedy, self.document.source, line, column)
-        if finding not in self.findings:
+        if finding not in self.known:
+            self.known[finding] = problem.serious
             self.findings.append(finding)
             if not problem.serious:
                 self.warnings.append(finding)
@@ -362,9 +275,9 @@ class _Draft:
         return Mission(
             name=file.name,
             system=system,
-            team=self.team,
+            team=self.team or (),
             language=file.spec.language,
-            text=self.text,
+            text=self.formulas.text,
             formula=formula,
             horizon=file.horizon if file.horizon is not None else own,
             objective=self.objective(file),

@@ -10,10 +10,20 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstr
 
 from tsplan.document.fields import complaint, shown
 from tsplan.errors import nearest
+from tsplan.limits import (
+    LARGEST,
+    LEAST_WEIGHT,
+    MOST_GAP,
+    MOST_ROBOTS,
+    MOST_SECONDS,
+    MOST_SEED,
+    MOST_THREADS,
+    MOST_WEIGHT,
+)
 from tsplan.mission.data import ORDERS
 
 FORMAT = "tsplan-mission/1"
-_SHARE = re.compile(r"([0-9]+(?:\.[0-9]+)?)\s*%")
+_SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
 
 
 def _name(value: Any) -> Any:
@@ -23,7 +33,7 @@ def _name(value: Any) -> Any:
 
 def _margin(value: Any) -> Any:
     """Head-room: `5%` is a fraction of the swarm, a whole number is one of agents."""
-    if isinstance(value, int) and not isinstance(value, bool) and value >= 0:
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= MOST_ROBOTS:
         return value
     match = _SHARE.fullmatch(value.strip()) if isinstance(value, str) else None
     share = Fraction(match[1]) / 100 if match else None
@@ -55,8 +65,8 @@ def _aim(value: Any) -> Any:
 
 
 Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
-Count = Annotated[int, Field(strict=True, ge=1)]
-Whole = Annotated[int, Field(strict=True, ge=0)]
+Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
+Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
 
 
 class _Part(BaseModel):
@@ -91,7 +101,7 @@ class Wish(_Part):
     """A preferred formula; the formula itself is read elsewhere."""
 
     formula: Any
-    weight: Annotated[float, Field(gt=0, allow_inf_nan=False)] = 1
+    weight: Annotated[float, Field(ge=LEAST_WEIGHT, le=MOST_WEIGHT, allow_inf_nan=False)] = 1
     name: Name | None = None
     level: Whole = 0
     partial: bool = False
@@ -110,10 +120,10 @@ class Solver(_Part):
     """What the mission asks of the solver."""
 
     name: Name | None = None
-    time_limit: Annotated[float, Field(gt=0, allow_inf_nan=False)] | None = None
-    gap: Annotated[float, Field(ge=0, allow_inf_nan=False)] | None = None
-    threads: Count | None = None
-    seed: Whole | None = None
+    time_limit: Annotated[float, Field(gt=0, le=MOST_SECONDS, allow_inf_nan=False)] | None = None
+    gap: Annotated[float, Field(ge=0, le=MOST_GAP, allow_inf_nan=False)] | None = None
+    threads: Annotated[int, Field(strict=True, ge=1, le=MOST_THREADS)] | None = None
+    seed: Annotated[int, Field(strict=True, ge=0, le=MOST_SEED)] | None = None
 
 
 class MissionFile(_Part):
@@ -133,3 +143,7 @@ class MissionFile(_Part):
     task_interval: Literal["closed", "half-open"] = "closed"
     horizon: Whole | None = None
     solver: Solver | None = None
+
+
+# what stands for a part of a file that is wrong, so that the others can be judged
+STAND_INS = {"format": FORMAT, "map": {}, "spec": {"language": "catl", "formula": "true"}}

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tsplan.errors import Finding, PlanError
+from tsplan.limits import refuse_options
 from tsplan.results.checking import check
 from tsplan.results.counting import count_trace
 from tsplan.results.moves import leaving, present
@@ -94,10 +95,12 @@ def simulate(mission: Mission, plan: Plan, *, runs: int = 1000, seed: int = 0) -
 
     The work grows with the moves of the plan and the runs, not with the number of agents. The
     result is the same for equal seeds. Raises PlanError for a plan without moves of swarms, or
-    one that the independent check refuses, and ValueError for fewer runs than one.
+    one that the independent check refuses, and ValueError for fewer runs than one
+    and other numbers out of range.
     """
     if runs < 1:
         raise ValueError(f"at least one run is needed, not {runs}")
+    refuse_options(runs=runs, seed=seed)
     if mission.swarm is None or not plan.moves:
         what = "only plans of swarms, with their moves, can be simulated"
         raise PlanError([Finding(what, "plan a mission with a swarm")])

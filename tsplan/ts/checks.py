@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from tsplan.errors import Finding, nearest
+from tsplan.errors import Finding, Nearest
+from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, is_finite
 from tsplan.ts.parts import Edge, State
 
 # the fewest corners of a shape
@@ -55,17 +55,16 @@ def problems(states: Sequence[State], edges: Sequence[Edge]) -> Iterator[Problem
 
 def _edges(edges: Sequence[Edge], names: Collection[str]) -> Iterator[Problem]:
     known: dict[tuple[str, str], int] = {}
+    closest = Nearest(map(str, names))
     repeated: set[tuple[str, str]] = set()
     for index, edge in enumerate(edges):
         for part, name in (("source", edge.source), ("target", edge.target)):
             if name not in names and names:
                 message = f"no state is called '{name}'"
-                yield Problem("edge", index, part, message, nearest(str(name), map(str, names)))
-        if not (type(edge.duration) is int and edge.duration >= 1):
+                yield Problem("edge", index, part, message, closest(str(name)))
+        if not (type(edge.duration) is int and 1 <= edge.duration <= MOST_STEPS):
             yield from _duration(index, edge)
-        if edge.cost is not None and not _is_cost(edge.cost):
-            message = f"cost: {edge.cost} is not a finite number of at least 0"
-            yield Problem("edge", index, "cost", message, "write a number such as 2.5")
+        yield from _cost(index, edge.cost)
         yield from _capacity("edge", index, edge.capacity)
         if edge.pair in known:
             message = f"a second edge leads from '{edge.source}' to '{edge.target}'"
@@ -119,22 +118,43 @@ def _duration(index: int, edge: Edge) -> Iterator[Problem]:
             message = "duration: no class is listed, so nobody can use this edge"
             yield Problem("edge", index, "duration", message, "list a class, or drop the edge")
         for class_name, value in edge.duration.items():
-            if type(value) is not int or value < 1:
-                message = f"duration: {value} for '{class_name}' is not a whole number from 1 on"
+            words = _steps(value)
+            if words:
+                message = f"duration: {value} for '{class_name}' is {words}"
                 yield Problem("edge", index, "duration", message, remedy)
     else:
-        message = f"duration: {edge.duration} is not a whole number from 1 on"
+        message = f"duration: {edge.duration} is {_steps(edge.duration)}"
         yield Problem("edge", index, "duration", message, remedy)
+
+
+def _steps(value: Any) -> str:
+    """What keeps a value from being a duration; empty if nothing does."""
+    if type(value) is not int or value < 1:
+        return "not a whole number from 1 on"
+    return f"more than {MOST_STEPS:,} steps" if value > MOST_STEPS else ""
 
 
 def _capacity(kind: Literal["state", "edge"], index: int, value: Any) -> Iterator[Problem]:
     if value is not None and (type(value) is not int or value < 0):
         message = f"capacity: {value} is not a whole number of at least 0"
         yield Problem(kind, index, "capacity", message, "write how many agents fit, as in 2")
+    elif value is not None and value > LARGEST:
+        message = f"capacity: {value:.3e} is more than {LARGEST:,}"
+        yield Problem(kind, index, "capacity", message, "leave it out where all agents fit")
 
 
-def _is_cost(value: Any) -> bool:
-    return _is_number(value) and value >= 0
+def _cost(index: int, value: Any) -> Iterator[Problem]:
+    remedy = "write a number such as 2.5"
+    if value is None:
+        return
+    if not _is_number(value) or value < 0:
+        message = f"cost: {value} is not a finite number of at least 0"
+        yield Problem("edge", index, "cost", message, remedy)
+    elif value >= MOST_COST:
+        message = (
+            f"cost: {float(value):g} is not below {MOST_COST:g}, which solvers take for infinity"
+        )
+        yield Problem("edge", index, "cost", message, remedy)
 
 
 def _is_point(value: Any) -> bool:
@@ -146,4 +166,4 @@ def _is_polygon(value: Any) -> bool:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, int | float) and not isinstance(value, bool) and is_finite(value)

@@ -10,11 +10,14 @@ from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from typing import Any
 
+from tsplan.limits import DIGITS
+
 _SAFE = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*\Z")
 # words that some YAML reader, of version 1.1 or 1.2, takes for something else than text
 _TAKEN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null", "none"))
 _SHORT = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"}
 _BYTE, _WIDE = 0xFF, 0xFFFF
+_WIDEST = 1e16  # up to here a whole float has no more digits than it says
 
 
 def word(text: str) -> str:
@@ -42,11 +45,13 @@ def _character(char: str) -> str:
 def number(value: float) -> str:
     """A number; whole ones without a decimal point.
 
-    >>> number(2.0), number(1e-5)
-    ('2', '1.0e-05')
+    >>> number(2.0), number(1e-5), number(1e300)
+    ('2', '1.0e-05', '1.0e+300')
     """
-    if isinstance(value, float) and value.is_integer():
+    if isinstance(value, float) and value.is_integer() and abs(value) < _WIDEST:
         return str(int(value))
+    if isinstance(value, int) and abs(value) >= 10**DIGITS:
+        return _real(float(value))  # more digits are not read as a number
     return _real(value)
 
 

@@ -12,6 +12,7 @@ from tsplan.document import Document, Path, validated
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
 from tsplan.document.pause import collector_paused
 from tsplan.errors import Finding, MapError
+from tsplan.limits import MOST_STEPS
 from tsplan.ts.checks import Problem, in_order, problems
 from tsplan.ts.parts import ByClass, Edge, State
 from tsplan.ts.system import TransitionSystem
@@ -39,6 +40,9 @@ def _steps(value: Any) -> int:
             "durations are whole numbers of steps, at least 1",
             about="duration",
         )
+    if value > MOST_STEPS:
+        what = f"{shown(value)} is more than {MOST_STEPS:,} steps"
+        raise complaint(what, "write a shorter one", about="duration")
     return value
 
 

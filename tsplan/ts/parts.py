@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from tsplan.names import nfc
+
 NOTHING: frozenset[str] = frozenset()
 
 # the key of a per-class mapping that stands for every class it does not list
@@ -24,7 +26,7 @@ class ByClass(Mapping[str, int]):
     __slots__ = ("_entries",)
 
     def __init__(self, entries: Mapping[str, int] | Iterable[tuple[str, int]]) -> None:
-        self._entries = dict(entries)
+        self._entries = {_spelled(name): value for name, value in dict(entries).items()}
 
     def __getitem__(self, class_name: str) -> int:
         return self._entries[class_name]
@@ -72,9 +74,10 @@ class State:
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection; a single word is one label."""
-        if type(self.labels) is not frozenset:
+        object.__setattr__(self, "name", _spelled(self.name))
+        if self.labels is not NOTHING:
             object.__setattr__(self, "labels", words(self.labels))
-        if type(self.needs) is not frozenset:
+        if self.needs is not NOTHING:
             object.__setattr__(self, "needs", words(self.needs))
 
 
@@ -98,9 +101,11 @@ class Edge:
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection."""
+        object.__setattr__(self, "source", _spelled(self.source))
+        object.__setattr__(self, "target", _spelled(self.target))
         if type(self.duration) is not int and isinstance(self.duration, Mapping):
             object.__setattr__(self, "duration", ByClass(self.duration))
-        if type(self.needs) is not frozenset:
+        if self.needs is not NOTHING:
             object.__setattr__(self, "needs", words(self.needs))
 
     @property
@@ -149,5 +154,10 @@ class Edge:
 
 
 def words(given: Iterable[str]) -> frozenset[str]:
-    """A set of words; one string is one word, not its letters."""
-    return frozenset((given,) if isinstance(given, str) else given)
+    """A set of words, in the form in which names are compared; one string is one word."""
+    return frozenset(map(_spelled, (given,) if isinstance(given, str) else given))
+
+
+def _spelled(name: str) -> str:
+    """A name in the form in which names are compared; what is no text is left to the checks."""
+    return nfc(name) if isinstance(name, str) else name

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from tsplan.document import Document, Path, read_document
+from tsplan.document.kinds import MAP, misfit
 from tsplan.errors import InputError, MapError
 from tsplan.ts.lomap import is_lomap, read_lomap
 from tsplan.ts.own import read_own
@@ -38,6 +39,9 @@ def map_from_document(document: Document, path: Path = ()) -> TransitionSystem:
         Everything that is wrong with it, each with its place.
 
     """
+    strange = misfit(document, path, MAP)
+    if strange is not None:
+        raise MapError([strange])
     chosen = next(item for item in FORMATS if item.recognises(document, path))
     return chosen.read(document, path)
 

@@ -1,0 +1,124 @@
+"""What a file is, told by its content: ours, or something else that is named for what it is."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tsplan.errors import Finding
+
+if TYPE_CHECKING:
+    from tsplan.document.document import Document, Path
+
+_SIGNATURES: tuple[tuple[bytes, str], ...] = (
+    (b"\x89PNG\r\n", "a PNG picture"),
+    (b"\xff\xd8\xff", "a JPEG picture"),
+    (b"GIF8", "a GIF picture"),
+    (b"BM", "a BMP picture"),
+    (b"II*\x00", "a TIFF picture"),
+    (b"MM\x00*", "a TIFF picture"),
+    (b"RIFF", "a WebP picture or a sound"),
+    (b"P4", "a PBM picture"),
+    (b"P5", "a PGM picture, as of an occupancy grid"),
+    (b"P6", "a PPM picture"),
+    (b"%PDF", "a PDF document"),
+    (b"PK\x03\x04", "a zip archive or an office document"),
+    (b"\x1f\x8b", "a gzip archive"),
+    (b"\x80", "a pickle of Python"),
+)
+
+_BEGINNINGS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
+    (re.compile(pattern, re.IGNORECASE | re.DOTALL), name)
+    for pattern, name in (
+        (r"(<\?xml.*?)?(<!--.*?-->\s*)*<graphml\b", "a graph in GraphML"),
+        (r"(<\?xml.*?)?(<!--.*?-->\s*)*<gexf\b", "a graph in GEXF"),
+        (r"(<\?xml.*?)?(<!--.*?-->\s*)*<osm\b", "a map of OpenStreetMap"),
+        (r"(<\?xml.*?)?(<!--.*?-->\s*|<!doctype[^>]*>\s*)*<svg\b", "an SVG picture"),
+        (r"<!doctype html|<html\b", "a page in HTML"),
+        (r"<\?xml\b", "an XML document"),
+        (r"type \w+\s+height \d+\s+width \d+\s+map\b", "a grid map of the MovingAI benchmarks"),
+        (r"version [\d.]+\s+\d+\t", "a list of scenarios of the MovingAI benchmarks"),
+        (r"(strict\s+)?(di)?graph\s*\w*\s*\{", "a graph in DOT"),
+        (r"(creator [^\n]*\n\s*)?graph\s*\[", "a graph in GML"),
+        (r"P[123]\s+(#[^\n]*\s+)*\d+\s+\d+", "a picture of the PNM family"),
+    )
+)
+
+MISSION, MAP, PLAN = "a mission", "a map", "a plan"
+_KINDS_OF_MISSIONS = ("team", "swarm", "swarms")
+
+
+def kind_of_bytes(raw: bytes) -> str | None:
+    """What a file that is no text is, in words; None if nobody knows.
+
+    >>> kind_of_bytes(bytes([0x89]) + b"PNG" + bytes([13, 10, 26, 10]))
+    'a PNG picture'
+    """
+    return next((name for mark, name in _SIGNATURES if raw.startswith(mark)), None)
+
+
+def kind_of_text(text: str) -> str | None:
+    r"""What a text is that is neither YAML nor JSON, by how it begins; None if nobody knows.
+
+    >>> kind_of_text("type octile\nheight 4\nwidth 5\nmap\n")
+    'a grid map of the MovingAI benchmarks'
+    """
+    begins = text[:2000].lstrip()
+    return next((name for pattern, name in _BEGINNINGS if pattern.match(begins)), None)
+
+
+def kind_of_data(data: Any) -> str | None:
+    """What a document holds, by its keys: `MISSION`, `MAP`, `PLAN`, or words for something else.
+
+    None where the keys do not tell.
+
+    >>> kind_of_data({"states": {}, "edges": []}), kind_of_data({"type": "FeatureCollection"})
+    ('a map', 'geographic data (GeoJSON)')
+    """
+    if not isinstance(data, Mapping):
+        return None
+    own = str(data.get("format", ""))
+    for mark, kind in (("tsplan-mission", MISSION), ("tsplan-plan", PLAN)):
+        if own.startswith(mark):
+            return kind
+    for keys, kind in _KEYS:
+        if keys <= data.keys():
+            return kind
+    if "spec" in data or ("map" in data and any(kind in data for kind in _KINDS_OF_MISSIONS)):
+        return MISSION
+    if str(data.get("type")) in _GEOGRAPHIC:
+        return "geographic data (GeoJSON)"
+    return MAP if "states" in data or isinstance(data.get("graph"), Mapping) else None
+
+
+def misfit(document: Document, path: Path, wanted: str) -> Finding | None:
+    """The one thing to say of a document that is not of the wanted kind; None if it may be."""
+    data = document.at(path)
+    kind = kind_of_data(data)
+    if kind is None and isinstance(data, str) and not path:
+        kind = kind_of_text(document.content)
+    if kind is None or kind == wanted:
+        return None
+    remedy = _REMEDIES.get((wanted, kind), f"what is wanted is {wanted}, written in YAML")
+    if (wanted, kind) == (MISSION, MAP):
+        remedy += f" (map: {document.source.replace(chr(92), '/').rpartition('/')[2]})"
+    return document.finding(path, f"this is {kind}", remedy)
+
+
+_REMEDIES: Mapping[tuple[str, str], str] = {
+    (MISSION, MAP): "plan needs a mission that names it",
+    (MISSION, PLAN): "name the mission that was planned",
+    (MAP, MISSION): "name the map that it uses, or write that map into a file of its own",
+    (MAP, PLAN): "name the map of its mission",
+}
+_GEOGRAPHIC = ("FeatureCollection", "Feature", "GeometryCollection", "Topology")
+_KEYS: tuple[tuple[frozenset[str], str], ...] = (
+    (frozenset({"status", "horizon", "objective"}), PLAN),
+    (frozenset({"nodes", "links"}), "a graph in networkx's node-link JSON"),
+    (frozenset({"directed", "multigraph", "nodes"}), "a graph in networkx's node-link JSON"),
+    (frozenset({"adjacency", "nodes"}), "a graph in networkx's adjacency JSON"),
+    (frozenset({"state_models"}), "a transition system of another planner (state_models)"),
+    (frozenset({"building_name", "levels"}), "a building of Open-RMF"),
+    (frozenset({"image", "resolution", "origin"}), "an occupancy grid of ROS"),
+)

@@ -1,0 +1,190 @@
+"""The formulas of a mission file, read with the place of every part."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tsplan.errors import MOST_TOLD, InputError
+from tsplan.mission.data import LANGUAGES, default_language
+from tsplan.mission.problem import FORMULA, Place, Problem, preferred
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from tsplan.document import Document
+    from tsplan.errors import Finding
+    from tsplan.logic import Formula
+
+
+class Span(NamedTuple):
+    """Where a part of a formula stands: `place` is (line, column, end line, end column)."""
+
+    path: Place
+    text: str
+    place: tuple[int, int, int, int]
+
+    def find(self, word: str) -> tuple[int, int]:
+        """Line and column of a word inside the part; where the part begins if it is not there."""
+        line, column, end_line, end_column = self.place
+        lines = self.text.split("\n")
+        begin = sum(len(row) + 1 for row in lines[: line - 1]) + column - 1
+        end = sum(len(row) + 1 for row in lines[: end_line - 1]) + end_column - 1
+        # after the operator's own letter: a label may be called T, too
+        found = re.compile(rf"(?<![\w.]){re.escape(word)}(?![\w.])").search(
+            self.text, begin + 1, end
+        )
+        if not word or found is None:
+            return line, column
+        before = self.text[: found.start()]
+        return before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
+
+
+def spelled_out(document: Document) -> Document:
+    """The document with a formula alone under `spec` as a spec in full.
+
+    A text or a list of texts stands for `{formula: ..., language: ...}`, with the language that
+    missions of this kind have by default. The parts keep their places.
+    """
+    from tsplan.document.compose import Node  # noqa: PLC0415  (the reader is slow to import)
+
+    root = document.root
+    node = root.children.get("spec") if isinstance(root.children, dict) else None
+    if node is None or not isinstance(node.value, str | list | bool) or not node.value:
+        return document
+    language = default_language(team="team" in root.value)
+    word = Node(language, node.line, node.column, node.start, node.start, text=language)
+    parts = {"formula": node, "language": word}
+    spec = replace(
+        node, value={key: part.value for key, part in parts.items()}, text=None, children=parts
+    )
+    assert isinstance(root.children, dict)
+    made = replace(
+        root, value={**root.value, "spec": spec.value}, children={**root.children, "spec": spec}
+    )
+    return replace(document, data=made.value, root=made)
+
+
+@dataclass
+class Formulas:
+    """The formula that must hold and those that are preferred, as far as they can be read.
+
+    What is wrong with them goes to `findings`.
+    """
+
+    document: Document
+    findings: list[Finding]
+    formula: Formula | None = None
+    text: str = ""
+    where: Place = FORMULA
+    wishes: dict[int, tuple[Formula, str] | None] = field(default_factory=dict)
+    places: dict[tuple[Place, Formula], Span] = field(default_factory=dict)
+
+    def read(self) -> None:
+        """Read every formula of the file."""
+        from tsplan.logic import TRUE  # noqa: PLC0415  (the parser is slow to import)
+
+        spec = self.document.data.get("spec") if isinstance(self.document.data, dict) else None
+        if not isinstance(spec, dict):
+            return
+        prefer = spec.get("prefer")
+        wishes = prefer if isinstance(prefer, list) else []
+        for number, wish in enumerate(wishes):
+            if isinstance(wish, dict) and "formula" in wish:
+                self.wishes[number] = self._formula_at(preferred(number))
+        if "formula" in spec and "must" in spec:
+            what = "the formula is there twice, as 'formula' and as 'must'"
+            self._report(("spec", "must"), what, "keep one of them")
+        self.where = ("spec", "must") if "must" in spec else FORMULA
+        if self.where[-1] in spec:
+            read = self._formula_at(self.where)
+            self.formula, self.text = (None, "") if read is None else read
+        elif wishes:
+            self.formula, self.text = TRUE, "true"
+        else:
+            self._report(("spec",), "'formula' is missing", "add 'formula: ...'")
+
+    def all(self) -> Iterator[tuple[Place, Formula]]:
+        """Every formula that could be read, with its place in the file."""
+        if self.formula is not None:
+            yield self.where, self.formula
+        for number, read in self.wishes.items():
+            if read is not None:
+                yield preferred(number), read[0]
+
+    def place(self, problem: Problem) -> tuple[int | None, int | None]:
+        """Line and column of what is wrong in the mission, or in a part of a formula."""
+        span = self.places.get((problem.path, problem.node)) if problem.node is not None else None
+        if span is None or len(self.findings) > MOST_TOLD:
+            return self.document.place(problem.path)  # nobody is told so many
+        return self.document.inside(span.path, *span.find(problem.word))
+
+    def _report(self, path: Place, message: str, remedy: str) -> None:
+        self.findings.append(self.document.finding(path, message, remedy))
+
+    def _formula_at(self, where: Place) -> tuple[Formula, str] | None:
+        """A formula and its text; a list of texts means their conjunction."""
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+        given = self.document.at(where)
+        entries = given if isinstance(given, list) else [given]
+        paths: list[Place] = [
+            (*where, n) if isinstance(given, list) else where for n in range(len(entries))
+        ]
+        if not entries:
+            self._report(where, "the list of formulas is empty", "write true for no demand")
+            return None
+        texts = [self._text(entry, path) for entry, path in zip(entries, paths, strict=True)]
+        parsed = [
+            self._parsed(text, path, where)
+            for text, path in zip(texts, paths, strict=True)
+            if text is not None
+        ]
+        formulas = [formula for formula in parsed if formula is not None]
+        if len(formulas) < len(entries):
+            return None
+        known = [text for text in texts if text is not None]
+        text = known[0] if len(known) == 1 else " && ".join(f"({text})" for text in known)
+        return formulas[0] if len(formulas) == 1 else logic.And(tuple(formulas)), text
+
+    def _text(self, value: Any, path: Place) -> str | None:
+        if isinstance(value, bool):
+            return "true" if value else "false"
+        if isinstance(value, str):
+            return value
+        self._report(path, "the formula is not a text", "write it in quotes or after a bar |")
+        return None
+
+    def _located(self, findings: Sequence[Finding], path: Place) -> Iterator[Finding]:
+        """Findings of a formula's text at their places in the file.
+
+        Finding a place takes time with the length of the text, so only so many are found as are
+        told; the others stand where the formula begins.
+        """
+        for number, item in enumerate(findings):
+            place = self.document.place(path)
+            if number < MOST_TOLD:
+                place = self.document.inside(path, item.line or 1, item.column or 1)
+            yield replace(item, source=self.document.source, line=place[0], column=place[1])
+
+    def _parsed(self, text: str, path: Place, where: Place) -> Formula | None:
+        from tsplan.logic.parsing import parse_with_places  # noqa: PLC0415  (slow to import)
+
+        language = str(self.document.data["spec"].get("language"))
+        known = next((name for name in LANGUAGES if name == language), None)
+        if known is None:
+            return None  # an unknown language is the schema's finding
+        try:
+            formula, places = parse_with_places(text, known)
+        except InputError as error:
+            self.findings += self._located(error.findings, path)
+            self.findings += self.document.cut(path)
+            return None
+        if self.document.loses_end(path):
+            self.findings += self.document.cut(path)
+            return None
+        for node, found in places.items():
+            if found:
+                self.places.setdefault((where, node), Span(path, text, found[0]))
+        return formula
