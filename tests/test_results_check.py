@@ -209,7 +209,13 @@ def test_false_claims_are_refused(changes, words):
 def test_a_bound_may_be_open_or_loose_without_optimality():
     loose = {"objective": (ObjectiveValue("travel", 2, 1),), "status": "feasible"}
     assert check(mission(), plan(**loose, stopped_by="gap")).ok
-    assert check(mission(), plan(objective=(ObjectiveValue("travel", 2, None),))).ok
+    open_ = {"objective": (ObjectiveValue("travel", 2, None),), "status": "feasible"}
+    assert check(mission(), plan(**open_, stopped_by="gap")).ok
+
+
+def test_optimality_needs_the_bound_that_proves_it():
+    refused(plan(objective=(ObjectiveValue("travel", 2, None),)), "no bound proves it")
+    refused(plan(objective=(ObjectiveValue("travel", 2, 1),)), "optimal at 2 with the bound 1")
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_for
+from tsplan.cli.inputs import fitted
 from tsplan.results.planfile import load_plan
 from tsplan.viewer.animation import Pace, animate
 
@@ -15,8 +15,7 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the moving picture."""
-    plan = load_plan(asked.plan)
-    mission = mission_for(asked.plan, plan, asked.mission)
+    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
     pace = Pace.of(plan.horizon, asked.fps, asked.seconds_per_step, asked.size)
     animate(mission, plan, asked.output, pace)
     return Exit.DONE

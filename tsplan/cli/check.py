@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_and_plan
+from tsplan.errors import clipped
 from tsplan.results.checking import check
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ def run(asked: argparse.Namespace) -> Exit:
     mission, plan = mission_and_plan(asked.mission, asked.plan)
     report = check(mission, plan)
     for finding in report.findings:
-        sys.stdout.write(f"{asked.plan}: {finding.message}\n")
+        sys.stdout.write(f"{asked.plan}: {clipped(finding.message)}\n")
     if not report.ok:
         return Exit.REFUSED
     if not asked.quiet:

@@ -47,6 +47,7 @@ Flow: TypeAlias = tuple[int, str, str, int]
 
 _WIDTH = 7.5  # inches of the steps
 _LOWEST, _HIGHEST = 2.0, 8.5
+FLOW_HEIGHT = 5.0  # inches that the diagram has on a page
 _ROW = 0.42  # inches of a state, if there is room
 _AIR = 0.35  # of the mean thickness of a row, between two rows
 _LONGEST = 24  # characters of a state's name
@@ -113,7 +114,11 @@ def draw_flows(
 
 
 def flows_of(plan: Plan) -> dict[str, tuple[Flow, ...]]:
-    """The flows of a plan by class, from the agents' stays."""
+    """The flows of a plan by class: its moves, or else those of the agents' stays."""
+    if plan.moves:
+        return {
+            name: tuple((*move[:3], move.count) for move in plan.moves[name]) for name in plan.moves
+        }
     counted: dict[str, Counter[tuple[int, str, str]]] = {}
     for bundle in plan.bundles:
         counter = counted.setdefault(bundle.class_name, Counter())

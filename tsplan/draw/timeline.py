@@ -32,6 +32,7 @@ from tsplan.draw.canvas import (
     text_size,
 )
 from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
+from tsplan.errors import Finding, PlanError
 from tsplan.results.fitting import refuse_misfit, refuse_pathless
 from tsplan.results.occupancy import state_counts
 from tsplan.results.summary import names
@@ -85,6 +86,9 @@ def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) ->
         refuse_pathless(plan)
     else:
         refuse_misfit(plan, mission)
+    if not plan.agents:
+        what = "the plan has no paths of single agents, which a timeline shows"
+        raise PlanError([Finding(what, "look at its flow, or make paths: plan --agents")])
     keys = keys_of(plan, mission)
     rows = rows_of(plan)
     entries = _entries(plan, keys)

@@ -12,7 +12,7 @@ from tsplan.draw.map import height_of as map_height
 from tsplan.draw.paths import draw_paths
 from tsplan.draw.requirements import draw_requirements
 from tsplan.draw.requirements import height_of as chart_height
-from tsplan.draw.swarm import draw_swarm
+from tsplan.draw.swarm import FLOW_HEIGHT, draw_swarm
 from tsplan.draw.timeline import draw_timeline
 from tsplan.draw.timeline import height_of as timeline_height
 from tsplan.errors import Finding, InputError, nearest
@@ -56,13 +56,15 @@ def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Pictur
 def draw_page(plan: Plan, mission: Mission, figure: Any = None) -> tuple[Any, tuple[Any, ...]]:
     """Paths, timeline and requirements on one page: the figure and its three axes.
 
+    Of swarms without paths of single agents, the map and the flow stand for the first two.
     A given `figure` is drawn on as it is; it should be about as large as `page_size`.
     """
     refuse_misfit(plan, mission)
     heights = _heights(plan, mission)
     whole = figure if figure is not None else new_figure(*page_size(plan, mission))
     parts = whole.subfigures(len(heights), 1, height_ratios=heights)
-    drawn = (draw_paths, draw_timeline, draw_requirements)
+    names = ("paths", "timeline") if plan.agents else ("map", "flow")
+    drawn = [VIEWS[name] for name in (*names, "requirements")]
     every = [part.add_subplot() for part in parts]
     for draw, ax in zip(drawn, every, strict=True):
         draw(plan, mission, ax)
@@ -77,6 +79,6 @@ def page_size(plan: Plan, mission: Mission) -> tuple[float, float]:
 def _heights(plan: Plan, mission: Mission) -> tuple[float, float, float]:
     return (
         map_height(mission.system),
-        timeline_height(plan),
+        timeline_height(plan) if plan.agents else FLOW_HEIGHT,
         chart_height(plan.requirements(mission)),
     )

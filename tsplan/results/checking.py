@@ -17,7 +17,7 @@ import numpy as np
 
 from tsplan.errors import Finding, SolverError
 from tsplan.mission.data import Mission
-from tsplan.results.claims import false_objectives, shown
+from tsplan.results.claims import false_objectives, shown, unproven
 from tsplan.results.judging import (
     completed,
     count_trace,
@@ -76,6 +76,7 @@ def check(mission: Mission, plan: Plan) -> Report:
     if values is None:
         return Report(_shortened(findings), ())
     findings += _claims(mission, plan, values)
+    findings += [_finding(words) for words in unproven(plan, values.objectives)]
     facts = _facts(mission, plan, values) if not findings else ()
     measured = {name: float(value) for name, value in values.objectives.items()}
     return Report(_shortened(findings), facts, values.availability, measured)

@@ -29,6 +29,14 @@ def false_objectives(
         yield from _bound(item, actual, plan.status)
 
 
+def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str]:
+    """Objectives of a plan that is called optimal and does not say what proves them."""
+    for item in plan.objective if plan.status is Status.OPTIMAL else ():
+        actual = values.get(item.name, math.inf)
+        if item.bound is None and math.isfinite(actual):
+            yield f"{item.name} is called optimal at {shown(actual)}, and no bound proves it"
+
+
 def _claimed(value: float | None, actual: Fraction | float) -> bool:
     """Whether a value is the exact one, as the nearest number that a file can hold."""
     if value is None or not math.isfinite(actual):

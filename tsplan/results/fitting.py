@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 from tsplan.errors import Finding, PlanError, nearest
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from tsplan.mission import Mission
     from tsplan.results.plan import Plan
 
@@ -22,9 +24,46 @@ def refuse_misfit(plan: Plan, mission: Mission, source: str = "plan") -> None:
     ]
     if not findings and plan.horizon < mission.horizon:
         what = f"the plan ends at step {plan.horizon} and the mission at step {mission.horizon}"
-        findings = [Finding(what, "name the mission that was planned", source)]
+        findings = [Finding(what, _OTHER, source)]
     if findings:
         raise PlanError(findings)
+
+
+def refuse_impossible(plan: Plan, mission: Mission, source: str = "plan") -> None:
+    """Raise PlanError as `refuse_misfit`, and for paths and moves that the map does not allow."""
+    refuse_misfit(plan, mission, source)
+    findings = [Finding(words, _OTHER, source) for words in _impossible(plan, mission)]
+    if findings:
+        raise PlanError(findings)
+
+
+_OTHER = "name the mission that was planned"
+
+
+def _impossible(plan: Plan, mission: Mission) -> Iterator[str]:
+    """What nobody could do on the map: paths of agents, moves of swarms, sub-swarms of none."""
+    from tsplan.results.legs import read_path  # noqa: PLC0415  (needed here alone)
+    from tsplan.results.swarmjudge import strange_swarms  # noqa: PLC0415  (needs numpy)
+
+    journeys = []
+    for bundle in plan.bundles:
+        path = read_path(mission.system, bundle, plan.horizon)
+        journeys.append((bundle, path.legs))
+        first = plan.agents[bundle.agents[0]].id
+        yield from (f"agent {first} {problem}" for problem in path.problems)
+    if mission.swarm is not None:
+        yield from strange_swarms(mission, plan, journeys)
+    elif plan.moves or plan.groups:
+        yield "the plan is one of swarms, and the mission has a team"
+
+
+def with_groups(plan: Plan, mission: Mission) -> Plan:
+    """The plan of a swarm mission with its sub-swarms, where its file leaves them out."""
+    if mission.swarm is None or plan.groups or not plan.moves:
+        return plan
+    from tsplan.results.swarmjudge import swarm_completed  # noqa: PLC0415  (needs numpy)
+
+    return swarm_completed(mission, plan, [])
 
 
 def refuse_pathless(plan: Plan, source: str = "plan") -> None:
@@ -44,6 +83,7 @@ def _no_paths(plan: Plan, source: str) -> list[Finding]:
 def _strange_states(plan: Plan, mission: Mission, source: str) -> list[Finding]:
     known = mission.system.states
     seen = {*plan.states, *(b.heading for b in plan.bundles if b.heading is not None)}
+    seen.update(end for group in plan.groups for end in group.edge or ())
     return [
         Finding(f"the mission's map has no state '{state}'", nearest(state, known), source)
         for state in sorted(seen - set(known))[:1]

@@ -6,12 +6,12 @@ import json
 import math
 import os
 import shutil
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
-from tsplan.errors import Finding, PlanError
+from tsplan.errors import Finding, InputError, PlanError
 from tsplan.results.plan import (
     AgentPlan,
     MissionRef,
@@ -24,19 +24,19 @@ from tsplan.results.plan import (
     Timings,
     contradictions,
 )
+from tsplan.results.planjson import FORMAT, plan_file, refuse_other, spelled
 from tsplan.results.satisfaction import Depth, Fulfilment, Node, Satisfaction
 from tsplan.results.swarmfile import groups_of, groups_text, moves_of, moves_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from tsplan.document import Document
     from tsplan.results.planschema import Node as NodeFile
     from tsplan.results.planschema import PlanFile
     from tsplan.results.planschema import Satisfaction as PartialFile
 
-FORMAT = "tsplan-plan/1"
-_LOCATED = 2_000_000  # characters up to which a faulty file is read again for lines and columns
+LARGEST_PLAN = 1024**3  # bytes; a path takes some hundred
+_GLANCE = 4096  # bytes by which a file that is no plan is known
 
 
 def plan_to_json(plan: Plan) -> str:
@@ -150,19 +150,7 @@ def _number(value: float | None) -> float | int | None:
 
 def plan_from_json(text: str, source: str = "plan") -> Plan:
     """Read a plan; raises PlanError with every finding for a text that is not one."""
-    from pydantic import ValidationError  # noqa: PLC0415  (slow to import)
-
-    from tsplan.results.planschema import PlanFile  # noqa: PLC0415  (needs pydantic)
-
-    data = _parsed(text, source)
-    if isinstance(data, dict) and data.get("format") != FORMAT:
-        given = data.get("format")
-        found = f"its format is {given!r}" if given is not None else "it names no format"
-        raise _refusal(f"this is no plan: {found}", f'a plan has "format": "{FORMAT}"', source)
-    try:
-        file = PlanFile.model_validate(data)
-    except ValidationError as error:
-        raise PlanError(_located(error, text, source)) from None
+    file = plan_file(text, source)
     findings = [
         Finding(finding.message, finding.remedy, source)
         for finding in contradictions(
@@ -171,21 +159,28 @@ def plan_from_json(text: str, source: str = "plan") -> Plan:
             paths=bool(file.agents or file.moves),
         )
     ]
+    if file.verified and not (file.agents or file.moves):
+        findings.append(Finding("a plan without paths cannot be verified", "", source))
     if findings:
         raise PlanError(findings)
     return _built(file)
 
 
 def load_plan(path: str | Path) -> Plan:
-    """Read a plan file; raises PlanError if it is missing, not UTF-8 or not a plan."""
+    """Read a plan file; raises PlanError if it is missing, no ordinary file or not a plan."""
+    from tsplan.document.files import beginning, read_text  # noqa: PLC0415  (needs no YAML)
+
     try:
-        text = Path(path).read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise _refusal("the file is not UTF-8", "save it as UTF-8", str(path)) from None
-    except OSError as error:
-        why = error.strerror or "it cannot be read"
-        raise _refusal(f"cannot read the plan: {why}", "check the path", str(path)) from None
-    return plan_from_json(text, str(path))
+        refuse_other(beginning(path, _GLANCE), str(path))
+        text = read_text(path, most=LARGEST_PLAN)
+    except PlanError:
+        raise
+    except InputError as error:
+        raise PlanError(
+            replace(item, message=f"cannot read the plan: {item.message}")
+            for item in error.findings
+        ) from None
+    return plan_from_json(spelled(text), str(path))
 
 
 def save_plan(plan: Plan, path: str | Path) -> None:
@@ -217,58 +212,6 @@ def write_whole(path: Path, content: bytes) -> None:
     except OSError as error:
         why = error.strerror or "it cannot be written"
         raise _refusal(f"cannot write: {why}", "choose another file", str(path)) from None
-
-
-def _parsed(text: str, source: str) -> Any:
-    try:
-        return json.loads(text, object_pairs_hook=_unrepeated, parse_constant=_not_json)
-    except json.JSONDecodeError as error:
-        place = Finding(f"this is not JSON: {error.msg}", "", source, error.lineno, error.colno)
-        raise PlanError([place]) from None
-    except RecursionError:
-        raise _refusal("the JSON is nested too deeply for a plan", "", source) from None
-    except ValueError as error:
-        raise _refusal(str(error), "correct the file", source) from None
-
-
-def _unrepeated(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    made = dict(pairs)
-    if len(made) < len(pairs):
-        names = [name for name, _ in pairs]
-        twice = next(name for name in names if names.count(name) > 1)
-        raise ValueError(f"the key '{twice}' is there twice")
-    return made
-
-
-def _not_json(word: str) -> NoReturn:
-    raise ValueError(f"{word} is not a JSON number")
-
-
-def _located(error: Any, text: str, source: str) -> list[Finding]:
-    """The schema's findings, with lines and columns unless the file is very large."""
-    document = _document(text, source) if len(text) <= _LOCATED else None
-    findings = []
-    for item in error.errors(include_url=False, include_input=False):
-        path = tuple(item["loc"])
-        line, column = document.place(path) if document is not None else (None, None)
-        where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path)
-        message = str(item["msg"]).removeprefix("Value error, ")
-        message = message[:1].lower() + message[1:]
-        findings.append(
-            Finding(f"{where.lstrip('.') or 'plan'}: {message}", "", source, line, column)
-        )
-    return findings
-
-
-def _document(text: str, source: str) -> Document | None:
-    """JSON is YAML too, whose reader knows the place of every value."""
-    from tsplan.document import parse_document  # noqa: PLC0415  (needed for faulty files only)
-    from tsplan.errors import InputError  # noqa: PLC0415
-
-    try:
-        return parse_document(text, source)
-    except InputError:
-        return None
 
 
 def _refusal(message: str, remedy: str, source: str) -> PlanError:

@@ -71,6 +71,20 @@ def judged_swarms(mission: Mission, plan: Plan, journeys: Journeys) -> Verdict:
     return Verdict(tuple(problems), values, count_trace(mission.system, counts))
 
 
+def strange_swarms(mission: Mission, plan: Plan, journeys: Journeys) -> list[str]:
+    """Moves that are impossible on the map, and sub-swarms that the moves do not make.
+
+    `journeys` are the paths of the agents; their moves count where the plan names none.
+    """
+    moves = plan.moves or moves_of_paths(journeys)
+    traffic, problems = read_moves(mission, moves)
+    if not problems and journeys and plan.moves:
+        problems += differences(moves_of_paths(journeys), plan.moves)
+    if not problems:
+        problems += _misnamed(plan.groups, spots(traffic, mission.horizon))
+    return problems
+
+
 def swarm_completed(mission: Mission, plan: Plan, journeys: Journeys) -> Plan:
     """A plan that the check can read, with its moves and sub-swarms where it names none."""
     moves = plan.moves or moves_of_paths(journeys)
