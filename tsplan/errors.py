@@ -5,6 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
+from typing import TypeAlias
+
+Spot: TypeAlias = tuple[str | None, int | None, int | None]
+"""A place in a file: its name, line and column as far as they are known."""
 
 _SHOWN = 8  # known words listed where none is close
 _LONGEST = 600  # characters of a message or of a remedy that are told

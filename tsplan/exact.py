@@ -21,6 +21,18 @@ def exact(number: float | Fraction) -> Fraction:
     return Fraction(repr(float(number))) if isinstance(number, float) else Fraction(number)
 
 
+def is_lost(text: str, number: float) -> bool:
+    """Whether a text writes a decimal number with digits that its float does not have.
+
+    >>> is_lost("0.12345678901234567890", 0.12345678901234568), is_lost("1e-3", 0.001)
+    (True, False)
+    """
+    try:
+        return Fraction(text) != exact(number)
+    except ValueError:  # no decimal number, such as YAML's 0x1F and 1_000
+        return False
+
+
 def digits(number: float | Fraction) -> str:
     """A number with as many digits as tell it from all others, whole ones without a point.
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.errors import FormulaError, Nearest, nearest
 from tsplan.limits import MOST_ROBOTS, MOST_STEPS
+from tsplan.mission.costs import cost_problems
 from tsplan.mission.data import (
     OBJECTIVES,
     SENSES,
@@ -40,6 +41,7 @@ def problems_of(mission: Mission) -> list[Problem]:
         *wish_problems(mission.objective, mission.prefer, mission.swarm),
         *team_problems(mission.team, mission.system, mission.swarm),
         *map_problems(mission.system, mission.team),
+        *cost_problems(mission.system, mission.team, mission.horizon, mission.objective),
         *formula_problems(mission.formula, mission.system, mission.team, mission.swarm),
         *horizon_problems(mission.formula, mission.task_interval, mission.horizon),
         *(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
-from tsplan.errors import Finding
+from tsplan.errors import Finding, Spot
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
@@ -23,7 +23,8 @@ def preferred(number: int) -> Place:
 class Problem:
     """Something that does not fit: where it is in the mission, and whether it forbids planning.
 
-    For a part of the formula, `node` is the part and `word` the word in it that is wrong.
+    For a part of the formula, `node` is the part and `word` the word in it that is wrong. `at` is
+    the file, line and column of what stands in another file than the mission's.
     """
 
     path: Place
@@ -32,8 +33,11 @@ class Problem:
     serious: bool = True
     node: Formula | None = None
     word: str = ""
+    at: Spot | None = None
 
     def finding(self) -> Finding:
         """The problem of a mission that was not read from a file."""
+        if self.at is not None:
+            return Finding(self.message, self.remedy, *self.at)
         where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in self.path)
         return Finding(f"{where.lstrip('.')}: {self.message}", self.remedy)

@@ -20,6 +20,7 @@ from tsplan.mission.checks import (
     team_problems,
     wish_problems,
 )
+from tsplan.mission.costs import cost_problems
 from tsplan.mission.data import (
     DEFAULT_OBJECTIVE,
     DEFAULT_SWARM_OBJECTIVE,
@@ -99,7 +100,12 @@ def mission_from_document(
     formula = draft.formulas.formula
     if serious or file is None or draft.system is None or formula is None:
         raise MissionError(draft.in_order())
-    return draft.mission(file, draft.system, formula)
+    made = draft.mission(file, draft.system, formula)
+    for problem in cost_problems(made.system, made.team, made.horizon, made.objective):
+        draft.file(problem)
+    if draft.findings and any(draft.known.get(finding, True) for finding in draft.findings):
+        raise MissionError(draft.in_order())
+    return made
 
 
 @dataclass
@@ -170,7 +176,7 @@ class _Draft:
         if isinstance(self.document.at((*path, "at")), dict):
             starts = tuple(entry.at.items())
             for problem in total_problems(entry.size, starts, path):
-                self._file(problem)
+                self.file(problem)
         else:
             (state,) = entry.at
             starts = ((self._word(state, (*path, "at")), entry.size),)
@@ -226,7 +232,7 @@ class _Draft:
             found += empty or horizon_problems(formula, file.task_interval, file.horizon)
             problems += moved(found, where)
         for problem in problems:
-            self._file(problem)
+            self.file(problem)
 
     def objective(self, file: MissionFile) -> tuple[str, ...]:
         """The objectives, by default those of the mission's kind."""
@@ -248,12 +254,12 @@ class _Draft:
         return tuple(made)
 
     def _report(self, path: Place, message: str, remedy: str) -> None:
-        self._file(Problem(path, message, remedy))
+        self.file(Problem(path, message, remedy))
 
-    def _file(self, problem: Problem) -> None:
+    def file(self, problem: Problem) -> None:
         """Turn a problem into a finding at its place."""
-        line, column = self.formulas.place(problem)
-        finding = Finding(problem.message, problem.remedy, self.document.source, line, column)
+        at = problem.at or (self.document.source, *self.formulas.place(problem))
+        finding = Finding(problem.message, problem.remedy, *at)
         if finding not in self.known:
             self.known[finding] = problem.serious
             self.findings.append(finding)

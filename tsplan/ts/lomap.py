@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from tsplan.document import Document, Path, validated
 from tsplan.document.compose import SET, TUPLE
+from tsplan.document.digits import lost_digits
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
 from tsplan.document.pause import collector_paused
 from tsplan.errors import Finding, MapError
@@ -159,6 +160,7 @@ class _Draft:
         source, target = self._name((*path, 0)), self._name((*path, 1))
         kept = native(self.document, (*path, 2)) if len(given) > 2 else {}  # noqa: PLR2004
         more = self._more(_EdgeMore, (*path, 2), kept)
+        self.findings += lost_digits(self.document, (*path, 2, OWN_KEY, "cost"), more.cost)
         both_ways = more.both_ways or (not self.directed and source != target)
         edge = Edge(
             source,

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, PlainValidator, RootModel
 
 from tsplan.document import Document, Path, validated
+from tsplan.document.digits import lost_digits
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
 from tsplan.document.pause import collector_paused
 from tsplan.errors import Finding, MapError
@@ -157,6 +158,7 @@ class _Draft:
         self.findings += found
         if entry is None:
             return None
+        self.findings += lost_digits(self.document, (*path, "cost"), entry.cost)
         return Edge(
             self._name(entry.source, (*path, "from")),
             self._name(entry.target, (*path, "to")),

@@ -9,7 +9,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from tsplan.errors import Finding, MapError
+from tsplan.errors import Finding, MapError, Spot
 from tsplan.exact import common_unit, exact
 from tsplan.ts.checks import Problem, in_order, problems
 from tsplan.ts.parts import Edge, State
@@ -41,7 +41,7 @@ class TransitionSystem:
     """States and directed edges, at most one edge for each ordered pair of states.
 
     Build one with `TransitionSystem.build`, which checks it. States and edges keep the order in
-    which they were given.
+    which they were given. `places` says where a file gives the costs of edges.
 
     >>> town = TransitionSystem.build(
     ...     [State("home"), State("shop", frozenset({"open"}))],
@@ -55,6 +55,7 @@ class TransitionSystem:
     states: Mapping[str, State]
     edges: Mapping[Pair, Edge]
     extras: Extras | None = field(default=None, repr=False, compare=False)
+    places: Mapping[Pair, Spot] = field(default_factory=dict, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         """Freeze the mappings."""
@@ -70,7 +71,8 @@ class TransitionSystem:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as plain dicts, so that a system can be sent to another process."""
-        return TransitionSystem, (self.name, dict(self.states), dict(self.edges), self.extras)
+        parts = (self.name, dict(self.states), dict(self.edges), self.extras, dict(self.places))
+        return TransitionSystem, parts
 
     @classmethod
     def build(
@@ -102,6 +104,7 @@ class TransitionSystem:
             {state.name: state for state in states},
             {(edge.source, edge.target): edge for edge in edges},
             extras,
+            {} if locate is Problem.finding else _cost_places(edges, locate),
         )
 
     @cached_property
@@ -186,3 +189,13 @@ class TransitionSystem:
         for edge in self.edges.values():
             found.setdefault(edge.source, []).append(edge)
         return {name: tuple(edges) for name, edges in found.items()}
+
+
+def _cost_places(edges: Iterable[Edge], locate: Callable[[Problem], Finding]) -> dict[Pair, Spot]:
+    """Where the costs of edges stand."""
+    found = {}
+    for index, edge in enumerate(edges):
+        if edge.cost is not None:
+            finding = locate(Problem("edge", index, "cost", "", ""))
+            found[edge.pair] = (finding.source, finding.line, finding.column)
+    return found

@@ -1,0 +1,84 @@
+"""Costs that can be told apart: what a plan costs is an exact number, or it is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from tsplan.exact import MOST_EXACT, digits, exact
+from tsplan.mission.problem import Problem
+
+if TYPE_CHECKING:
+    from tsplan.mission.data import Group
+    from tsplan.ts import Edge, TransitionSystem
+
+_DECIMALS = 10**15
+"""Decimal numbers of up to 15 digits are told apart in double precision."""
+
+
+def cost_problems(
+    system: TransitionSystem, team: Sequence[Group], horizon: int, objective: Sequence[str]
+) -> list[Problem]:
+    """The costs that have more digits than the cost of a plan can be told with.
+
+    Costs are counted in the largest unit of which all are multiples. What a plan can come to must
+    be told apart in this unit: up to 2^53 of it, or 10^15 where it is a part of 1.
+    """
+    if "cost" not in objective:
+        return []
+    most = _most(system, sum(group.count for group in team), horizon)
+    unit = system.cost_unit
+    if most / unit <= _limit(unit):
+        return []
+    needed = _coarser(most)
+    priced = [edge for edge in system.edges.values() if edge.cost]
+    fine = [edge for edge in priced if exact(edge.cost or 0) % needed] or priced
+    if not fine:  # durations alone add up to too much
+        what = f"the cost of a plan can come to {float(most):.3g}, too much to be told exactly"
+        return [Problem(("objective", objective.index("cost")), what, "use 'travel' instead")]
+    return [_problem(system, edge, most, needed) for edge in fine]
+
+
+def _most(system: TransitionSystem, agents: int, horizon: int) -> Fraction:
+    """What the moves of all agents can cost at the most: the dearest steps, and a last move."""
+    dearest, last = Fraction(0), Fraction(0)
+    for edge in system.edges.values():
+        duration = edge.shortest()
+        if duration is None:
+            continue
+        cost = (
+            exact(edge.cost) if edge.cost is not None else Fraction(0 if edge.is_wait else duration)
+        )
+        dearest, last = max(dearest, cost / duration), max(last, cost)
+    return agents * (dearest * horizon + last)
+
+
+def _limit(unit: Fraction) -> int:
+    return MOST_EXACT if unit.denominator == 1 else _DECIMALS
+
+
+def _coarser(most: Fraction) -> Fraction:
+    """The least power of ten in which the costs of plans could be told apart."""
+    power = -30
+    while most / Fraction(10) ** power > _limit(Fraction(10) ** power):
+        power += 1
+    return Fraction(10) ** power
+
+
+def _problem(system: TransitionSystem, edge: Edge, most: Fraction, needed: Fraction) -> Problem:
+    what = (
+        f"cost: {digits(edge.cost or 0)} from '{edge.source}' to '{edge.target}' has digits that "
+        f"are lost in the cost of a plan, which can come to {float(most):.3g}"
+    )
+    if needed < 1:
+        places = len(str(needed.denominator)) - 1
+        remedy = f"write at most {places} digits after the point"
+    elif needed == 1:
+        remedy = "write no digits after the point"
+    else:
+        unit = needed.numerator
+        lost = len(str(unit)) - 1
+        last = "digit" if lost == 1 else f"{lost} digits"
+        remedy = f"drop the last {last} of all costs: count them in units of {unit:,}"
+    return Problem(("map",), what, remedy, at=system.places.get(edge.pair))
