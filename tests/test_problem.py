@@ -56,13 +56,10 @@ def test_contradicting_constraints_are_infeasible() -> None:
 
 def test_unknown_places_steps_and_words_are_named() -> None:
     problem = Problem(mission())
-    problem.add(problem.count("hom", step=1) >= 1)
     with pytest.raises(MissionError, match="did you mean 'home'"):
-        tsplan.plan(problem)
-    late = Problem(mission())
-    late.add(late.count("home", step=9) >= 1)
+        problem.count("hom", step=1)
     with pytest.raises(MissionError, match="outside"):
-        tsplan.plan(late)
+        problem.count("home", step=9)
     with pytest.raises(MissionError, match="visits"):
         tsplan.plan(mission(), without=("visit",))
     with pytest.raises(MissionError, match="tight"):

@@ -20,6 +20,7 @@ from tsplan.results import AgentPlan, MissionRef, Plan
 from tsplan.results.checking import formula_robustness
 from tsplan.results.counting import count_trace
 from tsplan.results.evidence import Presence, explain
+from tsplan.results.occupancy import counted
 from tsplan.results.reasons import reason, settled, spans, windows
 from tsplan.results.requirements import requirements, runs
 from tsplan.ts import Edge, State, TransitionSystem
@@ -246,7 +247,7 @@ def random_case(seed):
 def everything(mission, plan):
     """All counts of a plan."""
     states = list(mission.system.states)
-    counts = {name: plan.counts(name, states=states) for name in (None, "u", "v")}
+    counts = {name: counted(plan, states, name) for name in (None, "u", "v")}
     return count_trace(mission.system, counts)
 
 

@@ -139,7 +139,7 @@ def test_states_and_counts_by_step():
     assert FULL.states == ("p", "q")
     assert FULL.counts().tolist() == [[2, 2, 0, 0, 0, 0], [1, 1, 1, 3, 3, 2]]
     assert FULL.counts("see").tolist() == [[2, 2, 0, 0, 0, 0], [0, 0, 0, 2, 2, 2]]
-    assert FULL.counts("fly", states=["z"]).tolist() == [[0] * 6]
+    assert FULL.counts("see", states=["z"]).tolist() == [[0] * 6]
     assert [len(bundle.agents) for bundle in FULL.bundles] == [2, 1]
 
 

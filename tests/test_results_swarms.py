@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from tsplan.errors import PlanError, SolverError
+from tsplan.errors import InputError, PlanError, SolverError
 from tsplan.mission import Mission
 from tsplan.results import (
     MissionRef,
@@ -142,7 +142,8 @@ def test_a_right_plan_is_completed_and_accepted():
     assert len(made.groups) == 7
     assert made.states == ("p", "q", "r")
     assert made.counts(states=["q", "p"]).tolist() == [[0, 0, 0, 6, 12, 12], [12, 12, 2, 0, 0, 0]]
-    assert made.counts("nobody").sum() == 0
+    with pytest.raises(InputError, match="no swarm 'nobody'"):
+        made.counts("nobody")
     assert sorted(group.size for group in made.groups_at(3)) == [2, 4, 6]
     assert made.state_at(0) == {"swarm:1": "p"}
     assert None in made.state_at(2).values()

@@ -11,7 +11,8 @@ from tsplan.encode import objectives
 from tsplan.encode.atoms import Requirement, requirement
 from tsplan.encode.capacities import capacity_rows
 from tsplan.encode.classes import AgentClass, MapArrays, agent_classes, map_arrays
-from tsplan.encode.constraints import Constraint, constraint_rows, terms_of
+from tsplan.encode.constraints import constraint_rows, states_of, terms_of
+from tsplan.encode.expressions import Constraint
 from tsplan.encode.ideas import ALL_IDEAS, Idea
 from tsplan.encode.network import Network, unroll
 from tsplan.encode.outlook import Outlook
@@ -154,7 +155,7 @@ def _interest(
         relevant[state] = limited[state] = True
     for term in terms_of(constraints):
         if term.capability is None or term.capability in able:
-            states = term.states(mission.system, arrays)
+            states = states_of(term, mission.system, arrays)
             relevant[states] = limited[states] = True
     return Interest(relevant, limited)
 

@@ -1,104 +1,103 @@
-"""A user's own linear constraints and objective terms over counts of agents."""
+"""Own constraints and objectives in a model: which counts they name, and their rows."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from tsplan.asked import known_name, step_within
 from tsplan.encode.classes import MapArrays
+from tsplan.encode.expressions import Constraint, CountTerm
 from tsplan.encode.network import Network
-from tsplan.errors import Finding, MissionError, nearest
-from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.errors import Finding, MissionError
+from tsplan.milp.model import INFINITY, Draft, Floats, Ints
 from tsplan.ts import TransitionSystem
 
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
 
-@dataclass(frozen=True, slots=True)
-class CountTerm:
-    """Agents with a capability (None: all) at the states of a label, or at one state, at a step."""
-
-    place: str
-    capability: str | None
-    step: int
-
-    def states(self, system: TransitionSystem, arrays: MapArrays) -> Ints:
-        """Numbers of the states meant: a state of this name, else all states with the label."""
-        if self.place in arrays.number:
-            return np.array([arrays.number[self.place]], dtype=np.int64)
-        if self.place in system.labels:
-            return arrays.states_with(system, self.place)
-        remedy = nearest(self.place, [*arrays.names, *system.labels])
-        raise MissionError([Finding(f"'{self.place}' is neither a state nor a label", remedy)])
+MOST_TOTAL = 10**15
+"""What the terms of a constraint may sum to at most: solvers compute with 53 bits, and take larger
+coefficients for mistakes."""
 
 
-@dataclass(frozen=True, slots=True)
-class Expression:
-    """A linear expression over counts: `+`, `-`, `*` with numbers; `<=`, `>=`, `==` constrain it.
-
-    >>> count = Expression(((CountTerm("dock", None, 3), 1.0),))
-    >>> (2 * count - 1 >= 3).lower
-    4.0
-    """
-
-    terms: tuple[tuple[CountTerm, float], ...] = ()
-    constant: float = 0.0
-
-    def __add__(self, other: Expression | float) -> Expression:
-        if isinstance(other, Expression):
-            summed = dict(self.terms)
-            for term, factor in other.terms:
-                summed[term] = summed.get(term, 0.0) + factor
-            return Expression(tuple(summed.items()), self.constant + other.constant)
-        return Expression(self.terms, self.constant + other)
-
-    __radd__ = __add__
-
-    def __mul__(self, factor: float) -> Expression:
-        scaled = tuple((term, value * factor) for term, value in self.terms)
-        return Expression(scaled, self.constant * factor)
-
-    __rmul__ = __mul__
-
-    def __neg__(self) -> Expression:
-        return self * -1.0
-
-    def __sub__(self, other: Expression | float) -> Expression:
-        return self + -other
-
-    def __rsub__(self, other: float) -> Expression:
-        return -self + other
-
-    def __ge__(self, other: Expression | float) -> Constraint:
-        return Constraint.between(self - other, 0.0, float("inf"))
-
-    def __le__(self, other: Expression | float) -> Constraint:
-        return Constraint.between(self - other, -float("inf"), 0.0)
-
-    def equals(self, other: Expression | float) -> Constraint:
-        """The constraint that both sides are the same."""
-        return Constraint.between(self - other, 0.0, 0.0)
+_BASE = 10**4
+"""The largest factor in a row: a solver that lets rows be broken by 1e-6 of their largest factor
+still tells whole numbers apart by a wide margin."""
 
 
-@dataclass(frozen=True, slots=True)
-class Constraint:
-    """`lower <= sum of the terms <= upper`."""
+def checked_term(term: CountTerm, mission: Mission) -> CountTerm:
+    """A count that the mission knows; MissionError that names what it does not know."""
+    system = mission.system
+    places = (system.states, system.labels)
+    place = known_name(term.place, places, "state or label", MissionError)
+    return CountTerm(
+        place,
+        _capability(term.capability, mission),
+        step_within(term.step, mission.horizon, MissionError),
+    )
 
-    terms: tuple[tuple[CountTerm, float], ...]
-    lower: float
-    upper: float
-    name: str = "constraint"
 
-    @staticmethod
-    def between(expression: Expression, lower: float, upper: float) -> Constraint:
-        """`lower <= expression <= upper`, the expression's constant moved to the bounds."""
-        shift = expression.constant
-        return Constraint(expression.terms, lower - shift, upper - shift)
+def _capability(name: str | None, mission: Mission) -> str | None:
+    if name is None:
+        return None
+    able = {item for group in mission.team for item in group.capabilities}
+    if name not in able and any(name == group.class_name for group in mission.team):
+        own = {c for g in mission.team if g.class_name == name for c in g.capabilities}
+        remedy = f"agents are counted by capability; those of the class: {', '.join(sorted(own))}"
+        raise MissionError([Finding(f"'{name}' is a class, not a capability", remedy)])
+    return known_name(name, [able], "capability", MissionError)
+
+
+def checked_terms(terms: Iterable[tuple[CountTerm, Fraction | int]], mission: Mission) -> None:
+    """Refuse terms that the mission does not know, and sums too large for a solver."""
+    total = Fraction(0)
+    for term, factor in terms:
+        checked_term(term, mission)
+        total += mission.size * abs(Fraction(factor))
+    if total > MOST_TOTAL:
+        what = f"in whole numbers the terms sum to more than {MOST_TOTAL:.0e}"
+        raise MissionError([Finding(what, "drop digits of the coefficients")])
 
 
 def terms_of(constraints: Iterable[Constraint]) -> set[CountTerm]:
     """All counts that some constraint speaks about."""
     return {term for constraint in constraints for term, _ in constraint.terms}
+
+
+def states_of(term: CountTerm, system: TransitionSystem, arrays: MapArrays) -> Ints:
+    """Numbers of the states meant: a state of this name, else all states with the label."""
+    if term.place in arrays.number:
+        return np.array([arrays.number[term.place]], dtype=np.int64)
+    return arrays.states_with(system, term.place)
+
+
+def within_reach(constraint: Constraint, agents: int) -> Constraint:
+    """The same constraint of so many agents, without bounds that always hold.
+
+    One that never holds has no terms, so that no bound is larger than what the terms can sum to.
+    """
+    most = agents * sum(factor for _, factor in constraint.terms if factor > 0)
+    least = agents * sum(factor for _, factor in constraint.terms if factor < 0)
+    lower = least if constraint.lower is None else max(constraint.lower, least)
+    upper = most if constraint.upper is None else min(constraint.upper, most)
+    if lower > upper:
+        return Constraint((), 1, None, constraint.name)
+    return replace(
+        constraint, lower=lower if lower > least else None, upper=upper if upper < most else None
+    )
+
+
+class _Part(NamedTuple):
+    """A summand of a row: a sum of whole columns between 0 and `most`, times a factor."""
+
+    columns: Ints
+    factor: int
+    most: int
 
 
 def constraint_rows(
@@ -108,33 +107,75 @@ def constraint_rows(
     network: Network,
     draft: Draft,
 ) -> None:
-    """One row per constraint."""
+    """Rows for every constraint that bounds anything: one, or a few where numbers are large."""
     for constraint in constraints:
-        columns, values, constant = resolve(constraint.terms, system, arrays, network)
-        draft.rows(
-            np.zeros(len(columns)),
-            columns,
-            values,
-            lower=constraint.lower - constant,
-            upper=constraint.upper - constant,
-            kind=constraint.name,
-        )
+        if constraint.lower is None and constraint.upper is None:
+            continue
+        parts, constant = [], 0
+        for term, factor in constraint.terms:
+            states = states_of(term, system, arrays)
+            columns, fixed = network.present(states, term.capability, term.step)
+            parts.append(_Part(columns, factor, network.agents(term.capability)))
+            constant += factor * fixed
+        lower, upper = constraint.lower, constraint.upper
+        if all(abs(part.factor) <= _BASE for part in parts):
+            low = -INFINITY if lower is None else lower - constant
+            high = INFINITY if upper is None else upper - constant
+            _row(parts, (low, high), draft, constraint.name)
+            continue
+        if upper is not None:
+            _at_most(parts, upper - constant, draft, constraint.name)
+        if lower is not None:
+            turned = [part._replace(factor=-part.factor) for part in parts]
+            _at_most(turned, constant - lower, draft, constraint.name)
+
+
+def _row(parts: Sequence[_Part], bounds: tuple[float, float], draft: Draft, kind: str) -> None:
+    empty = np.empty(0, dtype=np.int64)
+    columns = np.concatenate([empty, *(part.columns for part in parts)])
+    values = [np.full(len(part.columns), float(part.factor)) for part in parts]
+    draft.rows(
+        np.zeros(len(columns)),
+        columns,
+        np.concatenate([np.empty(0), *values]),
+        lower=bounds[0],
+        upper=bounds[1],
+        kind=kind,
+    )
+
+
+def _at_most(parts: Sequence[_Part], bound: int, draft: Draft, kind: str) -> None:
+    """`sum of the parts <= bound`, with no factor above the base.
+
+    With every factor and the bound split as B q + r, the sum keeps the bound exactly if there is a
+    whole carry c with `sum of r x <= r of the bound + B c` and `sum of q x + c <= q of the bound`:
+    B times the second and the first add up to it, and the largest c of the second fits the first.
+    """
+    if all(abs(part.factor) <= _BASE for part in parts):
+        _row(parts, (-INFINITY, bound), draft, kind)
+        return
+    high, low = divmod(bound, _BASE)
+    rests = [part._replace(factor=part.factor % _BASE) for part in parts]
+    # carried must be what the rests come to at most
+    most = max(0, -((low - sum(part.factor * part.most for part in rests)) // _BASE))
+    carry = draft.columns(1, upper=float(most), integer=True)
+    _row([*rests, _Part(carry, -_BASE, most)], (-INFINITY, low), draft, kind)
+    quotients = [part._replace(factor=part.factor // _BASE) for part in parts]
+    _at_most([*quotients, _Part(carry, 1, most)], high, draft, kind)
 
 
 def resolve(
-    terms: Iterable[tuple[CountTerm, float]],
+    terms: Iterable[tuple[CountTerm, Fraction | int]],
     system: TransitionSystem,
     arrays: MapArrays,
     network: Network,
 ) -> tuple[Ints, Floats, float]:
     """Flow columns, coefficients and constant of a linear expression over counts."""
-    columns, values, constant = [np.empty(0, dtype=np.int64)], [np.empty(0)], 0.0
+    columns, values, constant = [np.empty(0, dtype=np.int64)], [np.empty(0)], Fraction(0)
     for term, factor in terms:
-        if not 0 <= term.step <= network.horizon:
-            message = f"step {term.step} lies outside 0..{network.horizon}"
-            raise MissionError([Finding(message, "give the mission a longer horizon")])
-        found, fixed = network.present(term.states(system, arrays), term.capability, term.step)
+        states = states_of(term, system, arrays)
+        found, fixed = network.present(states, term.capability, term.step)
         columns.append(found)
-        values.append(np.full(len(found), factor))
+        values.append(np.full(len(found), float(factor)))
         constant += factor * fixed
-    return np.concatenate(columns), np.concatenate(values), constant
+    return np.concatenate(columns), np.concatenate(values), float(constant)

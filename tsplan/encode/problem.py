@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from reprlib import repr as clipped
 from typing import Any, Literal, TypeAlias
 
 from tsplan.encode.build import Encoded, Setting, prepare, reference, tight
 from tsplan.encode.clock import Clock
-from tsplan.encode.constraints import Constraint, CountTerm, Expression
+from tsplan.encode.constraints import checked_term, checked_terms, within_reach
 from tsplan.encode.effort import Effort
+from tsplan.encode.expressions import Constraint, CountTerm, Expression
 from tsplan.encode.ideas import ALL_IDEAS, Idea
 from tsplan.encode.partial.planning import is_soft, plan_soft, prepare_soft
 from tsplan.encode.readout import Measure
@@ -18,7 +21,6 @@ from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
-from tsplan.names import nfc
 
 Encoding: TypeAlias = Literal["tight", "reference"]
 
@@ -53,14 +55,23 @@ class Tuning:
 class Problem:
     """The mission of a team with a user's own constraints and objective terms.
 
-    Raises MissionError for the mission of a swarm.
+    Raises MissionError for the mission of a swarm. What an own constraint or objective cannot mean
+    is a MissionError in the line that says it: unknown names, steps outside the mission, numbers
+    that are not finite, and whatever is no sum of counts times numbers.
 
     >>> import tsplan
-    >>> problem = Problem(tsplan.load_mission("mission.yaml"))
-    >>> problem.add(problem.count("dock", step=5) >= 2)
+    >>> from tsplan.ts.build import grid
+    >>> corridor = grid(1, 3, labels={(0, 2): "dock"}, name="corridor")
+    >>> team = [tsplan.Group.of("cart", {"r0c0": 4})]
+    >>> mission = tsplan.Mission.of(
+    ...     map=corridor, team=team, formula="F[0,5] dock", language="mtl", objective=["travel"]
+    ... )
+    >>> problem = tsplan.Problem(mission)
+    >>> problem.add(problem.count("dock", step=5).between(2, 3))
+    >>> problem.add(problem.count("r0c1", step=5) == 1, "one waits outside")
     >>> plan = tsplan.plan(problem, time_limit=10)
-    >>> int(plan.counts(states=["dock"])[0, 5])
-    2
+    >>> plan.counts(states=["r0c1", "r0c2"])[:, 5].tolist()
+    [1, 2]
     """
 
     def __init__(self, mission: Mission, tuning: Tuning = Tuning()) -> None:
@@ -71,20 +82,58 @@ class Problem:
         self.tuning = tuning
         self._constraints: list[Constraint] = []
         self._objective = Expression()
+        self._maximised = False
         self._setting: Setting | None = None
 
     def count(self, place: str, capability: str | None = None, *, step: int) -> Expression:
-        """Agents with a capability (None: all) at a state, or at a label's states, at a step."""
-        return Expression(((CountTerm(nfc(place), capability and nfc(capability), step), 1.0),))
+        """Agents with a capability (None: all) at a state, or at a label's states, at a step.
+
+        Where a state and a label have the same name, the state is meant. Raises MissionError for
+        names that the mission does not know, and for what is no step of it.
+        """
+        term = checked_term(CountTerm(place, capability, step), self.mission)
+        return Expression(((term, Fraction(1)),))
 
     def add(self, constraint: Constraint, name: str = "constraint") -> None:
-        """Demand a linear constraint over counts of every plan."""
-        self._constraints.append(replace(constraint, name=name))
+        """Demand a linear constraint over counts of every plan.
+
+        Constraints are comparisons of expressions: `<=`, `>=`, `==`, `<`, `>`, and
+        `expression.between(low, high)`. They mean exactly what they say: `count > 1.5` is
+        `count >= 2`. Raises MissionError for anything else.
+        """
+        if not isinstance(constraint, Constraint):
+            remedy = "compare counts: problem.add(problem.count(place, step=5) >= 2)"
+            raise MissionError([Finding(f"{clipped(constraint)} is not a constraint", remedy)])
+        checked_terms(constraint.terms, self.mission)
+        self._constraints.append(within_reach(replace(constraint, name=name), self.mission.size))
         self._setting = None
 
     def minimise(self, expression: Expression) -> None:
-        """Add a linear term over counts, minimised before the mission's own objectives."""
-        self._objective = self._objective + expression
+        """Add a linear term over counts, minimised before the mission's own objectives.
+
+        Several terms are added up. Raises MissionError for what is no expression over counts.
+
+        >>> problem.minimise(problem.count("door", step=5))               # doctest: +SKIP
+        """
+        self._extend(expression, maximised=False)
+
+    def maximise(self, expression: Expression) -> None:
+        """Add a linear term over counts, maximised before the mission's own objectives.
+
+        Together with terms to minimise, it is taken off these, and the difference is minimised.
+
+        >>> problem.maximise(problem.count("dock", step=5))               # doctest: +SKIP
+        """
+        self._extend(expression, maximised=True)
+
+    def _extend(self, expression: Expression, *, maximised: bool) -> None:
+        if not isinstance(expression, Expression) or not expression.terms:
+            remedy = "give a sum of counts, such as 2 * problem.count(place, step=5)"
+            raise MissionError([Finding(f"{clipped(expression)} is not an objective", remedy)])
+        checked_terms(expression.terms, self.mission)
+        first = not self._objective.terms
+        self._maximised = maximised and (first or self._maximised)
+        self._objective += -expression if maximised else expression
         self._setting = None
 
     @property
@@ -92,7 +141,7 @@ class Problem:
         """The team in classes, on reduced maps; made when first needed."""
         if self._setting is None:
             terms = self._objective.terms
-            watched = Constraint(terms, -float("inf"), float("inf"), "objective")
+            watched = Constraint(tuple((term, 1) for term, _ in terms), None, None, "objective")
             constraints = [*self._constraints, *([watched] if terms else [])]
             make = prepare_soft if is_soft(self.mission) else prepare
             self._setting = make(self.mission, constraints, ALL_IDEAS - self.tuning.without)

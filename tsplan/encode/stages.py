@@ -22,8 +22,9 @@ from tsplan.encode import objectives
 from tsplan.encode.build import Encoded, Setting, reference, tight
 from tsplan.encode.chains import chain_model, first_flows
 from tsplan.encode.clock import Clock
-from tsplan.encode.constraints import CountTerm, resolve
+from tsplan.encode.constraints import resolve
 from tsplan.encode.effort import Effort
+from tsplan.encode.expressions import Terms
 from tsplan.encode.ideas import Idea
 from tsplan.encode.network import unroll
 from tsplan.encode.outlook import Outlook
@@ -91,7 +92,7 @@ class Stages:
     measure: Callable[[Point, str], float]
     tell: Callable[[str, Point | None, float | None, float | None], None]
     objective: tuple[str, ...]
-    own: tuple[tuple[CountTerm, float], ...] = ()
+    own: Terms = ()
     tight: bool = True
     known: Floats | None = None  # flows of a plan that is known
     _point: Point | None = field(default=None, init=False)

@@ -6,12 +6,38 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tsplan.asked import known_name, name_list
+
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from tsplan.milp.model import Ints
     from tsplan.results.groups import SubSwarm
-    from tsplan.results.plan import Bundle
+    from tsplan.results.plan import Bundle, Plan
+
+
+def asked_counts(plan: Plan, states: Iterable[str] | None, capability: str | None) -> Ints:
+    """The same as `counted`; InputError for what the plan does not know, as a slip of the caller.
+
+    A plan without paths knows nobody, and counts nobody.
+    """
+    if capability is not None and plan.has_paths:
+        known = {group.swarm for group in plan.groups} | set(plan.moves)
+        if not plan.by_groups:
+            known = {name for bundle in plan.bundles for name in bundle.capabilities}
+        known_name(capability, [known], "swarm" if plan.by_groups else "capability")
+    return counted(plan, None if states is None else name_list(states, "state"), capability)
+
+
+def counted(plan: Plan, states: Sequence[str] | None, capability: str | None) -> Ints:
+    """Who is at each of `states` (None: the plan's own) and step, of agents or of sub-swarms.
+
+    Nobody is where nobody has the capability.
+    """
+    rows = plan.states if states is None else states
+    if plan.by_groups:
+        return group_counts(plan.groups, rows, plan.horizon, capability)
+    return state_counts(plan.bundles, rows, plan.horizon, capability)
 
 
 def state_counts(

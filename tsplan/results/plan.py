@@ -7,7 +7,7 @@ A plan's outcome is two facts: what is known (`Status`) and what stopped the sea
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
@@ -15,6 +15,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from tsplan.asked import step_within
 from tsplan.errors import Finding, InputError, PlanError
 
 if TYPE_CHECKING:
@@ -85,15 +86,19 @@ class AgentPlan:
     def state_at(self, step: int) -> str | None:
         """The agent's state at `step`; None while it is travelling.
 
+        Raises InputError for what is no step. The horizon is known to the plan alone: after it
+        the answer here is None.
+
         >>> agent = AgentPlan("a-1", "a", frozenset(), ((0, 2, "p"), (4, 5, "q")))
         >>> [agent.state_at(step) for step in (2, 3, 4)]
         ['p', None, 'q']
         """
-        place = bisect_right(self.stays, step, key=lambda stay: stay[0]) - 1
+        asked = step_within(step, None)
+        place = bisect_right(self.stays, asked, key=lambda stay: stay[0]) - 1
         if place < 0:
             return None
         _, last, state = self.stays[place]
-        return state if step <= last else None
+        return state if asked <= last else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,26 +225,30 @@ class Plan:
     @cached_property
     def bundles(self) -> tuple[Bundle, ...]:
         """The agents grouped by identical class and path, in order of first appearance."""
+        from tsplan.results.bundling import bundles  # noqa: PLC0415  (imports this module)
+
         return bundles(self.agents)
 
     @cached_property
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""
-        if self._by_groups:
+        if self.by_groups:
             return tuple(sorted({group.state for group in self.groups if group.state is not None}))
         return tuple(sorted({stay[2] for bundle in self.bundles for stay in bundle.stays}))
 
     def state_at(self, step: int) -> dict[str, str | None]:
         """The state of every agent at `step` by its id; None for agents that are travelling.
 
-        Without agents, the state of every sub-swarm that exists at `step`, by its id.
+        Without agents, the state of every sub-swarm that exists at `step`, by its id. Raises
+        InputError for what is no step of the plan.
         """
+        step = step_within(step, self.horizon)
         if not self.agents:
             return {group.id: group.state for group in self.groups_at(step)}
         return {agent.id: agent.state_at(step) for agent in self.agents}
 
     @property
-    def _by_groups(self) -> bool:
+    def by_groups(self) -> bool:
         """Whether the sub-swarms tell who is where; PlanError where nothing does."""
         if self.moves and not self.groups and not self.agents:
             what = "the plan names the moves of swarms, but not the sub-swarms they make"
@@ -247,7 +256,8 @@ class Plan:
         return bool(self.groups)
 
     def groups_at(self, step: int) -> tuple[SubSwarm, ...]:
-        """The sub-swarms that exist at a step."""
+        """The sub-swarms that exist at a step; InputError for what is no step of the plan."""
+        step = step_within(step, self.horizon)
         return tuple(group for group in self.groups if group.first <= step <= group.last)
 
     @cached_property
@@ -264,18 +274,20 @@ class Plan:
         """Agents with a capability (all agents for None) at each state and step.
 
         The array has one row for each of `states` (by default `Plan.states`) and one column for
-        each step 0..horizon. States outside the plan have rows of zeros. In the plan of several
-        swarms a capability is the name of one.
-        """
-        from tsplan.results.occupancy import (  # noqa: PLC0415  (numpy takes 0.1 s)
-            group_counts,
-            state_counts,
-        )
+        each step 0..horizon. States outside the plan have rows of zeros: a plan does not know its
+        map. In the plan of several swarms a capability is the name of one.
 
-        rows = self.states if states is None else tuple(states)
-        if self._by_groups:
-            return group_counts(self.groups, rows, self.horizon, capability)
-        return state_counts(self.bundles, rows, self.horizon, capability)
+        Raises InputError for a capability that nobody in the plan has, and for `states` that are
+        no names.
+
+        >>> agent = AgentPlan("a-1", "a", frozenset({"see"}), ((0, 1, "p"), (3, 3, "q")))
+        >>> made = Plan(Status.FEASIBLE, MissionRef("", ""), 3, StoppedBy.GAP, agents=(agent,))
+        >>> made.counts("see", states=["q"]).tolist()
+        [[0, 0, 0, 1]]
+        """
+        from tsplan.results.occupancy import asked_counts  # noqa: PLC0415  (numpy takes 0.1 s)
+
+        return asked_counts(self, states, capability)
 
     def explain(self, mission: Mission) -> Evidence:
         """Why the plan satisfies the formula of its mission, as a tree that prints itself.
@@ -377,26 +389,3 @@ def contradictions(status: Status, stopped_by: StoppedBy | None, *, paths: bool)
         shape = "needs the agents' paths" if status in _WITH_PATHS else "cannot hold agents' paths"
         findings.append(Finding(f"a plan of status {status} {shape}"))
     return findings
-
-
-def bundles(agents: Iterable[AgentPlan]) -> tuple[Bundle, ...]:
-    """Group agents by class, capabilities and path, in order of first appearance.
-
-    Large teams share path objects, so paths are first told apart by identity, which is cheap,
-    and only the distinct objects are compared by value.
-    """
-    shared: dict[tuple[str, frozenset[str], int, str | None], list[int]] = {}
-    samples: list[AgentPlan] = []
-    for place, agent in enumerate(agents):
-        key = (agent.class_name, agent.capabilities, id(agent.stays), agent.heading)
-        members = shared.get(key)
-        if members is None:
-            shared[key] = [place]
-            samples.append(agent)
-        else:
-            members.append(place)
-    equal: dict[Bundle, list[int]] = {}
-    for agent, members in zip(samples, shared.values(), strict=True):
-        path = Bundle(agent.class_name, agent.capabilities, agent.stays, agent.heading, ())
-        equal.setdefault(path, []).extend(members)
-    return tuple(replace(path, agents=tuple(sorted(members))) for path, members in equal.items())

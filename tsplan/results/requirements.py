@@ -18,6 +18,7 @@ from tsplan.logic.naming import capabilities
 from tsplan.logic.walking import walk
 from tsplan.results.counting import count_trace
 from tsplan.results.fitting import refuse_misfit
+from tsplan.results.occupancy import counted
 from tsplan.results.reasons import Span, Steps, settled, windows
 
 if TYPE_CHECKING:
@@ -140,7 +141,7 @@ def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
     """The counts of a plan at all states of its mission's map, as far as a formula needs them."""
     states = tuple(mission.system.states)
     wanted = (None, *sorted(capabilities(formula)))
-    return count_trace(mission.system, {name: plan.counts(name, states=states) for name in wanted})
+    return count_trace(mission.system, {name: counted(plan, states, name) for name in wanted})
 
 
 def measured(atom: Count, trace: CountTrace) -> Ints:

@@ -15,7 +15,7 @@ from functools import partial
 
 from tsplan.encode.build import Setting, assembled, prepare
 from tsplan.encode.clock import Clock
-from tsplan.encode.constraints import Constraint
+from tsplan.encode.expressions import Constraint
 from tsplan.encode.ideas import Idea
 from tsplan.encode.partial.model import Ground, Wish, demand_of, everything, wish_of
 from tsplan.encode.partial.settling import Settled, Settling

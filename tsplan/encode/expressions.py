@@ -1,0 +1,237 @@
+"""A user's own linear expressions and constraints over counts of agents, in exact numbers.
+
+Counts are whole numbers, so a constraint is brought to whole coefficients and whole bounds: it
+means exactly what was written, whether with fractions, decimals or `<`. What cannot be meant as it
+is written (`1 <= count <= 3`, `count * count`, a number that is none) is an error where it is
+written.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+from math import ceil, floor, gcd, lcm, log10
+from typing import Any, ClassVar, NoReturn, TypeAlias
+
+from tsplan.asked import finite
+from tsplan.errors import Finding, MissionError
+
+_LONGEST = 40  # digits that are shown
+
+Number: TypeAlias = "float | Fraction | Decimal"
+
+
+@dataclass(frozen=True, slots=True)
+class CountTerm:
+    """Agents with a capability (None: all) at the states of a label, or at one state, at a step."""
+
+    place: str
+    capability: str | None
+    step: int
+
+    def __str__(self) -> str:
+        able = "" if self.capability is None else f", {self.capability!r}"
+        return f"count({self.place!r}{able}, step={self.step})"
+
+
+Terms: TypeAlias = tuple[tuple[CountTerm, Fraction], ...]
+
+
+def _refused(what: str, remedy: str) -> NoReturn:
+    raise MissionError([Finding(what, remedy)])
+
+
+def _not_linear(_one: object, _other: object = None, _more: object = None) -> NoReturn:
+    what = "an own constraint or objective is a sum of counts, each times a number"
+    _refused(what, "use only +, -, * and / with numbers")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Expression:
+    """A linear expression over counts; comparisons make constraints of it.
+
+    `+`, `-`, and `*` and `/` with numbers make expressions; `<=`, `>=`, `==`, `<`, `>` and
+    `between` make constraints. Numbers count as they are written: 0.1 is a tenth.
+
+    Raises MissionError for what is not linear, and for numbers that are not finite.
+
+    >>> dock, ship = (Expression(((CountTerm(name, None, 3), Fraction(1)),)) for name in "ds")
+    >>> print(2 * dock - ship / 2 > 0.5)
+    4*count('d', step=3) - count('s', step=3) >= 2
+    >>> print(dock.between(1, 3))
+    1 <= count('d', step=3) <= 3
+    """
+
+    terms: Terms = ()
+    constant: Fraction = Fraction(0)
+
+    # numbers of numpy leave arithmetic with expressions to the expressions
+    __array_ufunc__: ClassVar[None] = None
+    __hash__: ClassVar[None]  # type: ignore[assignment]  # == makes constraints
+
+    @staticmethod
+    def of(value: object) -> Expression:
+        """An expression as it is, a number as a constant; MissionError for anything else."""
+        if isinstance(value, Constraint):
+            remedy = "compare only once, or use expression.between(low, high)"
+            _refused(f"'{value}' is a constraint, not an expression or number", remedy)
+        return (
+            value if isinstance(value, Expression) else Expression((), finite(value, MissionError))
+        )
+
+    def __add__(self, other: Expression | Number) -> Expression:
+        more = Expression.of(other)
+        summed = dict(self.terms)
+        for term, factor in more.terms:
+            summed[term] = summed.get(term, Fraction(0)) + factor
+        kept = tuple((term, factor) for term, factor in summed.items() if factor)
+        return Expression(kept, self.constant + more.constant)
+
+    __radd__ = __add__
+
+    def __mul__(self, other: Expression | Number) -> Expression:
+        scale = Expression.of(other)
+        if scale.terms:
+            if self.terms:
+                _not_linear(self)
+            return scale * self.constant
+        factor = scale.constant
+        scaled = tuple((term, value * factor) for term, value in self.terms if factor)
+        return Expression(scaled, self.constant * factor)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Number) -> Expression:
+        divisor = Expression.of(other)
+        if divisor.terms:
+            _not_linear(self)
+        if not divisor.constant:
+            _refused("an expression is divided by 0", "divide by another number")
+        return self * (1 / divisor.constant)
+
+    def __neg__(self) -> Expression:
+        return self * -1
+
+    def __pos__(self) -> Expression:
+        return self
+
+    def __sub__(self, other: Expression | Number) -> Expression:
+        return self + -Expression.of(other)
+
+    def __rsub__(self, other: Number) -> Expression:
+        return -self + other
+
+    __rtruediv__ = __floordiv__ = __rfloordiv__ = __mod__ = __rmod__ = _not_linear
+    __pow__ = __rpow__ = __abs__ = __round__ = __int__ = __float__ = _not_linear
+
+    def __ge__(self, other: Expression | Number) -> Constraint:
+        return Constraint.of(self - other, 0, None)
+
+    def __le__(self, other: Expression | Number) -> Constraint:
+        return Constraint.of(self - other, None, 0)
+
+    def __gt__(self, other: Expression | Number) -> Constraint:
+        return Constraint.of(self - other, 0, None, strict=True)
+
+    def __lt__(self, other: Expression | Number) -> Constraint:
+        return Constraint.of(self - other, None, 0, strict=True)
+
+    def __eq__(self, other: Expression | Number) -> Constraint:  # type: ignore[override]  # as numpy
+        return Constraint.of(self - other, 0, 0)
+
+    def __ne__(self, other: object) -> NoReturn:  # as above
+        _refused("'!=' is no linear constraint", "use '<=', '>=', '==' or between(low, high)")
+
+    def between(self, low: Number, high: Number) -> Constraint:
+        """The constraint `low <= expression <= high`; MissionError where low is above high."""
+        least, most = finite(low, MissionError), finite(high, MissionError)
+        if least > most:
+            what = f"nothing is between {_text(least)} and {_text(most)}"
+            _refused(what, "give the lower bound first")
+        return Constraint.of(self, least, most)
+
+    def _no_truth(self) -> NoReturn:
+        _refused(
+            f"whether '{self}' is 0 depends on the plan",
+            "compare it with <=, >= or ==, and give the constraint to problem.add",
+        )
+
+    __bool__ = _no_truth
+
+    def __str__(self) -> str:
+        return _sum(self.terms, self.constant)
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """`lower <= sum of the terms <= upper` in whole numbers; None bounds nothing.
+
+    A constraint is neither true nor false before there is a plan: `bool`, and so `and`, `or`,
+    `not` and `1 <= count <= 3`, raise MissionError.
+    """
+
+    terms: tuple[tuple[CountTerm, int], ...]
+    lower: int | None
+    upper: int | None
+    name: str = "constraint"
+
+    @staticmethod
+    def of(
+        expression: Expression,
+        lower: Number | None,
+        upper: Number | None,
+        *,
+        strict: bool = False,
+    ) -> Constraint:
+        """`lower <= expression <= upper` (strictly: `<`) with the least whole coefficients."""
+        used = expression.terms
+        scale = Fraction(lcm(*(factor.denominator for _, factor in used)))
+        scale /= gcd(*(int(factor * scale) for _, factor in used)) or 1
+
+        def bound(value: Number | None) -> Fraction | None:
+            return None if value is None else (Fraction(value) - expression.constant) * scale
+
+        low, high = bound(lower), bound(upper)
+        least = None if low is None else floor(low) + 1 if strict else ceil(low)
+        most = None if high is None else ceil(high) - 1 if strict else floor(high)
+        return Constraint(tuple((t, int(factor * scale)) for t, factor in used), least, most)
+
+    def _no_truth(self, _other: object = None) -> NoReturn:
+        _refused(
+            f"the constraint '{self}' is neither true nor false before there is a plan",
+            "write a range as expression.between(low, high), and add each constraint by itself: "
+            "'and', 'or' and 'not' cannot be used",
+        )
+
+    __bool__ = __and__ = __rand__ = __or__ = __ror__ = __xor__ = __rxor__ = __invert__ = _no_truth
+
+    def __str__(self) -> str:
+        total = _sum(self.terms, Fraction(0))
+        if self.lower is not None and self.lower == self.upper:
+            return f"{total} == {self.lower}"
+        if self.lower is not None and self.upper is not None:
+            return f"{self.lower} <= {total} <= {self.upper}"
+        return f"{total} <= {self.upper}" if self.lower is None else f"{total} >= {self.lower}"
+
+
+def _sum(terms: Any, constant: Fraction) -> str:
+    """Terms and a constant as a sum; of many terms the first ones."""
+    most = 8
+    text = ""
+    for term, factor in [*terms[:most], *([(None, constant)] if constant else [])]:
+        size = abs(factor)
+        word = _text(size) if term is None else str(term) if size == 1 else f"{_text(size)}*{term}"
+        sign = ("- " if factor < 0 else "+ ") if text else ("-" if factor < 0 else "")
+        text += f" {sign}{word}" if text else f"{sign}{word}"
+    return (text or "0") + (" + ..." if len(terms) > most else "")
+
+
+def _text(value: Fraction | int) -> str:
+    """A number with its digits, as a fraction where it is no short decimal."""
+    number = Fraction(value)
+    if number.denominator == 1:
+        digits = int(number.numerator.bit_length() * log10(2)) + 1
+        return str(number) if digits <= _LONGEST else f"a number of about {digits} digits"
+    decimal = str(float(number))
+    return decimal if Fraction(decimal) == number else str(number)
