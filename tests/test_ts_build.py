@@ -85,6 +85,45 @@ def test_graphs_that_are_no_maps():
         from_networkx(nx.DiGraph([("a", "b", {"duration": True})]))
 
 
+def test_numbers_of_graphs_may_be_texts_or_of_numpy():
+    graph = nx.DiGraph()
+    graph.add_node("a", at=("1", " 2.5 "), capacity="3")
+    graph.add_node(
+        "b", at=np.array([1, 2]), shape=[("0", "0"), (1, 0), (0, 1)], capacity=np.int8(2)
+    )
+    graph.add_edge("a", "b", weight="2", cost="1.5", capacity=np.int64(4))
+    graph.add_edge("b", "a", weight={"heavy": "3", "default": np.float64(2)}, cost=np.int32(7))
+    system = from_networkx(graph, duration="weight")
+    assert system.states["a"].at == (1, 2.5)
+    assert system.states["a"].capacity == 3
+    assert system.states["b"].at == (1, 2)
+    assert system.states["b"].shape == ((0, 0), (1, 0), (0, 1))
+    assert system.edges["a", "b"] == Edge("a", "b", 2, 1.5, 4)
+    assert system.edges["b", "a"] == Edge("b", "a", ByClass({"heavy": 3, "default": 2}), 7)
+
+
+def test_what_is_wrong_about_a_graph_names_node_and_attribute():
+    graph = nx.Graph()
+    graph.add_node("a", labels=3, at=("1", "x"), color=7)
+    graph.add_node("b", labels=["dock", 3], shape=5, capacity="many", needs={"fly": True})
+    graph.add_edge("b", "a", weight="2.5", cost="free", needs=1)
+    with pytest.raises(MapError) as caught:
+        from_networkx(graph, duration="weight", labels="labels")
+    said = [str(finding).split(";")[0] for finding in caught.value.findings]
+    assert sorted(said) == [
+        "edge from 'a' to 'b', attribute 'cost': cost: free is not a finite number of at least 0",
+        "edge from 'a' to 'b', attribute 'needs': 1 is neither a text nor a collection of texts",
+        "edge from 'a' to 'b', attribute 'weight': duration: 2.5 is not a whole number from 1 on",
+        "node 'a', attribute 'at': at: (1, 'x') is not a pair of finite numbers",
+        "node 'a', attribute 'color': 7 is not a text",
+        "node 'a', attribute 'labels': 3 is neither a text nor a collection of texts",
+        "node 'b', attribute 'capacity': capacity: many is not a whole number of at least 0",
+        "node 'b', attribute 'labels': ['dock', 3] is neither a text nor a collection of texts",
+        "node 'b', attribute 'needs': {'fly': True} is neither a text nor a collection of texts",
+        "node 'b', attribute 'shape': shape: not 3 or more pairs of finite numbers",
+    ]
+
+
 def test_a_graph_and_back():
     system = grid(3, 3, duration=(1, 3))
     graph = nx.DiGraph(system.graph)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-import operator
 import random
-from collections.abc import Collection, Iterable, Iterator, Mapping
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from numbers import Integral, Real
+from reprlib import repr as clipped
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from tsplan.errors import Finding, MapError
+from tsplan.ts.checks import problems
 from tsplan.ts.parts import NOTHING, Edge, State
 from tsplan.ts.system import TransitionSystem
 
@@ -15,6 +19,7 @@ if TYPE_CHECKING:
 
 Cell: TypeAlias = tuple[int, int]
 
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 _STEPS = ((0, 1), (1, 0), (0, -1), (-1, 0))
 
 
@@ -138,16 +143,29 @@ def from_networkx(
     name
         Name of the map; the graph's own by default.
 
+    Numbers may be of any type, of numpy too, or texts such as "3" and "2.5", as DOT and GraphML
+    give them.
+
     Raises
     ------
     MapError
-        As `TransitionSystem.build` says; so also for parallel edges.
+        Everything that is wrong, each with its node or edge and its attribute: of the wrong type,
+        or as `TransitionSystem.build` says; so also for parallel edges.
+
+    >>> import networkx as nx
+    >>> graph = nx.DiGraph()
+    >>> graph.add_node("dock", labels=["goal"], at=("1", "2.5"))
+    >>> graph.add_edge("door", "dock", weight="4")
+    >>> from_networkx(graph, duration="weight").edges["door", "dock"].duration
+    4
 
     """
-    states = [_node(node, dict(data), labels, at) for node, data in graph.nodes(data=True)]
+    names = {"labels": labels, "at": at, "duration": duration}
+    reading = _Reading(names)
+    states = [reading.state(node, data) for node, data in graph.nodes(data=True)]
     edges = []
     for source, target, data in graph.edges(data=True):
-        edge = _link(str(source), str(target), dict(data), duration)
+        edge = reading.edge(str(source), str(target), data)
         if graph.is_directed() or edge.is_wait:
             edges.append(edge)
         else:
@@ -155,44 +173,129 @@ def from_networkx(
     if waits:
         looping = {edge.source for edge in edges if edge.is_wait}
         edges += [Edge(s.name, s.name) for s in states if s.name not in looping]
+    reading.judge(states, edges)
     return TransitionSystem.build(states, edges, name or str(graph.graph.get("name", "")))
 
 
-def _node(node: Any, data: dict[str, Any], labels: str, at: str) -> State:
-    place = data.get(at)
-    shape = data.get("shape")
-    return State(
-        str(node),
-        _labels(data.get(labels)),
-        None if place is None else tuple(map(float, place)),  # type: ignore[arg-type]  # checked later
-        None if shape is None else tuple((float(x), float(y)) for x, y in shape),
-        data.get("color"),
-        data.get("capacity"),
-        _labels(data.get("needs")),
-    )
+class _Reading:
+    """Attributes of nodes and edges as parts of a map; what is wrong is kept, with its place."""
+
+    def __init__(self, names: Mapping[str, str]) -> None:
+        self._names = names
+        self._findings: list[Finding] = []
+
+    def state(self, node: object, data: Mapping[str, Any]) -> State:
+        """The state of a node."""
+        where = f"node '{node}'"
+        return State(
+            str(node),
+            self._words(where, "labels", data),
+            _numbers(self._given("at", data)),
+            _numbers(self._given("shape", data)),
+            self._text(where, "color", data),
+            _number(data.get("capacity")),
+            self._words(where, "needs", data),
+        )
+
+    def edge(self, source: str, target: str, data: Mapping[str, Any]) -> Edge:
+        """The edge of an edge, in the direction in which it is listed."""
+        steps = data.get(self._names["duration"], 1)
+        if isinstance(steps, Mapping):
+            steps = {key: _number(value) for key, value in steps.items()}
+        return Edge(
+            source,
+            target,
+            _number(steps),
+            _number(data.get("cost")),
+            _number(data.get("capacity")),
+            self._words(_way(source, target), "needs", data),
+        )
+
+    def judge(self, states: Sequence[State], edges: Sequence[Edge]) -> None:
+        """Raise MapError with all that is wrong about what was read."""
+        for problem in problems(states, edges):
+            where = "the graph"
+            if problem.kind == "state":
+                where = f"node '{states[problem.index].name}'"
+            elif problem.kind == "edge":
+                edge = edges[problem.index]
+                if edge.both_ways and edge.pair > edge.reverse().pair:
+                    continue  # said of the other direction already
+                where = _way(*edge.pair)
+            self._note(where, problem.part, problem.message, problem.remedy)
+        if self._findings:
+            raise MapError(self._findings)
+
+    def _note(self, where: str, part: str | None, message: str, remedy: str) -> None:
+        if part in _ATTRIBUTES:
+            where = f"{where}, attribute '{self._names.get(part, part)}'"
+        self._findings.append(Finding(message, remedy, where))
+
+    def _given(self, part: str, data: Mapping[str, Any]) -> Any:
+        return data.get(self._names.get(part, part))
+
+    def _words(self, where: str, part: str, data: Mapping[str, Any]) -> frozenset[str]:
+        """One word, or a collection of words."""
+        given = self._given(part, data)
+        some = given is None or isinstance(given, str | Iterable)
+        found = (
+            ()
+            if given is None or not some
+            else (given,)
+            if isinstance(given, str)
+            else tuple(given)
+        )
+        if some and not isinstance(given, bytes | Mapping) and all(map(_is_word, found)):
+            return frozenset(found)
+        what = f"{clipped(given)} is neither a text nor a collection of texts"
+        self._note(where, part, what, "write it as 'door' or ['door', 'exit']")
+        return NOTHING
+
+    def _text(self, where: str, part: str, data: Mapping[str, Any]) -> str | None:
+        given = self._given(part, data)
+        if given is None or isinstance(given, str):
+            return given
+        self._note(where, part, f"{clipped(given)} is not a text", "write it as 'tan' or '#d2b48c'")
+        return None
 
 
-def _link(source: str, target: str, data: dict[str, Any], duration: str) -> Edge:
-    given = data.get(duration, 1)
-    steps = (
-        {key: _steps(value) for key, value in given.items()}
-        if isinstance(given, Mapping)
-        else _steps(given)
-    )
-    return Edge(
-        source, target, steps, data.get("cost"), data.get("capacity"), _labels(data.get("needs"))
-    )
+_ATTRIBUTES = frozenset({"labels", "at", "shape", "color", "capacity", "needs", "duration", "cost"})
+
+
+def _way(source: str, target: str) -> str:
+    return f"edge from '{source}' to '{target}'"
+
+
+def _is_word(item: object) -> bool:
+    return isinstance(item, str)
 
 
 def _both_ways(edge: Edge) -> Edge:
     return Edge(*edge.pair, edge.duration, edge.cost, edge.capacity, edge.needs, both_ways=True)
 
 
-def _steps(value: Any) -> int:
-    """A whole number as Python's own int; anything else is left for the checks to refuse."""
-    if isinstance(value, float) and value.is_integer():
+def _numbers(value: Any) -> Any:
+    """Collections of collections of numbers as tuples; what is none is left for the checks."""
+    if value is None or isinstance(value, str | Mapping) or not isinstance(value, Iterable):
+        return value
+    return tuple(_numbers(item) if _is_list(item) else _number(item) for item in value)
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, Iterable) and not isinstance(value, str | Mapping)
+
+
+def _number(value: Any) -> Any:
+    """A number of any type, or the text of one, as Python's own; whole ones as int.
+
+    Anything else is left for the checks to refuse.
+    """
+    if isinstance(value, str):
+        written = value.strip()
+        value = float(written) if _NUMBER.fullmatch(written) else value
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return value
+    if isinstance(value, Integral):
         return int(value)
-    try:
-        return value if isinstance(value, bool) else operator.index(value)
-    except TypeError:
-        return value  # type: ignore[no-any-return]  # not a whole number, as the checks will say
+    number = float(value)
+    return int(number) if number.is_integer() else number
