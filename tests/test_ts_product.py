@@ -132,18 +132,23 @@ def test_lint():
             "add a wait there (`waiting: true` adds one to every state)"
         ),
         (
+            "nobody can wait at 'a', 'b', 'c', 'd': agents have to move on at once; "
+            "add `waiting: true`, or an edge from the state to itself"
+        ),
+        (
             "once at 'c', 'd', an agent cannot go anywhere else; "
             "add an edge that leads back, if that is not meant"
         ),
         "the label 'y' of 'd' is not used; drop it, or use it in the formula",
         "no state carries the label 'yy'; did you mean 'y'?",
     ]
-    assert len(texts(system)) == 2
+    assert len(texts(system)) == 3
 
 
 def test_lint_without_starts_looks_for_any_way_in():
     system = TransitionSystem.build([State("a"), State("b")], [Edge("a", "b"), Edge("b", "b")])
     assert [text.split(";")[0] for text in texts(system)] == [
         "the state 'a' cannot be reached from any other state",
+        "nobody can wait at 'a': agents have to move on at once",
         "once at 'b', an agent cannot go anywhere else",
     ]

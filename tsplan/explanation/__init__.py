@@ -5,6 +5,7 @@
 - `oracle`, `relaxing`, `conflicts`: irreducible conflicts, decided by the ordinary planner.
 - `candidates`, `dimensions`, `surroundings`, `changes`: the smallest changes that help.
 - `several`: changes that only help together.
+- `waiting`: where nobody can wait, as an element, as facts and as changes.
 - `bounds`, `swarms`: the bounds of swarms as elements, as facts and as changes.
 - `tightness`, `critical`: what holds availability down, and how early deadlines could be.
 - `rewriting`: a changed mission as a file.

@@ -15,14 +15,16 @@ from tsplan.explanation.occurrences import Leaf, leaves, node_at, nodes_along
 from tsplan.explanation.relaxing import useful_number
 from tsplan.explanation.surroundings import EdgeRoom, EdgeTime, MoreAgents, StateRoom
 from tsplan.explanation.swarms import LooserBound
+from tsplan.explanation.waiting import WAITING, WaitAt, WaitEverywhere
 from tsplan.logic import Count, Limit, Task
 from tsplan.logic import labels as labels_of
+from tsplan.ts.waits import without_wait
 
 if TYPE_CHECKING:
     from tsplan.explanation.facts import View
 
 MOST_PLACES = 6
-"""States at which more robots are tried, for each entry of the team."""
+"""States at which more robots are tried, for each entry of the team, and at which waits are."""
 
 MOST_EDGES = 12
 """Edges that are tried, those on quickest ways first."""
@@ -62,6 +64,8 @@ def _of(view: View, element: Element, conflict: frozenset[Element]) -> Iterator[
         bound = LooserBound.of(view.mission, element)
         if bound is not None:
             yield Candidate(bound, frozenset({element}))
+    elif element.kind == "waiting":
+        yield from _waits(view, conflict)
     elif element.kind == "capacity":
         within = frozenset({element})
         if len(element.key) == 1:
@@ -110,6 +114,19 @@ def _more_agents(view: View, entry: int, conflict: frozenset[Element]) -> Iterat
         rank = 0 if state in own else 1 if state in others else 2
         dimension = MoreAgents(entry, state, most)
         yield Candidate(dimension, frozenset(within), ("agents", entry), rank)
+
+
+def _waits(view: View, conflict: frozenset[Element]) -> Iterator[Candidate]:
+    """Waits at single states: where the conflict needs somebody, at ends, at starts; and at all."""
+    mission = view.mission
+    missing = without_wait(mission.system)
+    ends = (name for name in missing if not mission.system.leaving(name))
+    starts = (state for group in mission.team for state, _ in group.starts)
+    ordered = dict.fromkeys([*_states_of(view, conflict), *ends, *starts, *missing])
+    within = frozenset({WAITING})
+    for state in [name for name in ordered if name in set(missing)][:MOST_PLACES]:
+        yield Candidate(WaitAt(state), within)
+    yield Candidate(WaitEverywhere(), within)
 
 
 def _states_of(view: View, conflict: Iterable[Element]) -> Iterator[str]:

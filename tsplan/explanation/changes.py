@@ -28,6 +28,7 @@ ORDER: tuple[ChangeKind, ...] = (
     "loosen_limit",
     "more_subswarms",
     "shorten_task",
+    "waiting",
     "edge",
     "add_agents",
     "lower_need",

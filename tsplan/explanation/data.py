@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from tsplan.explanation.dimensions import Dimension
     from tsplan.mission import Mission
 
-PartKind: TypeAlias = Literal["formula", "team", "start", "capacity", "swarm"]
+PartKind: TypeAlias = Literal["formula", "team", "start", "waiting", "capacity", "swarm"]
 ChangeKind: TypeAlias = Literal[
     "add_agents",
     "extend_deadline",
@@ -19,6 +19,7 @@ ChangeKind: TypeAlias = Literal[
     "lower_need",
     "loosen_limit",
     "more_subswarms",
+    "waiting",
     "edge",
 ]
 

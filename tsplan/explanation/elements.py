@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from tsplan.explanation.bounds import swarm_bounds
 from tsplan.explanation.data import Element
 from tsplan.explanation.occurrences import Leaf, conjuncts, leaves
+from tsplan.explanation.waiting import waiting_elements
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -37,12 +38,13 @@ def named_facts(mission: Mission) -> tuple[Element, ...]:
 
     How many robots an entry of the team has and where they start can be taken out of a team, and
     from a swarm how it may divide and its head-room; its size and its start stay, and so does the
-    map, but for its capacities.
+    map, but for its capacities and for states without a wait.
     """
     entries = range(len(mission.team)) if mission.swarm is None else ()
     return (
         *(Element("team", (number,)) for number in entries),
         *(Element("start", (number,)) for number in entries),
+        *waiting_elements(mission),
         *swarm_bounds(mission),
         *capacities(mission),
     )

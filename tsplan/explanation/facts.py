@@ -69,11 +69,11 @@ class View:
         return max(steps) if need.reach == "each" else min(steps)
 
     def fact(self, kind: str, text: str, demands: Iterable[Demand], *others: Element) -> Fact:
-        """A fact about some demands, which stands where the first of them does."""
+        """A fact about some demands or other elements; it stands where the first of them does."""
         leaves = list(dict.fromkeys(item.leaf for item in demands))
-        elements = {*(of_leaf(leaf) for leaf in leaves), *others}
-        place = self.wording.sources.place(leaves[0])
-        return Fact(kind, text, place, self.wording.parts(elements))
+        parts = self.wording.parts({*(of_leaf(leaf) for leaf in leaves), *others})
+        place = self.wording.sources.place(leaves[0]) if leaves else parts[0].place
+        return Fact(kind, text, place, parts)
 
     def team(self, capability: str | None, *kinds: str) -> list[Element]:
         """The elements of the team's entries with a capability."""
@@ -105,11 +105,14 @@ def find_facts(view: View) -> tuple[Fact, ...]:
     from tsplan.explanation.meetings import contradictions, crowding, room  # noqa: PLC0415
     from tsplan.explanation.scarcity import scarcity  # noqa: PLC0415  (all import this module)
     from tsplan.explanation.swarms import divided  # noqa: PLC0415
+    from tsplan.explanation.waiting import restless, stuck  # noqa: PLC0415
 
     finders: tuple[Finder, ...] = (
+        stuck,
         scarcity,
         divided,
         unreachable,
+        restless,
         crowding,
         contradictions,
         room,

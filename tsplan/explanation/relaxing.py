@@ -17,10 +17,12 @@ from tsplan.explanation.bounds import unbounded
 from tsplan.explanation.data import Element
 from tsplan.explanation.elements import leaf_of
 from tsplan.explanation.occurrences import without
+from tsplan.explanation.waiting import WAITING
 from tsplan.limits import MOST_ROBOTS
 from tsplan.logic import Always, Count, walk
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem
+from tsplan.ts.waits import with_waits, without_wait
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -55,7 +57,9 @@ def relaxed(
 
 
 def _roomier(system: TransitionSystem, gone: Dropped) -> TransitionSystem:
-    """The map without some capacities; the same object where none is taken out."""
+    """The map without some capacities, and with all waits; the same where nothing is taken out."""
+    if WAITING in gone:
+        system = with_waits(system, without_wait(system))
     keys = {item.key for item in gone if item.kind == "capacity"}
     if not keys:
         return system

@@ -13,6 +13,7 @@ from tsplan.explanation.elements import formula_groups, leaf_of
 from tsplan.explanation.numbers import many
 from tsplan.explanation.occurrences import Leaf, Way, conjuncts, node_at
 from tsplan.explanation.places import Sources
+from tsplan.explanation.waiting import WAITING, waiting_part
 
 if TYPE_CHECKING:
     from tsplan.mission import Group, Mission
@@ -76,6 +77,8 @@ class Wording:
         """A bound beside the formula, as a named fact."""
         if element.kind == "capacity":
             return self._capacity(element)
+        if element == WAITING:
+            return waiting_part(self.mission, self._map(("map", "waiting")))
         if element.kind == "swarm":
             place = self.sources.at(path_of(self.mission, element))
             return swarm_part(self.mission, element, place)
@@ -124,4 +127,4 @@ def _order(element: Element) -> tuple[int, tuple[str, ...]]:
     return _KINDS.index(element.kind), tuple(str(item) for item in element.key)
 
 
-_KINDS = ("formula", "team", "start", "capacity", "swarm")
+_KINDS = ("formula", "team", "start", "waiting", "capacity", "swarm")

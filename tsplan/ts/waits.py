@@ -1,0 +1,59 @@
+"""Waiting: an edge from a state to itself. Where there is none, agents have to move on at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from math import inf
+from typing import TypeAlias
+
+from tsplan.ts.parts import Edge
+from tsplan.ts.system import TransitionSystem
+
+Moves: TypeAlias = Iterable[tuple[Edge, int]]
+"""Edges that agents may use, each with its duration."""
+
+
+def without_wait(system: TransitionSystem) -> tuple[str, ...]:
+    """The states at which nobody can wait, in the order of the map."""
+    return tuple(name for name in system.states if (name, name) not in system.edges)
+
+
+def with_waits(system: TransitionSystem, names: Iterable[str]) -> TransitionSystem:
+    """The map with waits of one step at some states that have none."""
+    edges = [*system.edges.values(), *(Edge(name, name) for name in names)]
+    return TransitionSystem.build(system.states.values(), edges, system.name)
+
+
+def longest_ways(moves: Moves) -> Mapping[str, tuple[float, str]]:
+    """For every state that an edge leaves, how long an agent can move on from it, and to where.
+
+    That is infinite for a state with a way into a circle (a wait is one); the state where the
+    longest way ends is only told for others. States that are not listed are ends themselves.
+
+    >>> from tsplan.ts import Edge
+    >>> longest_ways([(Edge("p", "q"), 1), (Edge("q", "r"), 2), (Edge("q", "s"), 1)])["p"]
+    (3, 'r')
+    """
+    import networkx as nx  # noqa: PLC0415 - slow to import
+
+    leaving: dict[str, list[tuple[str, int]]] = {}
+    for edge, duration in moves:
+        leaving.setdefault(edge.source, []).append((edge.target, duration))
+    graph = nx.DiGraph((source, target) for source in leaving for target, _ in leaving[source])
+    found: dict[str, tuple[float, str]] = {}
+    for part in nx.strongly_connected_components(graph):  # what a part leads to comes before it
+        for state in part:
+            circle = len(part) > 1 or graph.has_edge(state, state)
+            found[state] = (inf, "") if circle else max(_continued(found, leaving, state))
+    return {state: found[state] for state in leaving}
+
+
+def _continued(
+    found: Mapping[str, tuple[float, str]], leaving: Mapping[str, list[tuple[str, int]]], state: str
+) -> Iterator[tuple[float, str]]:
+    """What the ways from a state come to, by its first edge; nothing to go on by ends here."""
+    if state not in leaving:
+        yield 0, state
+    for target, duration in leaving.get(state, ()):
+        length, end = found[target]
+        yield duration + length, end
