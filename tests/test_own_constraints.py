@@ -13,7 +13,9 @@ import pytest
 import tsplan
 from tests.test_brute_force import Path, paths, within_capacity
 from tsplan.encode.expressions import Constraint, Expression
-from tsplan.errors import InputError, MissionError
+from tsplan.errors import InputError, MissionError, SolverError
+from tsplan.events import Incumbent
+from tsplan.exact import digits
 from tsplan.mission import Group
 from tsplan.results import AgentPlan, MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
@@ -179,6 +181,35 @@ def test_a_range_is_kept(problem) -> None:
     assert plan.counts("see", states=["end"])[0, 4] == 2
 
 
+def test_what_is_maximised_is_told_in_its_own_sense(problem) -> None:
+    problem.maximise(2.5 * problem.count("end", step=4) - 1)
+    problem.maximise(problem.count("end", step=3))
+    assert tsplan.plan(problem).notes == ("own objective, maximised: 9.5 (bound 9.5)",)
+    told = []
+    tsplan.plan(problem, on_event=told.append)
+    assert {
+        item.objective for item in told if isinstance(item, Incumbent) and item.stage == "own"
+    } == {9.5}
+
+
+def test_a_difference_of_two_senses_is_minimised(problem) -> None:
+    problem.maximise(problem.count("end", step=4))
+    problem.minimise(3 * problem.count("way", step=2) + 0.5)
+    assert tsplan.plan(problem).notes == ("own objective -2.5 (bound -2.5)",)
+
+
+def test_values_of_floats_that_cannot_be_told_apart_say_so(problem) -> None:
+    problem.maximise(np.pi * problem.count("end", step=4) + np.e * problem.count("way", step=4))
+    assert "own is told apart to 1e-06 of its size" in tsplan.plan(problem).notes
+
+
+def test_a_plan_that_breaks_an_own_constraint_is_refused(problem, monkeypatch) -> None:
+    problem.add(problem.count("end", step=4) >= 1, "somebody there")
+    monkeypatch.setattr("tsplan.encode.build.constraint_rows", lambda *_: None)
+    with pytest.raises(SolverError, match=r"'somebody there' asks for count\('end', step=4\) >= 1"):
+        tsplan.plan(problem)
+
+
 # --- against brute force ----------------------------------------------------------------------
 
 RELATIONS = {
@@ -226,9 +257,9 @@ def agrees(seed: int) -> None:
     ]
     for terms, relation, value in demands:
         problem.add(RELATIONS[relation](built(terms), value))
-    own = some([1, 2, 3, 0.5]) if random.random() < 0.5 else []
-    if own:
-        problem.maximise(built(own))
+    own = some() if random.random() < 0.5 else []
+    if own and built(own).terms:
+        problem.maximise(built(own) + 7)
     ways = [paths(chosen, agent) for agent in chosen.agents]
     allowed = [
         joint
@@ -242,6 +273,8 @@ def agrees(seed: int) -> None:
         return
     assert plan.status == "optimal", seed
     best = max(worth(own, joint) for joint in allowed)
+    if own and built(own).terms:
+        assert plan.notes[0].startswith(f"own objective, maximised: {digits(best + 7)} "), seed
     travel = min(sum(p.travel for p in joint) for joint in allowed if worth(own, joint) == best)
     assert plan.objective[0].value == travel, seed
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from tsplan.encode.clock import Clock
+from tsplan.encode.constraints import worth
 from tsplan.encode.effort import Effort
 from tsplan.encode.problem import Problem, Tuning
 from tsplan.encode.readout import class_flow, moves_of
-from tsplan.encode.stages import Point
-from tsplan.errors import Finding, MissionError
+from tsplan.encode.stages import Point, Reached
+from tsplan.errors import Finding, MissionError, SolverError
+from tsplan.exact import digits
 from tsplan.mission import Mission
 from tsplan.results import AgentPlan, Plan, decompose
-from tsplan.running import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
+from tsplan.running import Listener, Result, Run, Settings, Tell, Ways, claimed_depths, known
 
 
 def plan(
@@ -54,6 +58,7 @@ class TeamRun(Run[Point]):
     def __init__(self, problem: Problem, settings: Settings, listener: Listener | None) -> None:
         super().__init__(problem.mission, settings, listener)
         self._problem = problem
+        self._reached: dict[str, Reached] = {}
 
     def prepare(self) -> None:
         """Sort the team into classes and reduce their maps."""
@@ -62,6 +67,7 @@ class TeamRun(Run[Point]):
     def search(self, effort: Effort, clock: Clock, tell: Tell[Point]) -> Result[Point]:
         """Run all objectives of the problem."""
         outcome = self._problem.solve(effort, clock, tell)
+        self._reached = {item.name: item for item in outcome.reached}
         return Result(
             outcome.point,
             outcome.reached,
@@ -82,6 +88,24 @@ class TeamRun(Run[Point]):
             made = decompose(flow, setting.horizon, self._settings.seed)
             paths.update((agent.id, agent) for agent in made)
         return Ways(agents=tuple(paths[agent.id] for agent in self._mission.agents))
+
+    def _certified(self, made: Plan) -> Plan:
+        """The plan after the check of the mission and of the user's own constraints."""
+        plan = super()._certified(made)
+        if not plan.has_paths:
+            return plan
+        if broken := self._problem.broken(plan):
+            raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
+        own = self._problem.own
+        if not own.expression.terms:
+            return plan
+        value = own.expression.constant + worth(
+            own.expression.terms, plan, self._problem.mission.system
+        )
+        bound = known(self._reached["own"].bound) if "own" in self._reached else None
+        what = "own objective, maximised:" if own.maximised else "own objective"
+        note = f"{what} {digits(value)} (bound {'open' if bound is None else digits(bound)})"
+        return replace(plan, notes=(note, *plan.notes))
 
 
 def _refuse_tuning(tuning: Tuning) -> None:

@@ -17,7 +17,6 @@ from tsplan.encode.clock import Clock
 from tsplan.encode.effort import Effort
 from tsplan.encode.stages import Reached
 from tsplan.events import Bound, Event, Incumbent, Stage
-from tsplan.exact import digits
 from tsplan.limits import refuse_options
 from tsplan.milp.solution import StoppedBy as Stopped
 from tsplan.milp.solver import solver as solver_named
@@ -209,7 +208,7 @@ class Run(ABC, Generic[FoundT]):
             horizon=mission.horizon,
             objective=tuple(item for item in reached if item.name != "own"),
             satisfaction=result.satisfaction,
-            notes=(*(_own(item) for item in result.reached if item.name == "own"), *result.notes),
+            notes=result.notes,
             solver=used,
             size=ModelSize(
                 *result.size, states=len(mission.system.states), edges=len(mission.system.edges)
@@ -229,15 +228,6 @@ class Run(ABC, Generic[FoundT]):
 def known(value: float | None) -> float | None:
     """A number that can be told: what is infinite or undefined is not known, and -0.0 is 0."""
     return value + 0.0 if value is not None and math.isfinite(value) else None
-
-
-def _own(item: Reached) -> str:
-    """A user's own objective in words: the check cannot know what it means."""
-    value, bound = (
-        "open" if number is None else digits(number)
-        for number in (known(item.value), known(item.bound))
-    )
-    return f"own objective {value} (bound {bound})"
 
 
 def claimed_depths(mission: Mission, levels: Iterable[Reached]) -> Satisfaction | None:

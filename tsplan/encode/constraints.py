@@ -14,11 +14,13 @@ from tsplan.encode.classes import MapArrays
 from tsplan.encode.expressions import Constraint, CountTerm
 from tsplan.encode.network import Network
 from tsplan.errors import Finding, MissionError
-from tsplan.milp.model import INFINITY, Draft, Floats, Ints
+from tsplan.milp.model import INFINITY, Draft, Ints
+from tsplan.results.occupancy import counted
 from tsplan.ts import TransitionSystem
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
+    from tsplan.results.plan import Plan
 
 MOST_TOTAL = 10**15
 """What the terms of a constraint may sum to at most: solvers compute with 53 bits, and take larger
@@ -113,8 +115,7 @@ def constraint_rows(
             continue
         parts, constant = [], 0
         for term, factor in constraint.terms:
-            states = states_of(term, system, arrays)
-            columns, fixed = network.present(states, term.capability, term.step)
+            columns, fixed = resolve(term, system, arrays, network)
             parts.append(_Part(columns, factor, network.agents(term.capability)))
             constant += factor * fixed
         lower, upper = constraint.lower, constraint.upper
@@ -165,17 +166,28 @@ def _at_most(parts: Sequence[_Part], bound: int, draft: Draft, kind: str) -> Non
 
 
 def resolve(
-    terms: Iterable[tuple[CountTerm, Fraction | int]],
-    system: TransitionSystem,
-    arrays: MapArrays,
-    network: Network,
-) -> tuple[Ints, Floats, float]:
-    """Flow columns, coefficients and constant of a linear expression over counts."""
-    columns, values, constant = [np.empty(0, dtype=np.int64)], [np.empty(0)], Fraction(0)
-    for term, factor in terms:
-        states = states_of(term, system, arrays)
-        found, fixed = network.present(states, term.capability, term.step)
-        columns.append(found)
-        values.append(np.full(len(found), float(factor)))
-        constant += factor * fixed
-    return np.concatenate(columns), np.concatenate(values), float(constant)
+    term: CountTerm, system: TransitionSystem, arrays: MapArrays, network: Network
+) -> tuple[Ints, int]:
+    """Flow columns whose sum, with the returned constant, is a count."""
+    return network.present(states_of(term, system, arrays), term.capability, term.step)
+
+
+def worth(
+    terms: Iterable[tuple[CountTerm, Fraction | int]], plan: Plan, system: TransitionSystem
+) -> Fraction:
+    """What terms sum to in a plan, by the paths of its agents."""
+    given = list(terms)
+    found = Fraction(0)
+    for capability in {term.capability for term, _ in given}:
+        some = [(term, factor) for term, factor in given if term.capability == capability]
+        places = {
+            term.place: (term.place,) if term.place in system.states else system.labels[term.place]
+            for term, _ in some
+        }
+        states = tuple({state for those in places.values() for state in those})
+        row = {state: number for number, state in enumerate(states)}
+        counts = counted(plan, states, capability)
+        for term, factor in some:
+            rows = [row[state] for state in places[term.place]]
+            found += factor * int(counts[rows, term.step].sum())
+    return found

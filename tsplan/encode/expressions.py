@@ -8,14 +8,15 @@ written.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
-from math import ceil, floor, gcd, lcm, log10
+from math import ceil, floor, log10
 from typing import Any, ClassVar, NoReturn, TypeAlias
 
 from tsplan.asked import finite
 from tsplan.errors import Finding, MissionError
+from tsplan.exact import common_unit
 
 _LONGEST = 40  # digits that are shown
 
@@ -185,9 +186,7 @@ class Constraint:
         strict: bool = False,
     ) -> Constraint:
         """`lower <= expression <= upper` (strictly: `<`) with the least whole coefficients."""
-        used = expression.terms
-        scale = Fraction(lcm(*(factor.denominator for _, factor in used)))
-        scale /= gcd(*(int(factor * scale) for _, factor in used)) or 1
+        scale = 1 / common_unit(factor for _, factor in expression.terms)
 
         def bound(value: Number | None) -> Fraction | None:
             return None if value is None else (Fraction(value) - expression.constant) * scale
@@ -195,7 +194,14 @@ class Constraint:
         low, high = bound(lower), bound(upper)
         least = None if low is None else floor(low) + 1 if strict else ceil(low)
         most = None if high is None else ceil(high) - 1 if strict else floor(high)
-        return Constraint(tuple((t, int(factor * scale)) for t, factor in used), least, most)
+        return Constraint(
+            tuple((t, int(factor * scale)) for t, factor in expression.terms), least, most
+        )
+
+    def holds(self, total: Fraction | int) -> bool:
+        """Whether the terms may sum to this."""
+        low = self.lower is None or self.lower <= total
+        return low and (self.upper is None or total <= self.upper)
 
     def _no_truth(self, _other: object = None) -> NoReturn:
         _refused(
@@ -235,3 +241,15 @@ def _text(value: Fraction | int) -> str:
         return str(number) if digits <= _LONGEST else f"a number of about {digits} digits"
     decimal = str(float(number))
     return decimal if Fraction(decimal) == number else str(number)
+
+
+@dataclass(frozen=True, slots=True)
+class Own:
+    """A user's own objective, in its own sense; without terms there is none."""
+
+    expression: Expression = field(default_factory=Expression)
+    maximised: bool = False
+
+
+NO_OWN = Own()
+"""No objective of the user's own."""

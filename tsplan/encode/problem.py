@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from reprlib import repr as clipped
-from typing import Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from tsplan.encode.build import Encoded, Setting, prepare, reference, tight
 from tsplan.encode.clock import Clock
-from tsplan.encode.constraints import checked_term, checked_terms, within_reach
+from tsplan.encode.constraints import checked_term, checked_terms, within_reach, worth
 from tsplan.encode.effort import Effort
-from tsplan.encode.expressions import Constraint, CountTerm, Expression
+from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.ideas import ALL_IDEAS, Idea
 from tsplan.encode.partial.planning import is_soft, plan_soft, prepare_soft
 from tsplan.encode.readout import Measure
@@ -21,6 +21,9 @@ from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
+
+if TYPE_CHECKING:
+    from tsplan.results.plan import Plan
 
 Encoding: TypeAlias = Literal["tight", "reference"]
 
@@ -137,6 +140,22 @@ class Problem:
         self._setting = None
 
     @property
+    def own(self) -> Own:
+        """The objective that `minimise` and `maximise` have made, in its own sense."""
+        maximised = self._maximised
+        return Own(-self._objective if maximised else self._objective, maximised)
+
+    def broken(self, plan: Plan) -> tuple[str, ...]:
+        """The own constraints that a plan does not keep, in words; told by the agents' paths."""
+        system = self.mission.system
+        sums = [(item, worth(item.terms, plan, system)) for item in self._constraints]
+        return tuple(
+            f"'{item.name}' asks for {item}, and it comes to {total}"
+            for item, total in sums
+            if not item.holds(total)
+        )
+
+    @property
     def setting(self) -> Setting:
         """The team in classes, on reduced maps; made when first needed."""
         if self._setting is None:
@@ -179,7 +198,7 @@ class Problem:
             measure=Measure(self.setting),
             tell=tell,
             objective=objective,
-            own=self._objective.terms,
+            own=self.own,
             tight=self.tuning.encoding == "tight",
         )
         return plan_soft(stages) if is_soft(self.mission) else stages.run()

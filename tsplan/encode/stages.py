@@ -24,14 +24,13 @@ from tsplan.encode.chains import chain_model, first_flows
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import resolve
 from tsplan.encode.effort import Effort
-from tsplan.encode.expressions import Terms
+from tsplan.encode.expressions import NO_OWN, Own
 from tsplan.encode.ideas import Idea
 from tsplan.encode.network import unroll
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.search import Found, Search
-from tsplan.encode.target import Target
+from tsplan.encode.target import CLOSED, Target
 from tsplan.errors import SolverError
-from tsplan.exact import exact
 from tsplan.milp.model import Draft, Floats
 from tsplan.milp.solution import StoppedBy
 
@@ -92,7 +91,7 @@ class Stages:
     measure: Callable[[Point, str], float]
     tell: Callable[[str, Point | None, float | None, float | None], None]
     objective: tuple[str, ...]
-    own: Terms = ()
+    own: Own = NO_OWN
     tight: bool = True
     known: Floats | None = None  # flows of a plan that is known
     _point: Point | None = field(default=None, init=False)
@@ -164,6 +163,8 @@ class Stages:
         point = self._point
         assert point is not None
         target = self._target(point.encoded, name)
+        if not target.step:
+            self._notes.append(f"{name} is told apart to {CLOSED:.0e} of its size")
         value = target.value(point.values)
         self._kept = replace(self._kept, rows=(*self._kept.rows, (name, value)))
         self._stopped = self._stopped or found.stopped_by
@@ -191,14 +192,16 @@ class Stages:
         """A user's own sum, counted in whole units where its coefficients allow it."""
         system, arrays = self.setting.mission.system, self.setting.arrays
         terms: dict[int, Fraction] = {}
-        constant = Fraction(0)
-        for term, factor in self.own:
-            columns, _, fixed = resolve([(term, 1.0)], system, arrays, encoded.network)
-            constant += exact(factor) * exact(fixed)
+        constant = self.own.expression.constant
+        for term, factor in self.own.expression.terms:
+            columns, fixed = resolve(term, system, arrays, encoded.network)
+            constant += factor * fixed
             for column in columns.tolist():
-                terms[column] = terms.get(column, Fraction(0)) + exact(factor)
+                terms[column] = terms.get(column, Fraction(0)) + factor
         most = self.setting.mission.size
-        return Target.of(terms, encoded.model.size.columns, constant, most=most)
+        maximise = self.own.maximised
+        count = encoded.model.size.columns
+        return Target.of(terms, count, constant, most=most, maximise=maximise)
 
     # --- levels ------------------------------------------------------------------------------
 

@@ -26,7 +26,8 @@ _HALF = 0.5
 # (HiGHS' feasibility tolerances): measured errors stay below these two, absolute and relative.
 _ABSOLUTE, _RELATIVE = 1e-5, 1e-9
 _MARGIN = 1e-4  # by which a cutoff lies above the values of interest
-_CLOSED = 1e-6  # relative distance of two values of a sum of floats that count as equal
+CLOSED = 1e-6
+"""Relative distance of two values of a sum of floats that count as equal."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +126,7 @@ class Target:
 
     def _slack(self, value: float) -> float:
         """Less than this is no difference: half a step, or what floats are not told apart by."""
-        return _HALF if self.step else _CLOSED * max(1.0, abs(value))
+        return _HALF if self.step else CLOSED * max(1.0, abs(value))
 
     @cached_property
     def _largest(self) -> float:
