@@ -82,7 +82,15 @@ def test_an_explanation_is_printed(folder, capsys):
 def valid(text: str) -> dict:
     """The document, after a look at each of its fields."""
     data = json.loads(text)
-    assert list(data) == ["format", "status", "facts", "conflicts", "changes", "timings"]
+    assert list(data) == [
+        "format",
+        "status",
+        "facts",
+        "conflicts",
+        "changes",
+        "cut_short",
+        "timings",
+    ]
     assert data["format"] == "tsplan-explanation/1"
     assert data["status"] in ("explained", "feasible", "no_answer")
     kinds = KINDS["tight" if data["status"] == "feasible" else "fact"]

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from types import FrameType
-from typing import Generic, TypedDict, TypeVar
+from typing import Any, Generic, TypedDict, TypeVar
 
 from tsplan.encode.clock import Clock
 from tsplan.encode.effort import Effort
@@ -241,6 +241,21 @@ def claimed_depths(mission: Mission, levels: Iterable[Reached]) -> Satisfaction 
     return Satisfaction(mission.satisfaction, depths=tuple(depths))
 
 
+@dataclass(eq=False, slots=True)
+class _Asked:
+    """What the first Ctrl-C does: ask a run to stop, and every run that this one is a part of."""
+
+    stop: Callable[[], None]
+    former: Any
+
+    def __call__(self, number: int, frame: FrameType | None) -> None:
+        """Hear Ctrl-C; the next one is for whoever heard it before."""
+        self.stop()
+        signal.signal(signal.SIGINT, self.former)
+        if isinstance(self.former, _Asked):
+            self.former(number, frame)
+
+
 @contextmanager
 def on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
     """Ctrl-C asks the search to stop and keep its best plan; a second one interrupts for good."""
@@ -248,13 +263,10 @@ def on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
         yield
         return
     former = signal.getsignal(signal.SIGINT)
-
-    def first(_number: int, _frame: FrameType | None) -> None:
-        stop()
-        signal.signal(signal.SIGINT, former)
-
-    signal.signal(signal.SIGINT, first)
+    asked = _Asked(stop, former)
+    signal.signal(signal.SIGINT, asked)
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, former)
+        if signal.getsignal(signal.SIGINT) is asked:  # a second one is still for the one before
+            signal.signal(signal.SIGINT, former)

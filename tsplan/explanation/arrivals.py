@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
@@ -26,9 +27,13 @@ class Arrival(NamedTuple):
 
 @dataclass(frozen=True)
 class Arrivals:
-    """Earliest arrivals on the map of one mission; what is computed is kept."""
+    """Earliest arrivals on the map of one mission; what is computed is kept.
+
+    `pause` is called before what takes long, and raises where the work is to end.
+    """
 
     mission: Mission
+    pause: Callable[[], None] = lambda: None
     _known: dict[tuple[str, frozenset[str], str], npt.NDArray[np.float64]] = field(
         default_factory=dict
     )
@@ -57,6 +62,7 @@ class Arrivals:
         """Fewest steps from a state to every state, for robots like those of a group."""
         key = (group.class_name, group.capabilities, start)
         if key not in self._known:
+            self.pause()
             self._known[key] = shortest_durations(
                 self.mission.system,
                 [start],

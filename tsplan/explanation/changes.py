@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import MissionError
 from tsplan.explanation.data import Change, ChangeKind, Element
-from tsplan.explanation.facts import View, find_facts
+from tsplan.explanation.facts import View, facts_of
+from tsplan.explanation.oracle import EnoughError
 from tsplan.explanation.relaxing import relaxed
 
 if TYPE_CHECKING:
@@ -102,11 +103,12 @@ class Repairs:
     def _hopeless(self, candidate: Candidate) -> bool:
         """Whether even the largest change would leave a fact, or the rest is impossible anyway."""
         dimension = candidate.dimension
+        self.oracle.pause()
         try:
             changed = applied(self.oracle.mission, [(dimension, dimension.most)])
         except MissionError:
             changed = None  # a smaller change may fit
-        if changed is not None and find_facts(View.of(changed)):
+        if changed is not None and self._factual(changed):
             return True
         return bool(candidate.within) and self.oracle.without(candidate.within) is False
 
@@ -135,7 +137,7 @@ class Repairs:
     @property
     def _exhausted(self) -> bool:
         spent = self.oracle.solves >= self._last or self.oracle.seconds >= self._until
-        return spent or self.oracle.over
+        return spent or self.oracle.refuses()
 
     def made(self, steps: Sequence[tuple[Dimension, int]]) -> Change:
         """The change by some steps; it is proven if no step can be shorter beside the others."""
@@ -165,26 +167,34 @@ class Repairs:
         return None
 
     def possible(self, amounts: Sequence[tuple[Dimension, int]]) -> bool | None:
-        """Whether the mission can be met after several changes."""
+        """Whether the mission can be met after several changes; None where it is not found out."""
         key = tuple(item for item in amounts if item[1])
         if key not in self._answers:
-            self._answers[key] = self._asked(key)
+            try:
+                self._answers[key] = self._asked(key)
+            except EnoughError:
+                return None
         return self._answers[key]
 
     def _asked(self, amounts: Sequence[tuple[Dimension, int]]) -> bool | None:
         if not amounts:
             return False  # it is known that the mission as it is cannot be met
+        self.oracle.pause()
         try:
             changed = applied(self.oracle.mission, amounts)
         except MissionError:
             return False  # for example more robots at a state than it holds
-        if find_facts(View.of(changed)):
+        if self._factual(changed):
             return False
         for core in self.cores:
             others = [item for item in self.everything - core if item.kind == "formula"]
             if self.oracle.asked(relaxed(changed, others)) is False:
                 return False
         return self.oracle.met(changed)
+
+    def _factual(self, changed: Mission) -> bool:
+        """Whether a fact forbids every plan of a changed mission."""
+        return next(facts_of(View.of(changed, self.oracle.pause)), None) is not None
 
     def _change(self, amounts: Sequence[tuple[Dimension, int]], *, proven: bool) -> Change:
         mission = self.oracle.mission

@@ -55,7 +55,7 @@ class Finder:
         cores, found = [core], 0
         tried: set[Set] = set()
         open_: list[Set] = [frozenset()]
-        while open_ and found < most and not self.oracle.over:
+        while open_ and found < most and not self.oracle.refuses():
             hit = open_.pop(0)
             for known in cores:
                 if not known.elements & hit:
@@ -97,6 +97,9 @@ class Finder:
         if grown and self._impossible(background):
             return []
         if len(parts) == 1:
+            return parts
+        if self.oracle.refuses():  # nothing more is known of any of them
+            self._sure = False
             return parts
         half = (len(parts) + 1) // 2
         early, late = parts[:half], parts[half:]

@@ -24,6 +24,12 @@ ChangeKind: TypeAlias = Literal[
 ]
 
 
+Cut: TypeAlias = Literal["interrupt", "time_limit", "memory", "precision", "patience"]
+"""Why something was not looked at to its end: the run was interrupted, its time was up, the
+system's memory was, a solver's precision did not do, or one question took longer than its share of
+the time."""
+
+
 class Status(StrEnum):
     """What is known about the mission."""
 
@@ -109,7 +115,11 @@ class Change:
 
 @dataclass(frozen=True)
 class Explanation:
-    """Why a mission cannot be met and what would help; for one that can, what is tight."""
+    """Why a mission cannot be met and what would help; for one that can, what is tight.
+
+    `cut` says which stages (`facts`, `conflicts`, `changes`, `tight`, `slack`) were cut short, and
+    why: there may be more than they found.
+    """
 
     status: Status
     name: str
@@ -117,6 +127,7 @@ class Explanation:
     conflicts: tuple[Conflict, ...] = ()
     changes: tuple[Change, ...] = ()
     timings: Mapping[str, float] = field(default_factory=dict)
+    cut: Mapping[str, Cut] = field(default_factory=dict)
 
     def to_json(self) -> str:
         """The explanation as a `tsplan-explanation/1` document."""

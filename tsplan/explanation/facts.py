@@ -32,16 +32,20 @@ MOST_DEMANDS = 200
 
 @dataclass(frozen=True)
 class View:
-    """One mission as the finders see it."""
+    """One mission as the finders see it.
+
+    `pause` is called between parts of the work, and raises where that is to end.
+    """
 
     mission: Mission
     wording: Wording
     arrivals: Arrivals
+    pause: Callable[[], None]
 
     @classmethod
-    def of(cls, mission: Mission) -> View:
+    def of(cls, mission: Mission, pause: Callable[[], None] = lambda: None) -> View:
         """The view of a mission."""
-        return cls(mission, Wording(mission), Arrivals(mission))
+        return cls(mission, Wording(mission), Arrivals(mission, pause), pause)
 
     @cached_property
     def all_demands(self) -> tuple[Demand, ...]:
@@ -102,6 +106,11 @@ Finder = Callable[[View], Iterator[Fact]]
 
 def find_facts(view: View) -> tuple[Fact, ...]:
     """All facts that forbid every plan, those of the simplest kinds first."""
+    return tuple(facts_of(view))
+
+
+def facts_of(view: View) -> Iterator[Fact]:
+    """The same one by one, as they are found."""
     from tsplan.explanation.meetings import contradictions, crowding, room  # noqa: PLC0415
     from tsplan.explanation.scarcity import scarcity  # noqa: PLC0415  (all import this module)
     from tsplan.explanation.swarms import divided  # noqa: PLC0415
@@ -117,18 +126,21 @@ def find_facts(view: View) -> tuple[Fact, ...]:
         contradictions,
         room,
     )
-    found: dict[tuple[str, str], Fact] = {}
+    known: set[tuple[str, str]] = set()
     for finder in finders:
+        view.pause()
         for fact in finder(view):
-            found.setdefault((fact.kind, fact.text), fact)
-            if len(found) >= MOST_FACTS:
-                return tuple(found.values())
-    return tuple(found.values())
+            if (fact.kind, fact.text) not in known:
+                known.add((fact.kind, fact.text))
+                yield fact
+            if len(known) >= MOST_FACTS:
+                return
 
 
 def unreachable(view: View) -> Iterator[Fact]:
     """Places that too few robots with the capability can reach before it is too late."""
     for need in view.needs:
+        view.pause()
         if view.mission.having(need.capability) < need.amount:
             continue  # too few wherever they are: that is scarcity
         late = [

@@ -21,6 +21,7 @@ def crowding(view: View) -> Iterator[Fact]:
     """Needs beyond the capacity of the state where they must be met."""
     states = view.mission.system.states
     for need in view.needs:
+        view.pause()
         room = {name: states[name].capacity for name in need.states}
         bounded = {name: most for name, most in room.items() if most is not None}
         if need.reach == "each":
@@ -42,6 +43,7 @@ def crowding(view: View) -> Iterator[Fact]:
 def contradictions(view: View) -> Iterator[Fact]:
     """Needs that a limit forbids at every step at which they may begin."""
     for need, limits in _opposed(view):
+        view.pause()
         free = _free_steps(need, limits, need.span.first)
         if free is None:
             limit = limits[0]
@@ -63,6 +65,7 @@ def _opposed(view: View) -> Iterator[tuple[Demand, list[Demand]]]:
     """Needs with the limits that forbid them and whose steps are known."""
     limits = [limit for limit in view.limits if limit.span.fixed]
     for need in view.needs[:MOST_DEMANDS]:
+        view.pause()
         against = [limit for limit in limits if _forbids(limit, need)]
         if against:
             yield need, against
@@ -98,6 +101,7 @@ def room(view: View) -> Iterator[Fact]:
     """Two tasks that need the same robots, with too little time to see to both."""
     needs = [need for need in view.needs[:MOST_DEMANDS] if need.span.last < inf]
     for one, two in combinations(needs, 2):
+        view.pause()
         if one.capability != two.capability or set(one.states) & set(two.states):
             continue
         if one.total + two.total <= view.mission.having(one.capability):

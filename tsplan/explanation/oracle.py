@@ -7,11 +7,11 @@ without, so many questions need no solve.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.data import Element
+from tsplan.explanation.data import Cut, Element
 from tsplan.explanation.relaxing import any_plan, relaxed
 from tsplan.planner import plan
 from tsplan.results import Status, StoppedBy
@@ -20,35 +20,56 @@ if TYPE_CHECKING:
     from tsplan.encode.clock import Clock
     from tsplan.encode.problem import Problem
     from tsplan.mission import Mission
+    from tsplan.results import Plan
 
 Answer = bool | None
 """True: there is a verified plan. False: it is proven that there is none. None: not known."""
 
+_CUTS: dict[StoppedBy, Cut] = {
+    StoppedBy.MEMORY: "memory",
+    StoppedBy.PRECISION: "precision",
+}
 _LEAST = 0.05  # seconds that a question gets at least
+
+
+class EnoughError(Exception):
+    """The time is up, or the run was asked to stop, in the midst of work without questions."""
 
 
 @dataclass(eq=False)
 class Oracle:
-    """Asks the planner about a mission and its relatives until the clock is over."""
+    """Asks the planner about a mission and its relatives until the clock is over.
+
+    `stop` tells the run that a question was interrupted. `unanswered` has why questions got no
+    answer; oracles about changed missions share it.
+    """
 
     mission: Mission
     clock: Clock
     solver: str | None = None
     patience: float | None = None  # seconds for one question
+    stop: Callable[[], None] = lambda: None
+    unanswered: set[Cut] = field(default_factory=set)
     solves: int = field(default=0, init=False)
     seconds: float = field(default=0.0, init=False)
-    interrupted: bool = field(default=False, init=False)
     _met: list[frozenset[Element]] = field(default_factory=list, init=False)
     _unmet: list[frozenset[Element]] = field(default_factory=list, init=False)
 
-    @property
-    def over(self) -> bool:
-        """Whether no more questions are answered."""
-        return self.interrupted or self.clock.over
+    def refuses(self) -> bool:
+        """Whether no more questions are answered; why is noted in `unanswered`."""
+        stopped = self.clock.stopped_by
+        if stopped is not None:
+            self.unanswered.add("interrupt" if stopped.value == "interrupt" else "time_limit")
+        return stopped is not None
 
-    def stop(self) -> None:
-        """Answer no more questions."""
-        self.interrupted = True
+    def pause(self) -> None:
+        """Raise EnoughError where no more questions are answered: called between parts of work."""
+        if self.refuses():
+            raise EnoughError
+
+    def about(self, mission: Mission) -> Oracle:
+        """An oracle about another mission, with the same time."""
+        return Oracle(mission, self.clock, self.solver, self.patience, self.stop, self.unanswered)
 
     def without(self, dropped: Iterable[Element]) -> Answer:
         """Whether the mission without some of its elements can be met."""
@@ -57,6 +78,8 @@ class Oracle:
             return True
         if any(gone <= known for known in self._unmet):
             return False
+        if self.refuses():
+            return None
         answer = self.asked(relaxed(self.mission, gone))
         if answer is not None:
             (self._met if answer else self._unmet).append(gone)
@@ -72,16 +95,23 @@ class Oracle:
 
     def asked(self, problem: Mission | Problem) -> Answer:
         """One question to the planner."""
-        if self.over:
+        found = self.planned(problem, self.patience)
+        if found is None:
+            return None
+        return True if found.has_paths else False if found.status is Status.INFEASIBLE else None
+
+    def planned(self, problem: Mission | Problem, patience: float | None) -> Plan | None:
+        """What the planner finds in some seconds at most; None where there is no time left."""
+        if self.refuses():
             return None
         began = time.perf_counter()
-        limits = [item for item in (self.clock.left, self.patience) if item is not None]
+        limits = [item for item in (self.clock.left, patience) if item is not None]
         limit = max(min(limits), _LEAST) if limits else None
         found = plan(problem, time_limit=limit, solver=self.solver)
         self.solves += 1
         self.seconds += time.perf_counter() - began
         if found.stopped_by is StoppedBy.INTERRUPT:
             self.stop()
-        if found.has_paths:
-            return True
-        return False if found.status is Status.INFEASIBLE else None
+        if found.stopped_by is not None and not self.refuses():
+            self.unanswered.add(_CUTS.get(found.stopped_by, "patience"))
+        return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.data import Conflict, Explanation, Fact, Part, Status
+from tsplan.explanation.data import Conflict, Cut, Explanation, Fact, Part, Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -18,7 +18,21 @@ if TYPE_CHECKING:
 _OUTCOME = {
     Status.EXPLAINED: "there is no plan",
     Status.FEASIBLE: "there is a plan",
-    Status.NO_ANSWER: "whether there is a plan stays open; try a longer time limit",
+    Status.NO_ANSWER: "whether there is a plan stays open",
+}
+_REASONS: dict[Cut, str] = {
+    "interrupt": "it was interrupted",
+    "time_limit": "the time was up",
+    "memory": "memory was short",
+    "precision": "the solver was not precise enough",
+    "patience": "some questions took too long",
+}
+_STAGES = {
+    "facts": "there may be more facts",
+    "conflicts": "there may be other conflicts, or smaller ones",
+    "changes": "there may be more changes, or smaller ones",
+    "tight": "more may be tight",
+    "slack": "there may be more slack",
 }
 
 
@@ -32,12 +46,28 @@ def print_explanation(explanation: Explanation, mission: Mission, console: Conso
             console.print(_changes(explanation), highlight=False, markup=False)
         for line in text.get().splitlines():
             console.out(line.rstrip(), highlight=False)
+    for line in _shortened(explanation):
+        console.out(f"\n{line}", highlight=False)
     console.out(f"\n  {explanation.timings.get('total', 0.0):.2f} s", highlight=False)
+
+
+def _shortened(explanation: Explanation) -> Iterator[str]:
+    """What was cut short, and why, a line for each reason."""
+    if explanation.status is Status.NO_ANSWER:
+        return  # the outcome says so
+    for reason, words in _REASONS.items():
+        found = [_STAGES[stage] for stage, why in explanation.cut.items() if why == reason]
+        if found:
+            yield f"{words}: {'; '.join(found)}"
 
 
 def lines_of(explanation: Explanation, mission: Mission, width: int) -> Iterator[str]:
     """Outcome, facts and conflicts, line by line; sentences are folded to a width."""
-    yield f"{explanation.name or 'mission'}: {_OUTCOME[explanation.status]}"
+    outcome = _OUTCOME[explanation.status]
+    if explanation.status is Status.NO_ANSWER:
+        interrupted = "interrupt" in explanation.cut.values()
+        outcome += "; it was interrupted" if interrupted else "; try a longer time limit"
+    yield f"{explanation.name or 'mission'}: {outcome}"
     if mission.partial and explanation.status is Status.EXPLAINED:
         yield "  by which all of it holds; `tsplan plan` does as much of it as can be done"
     if explanation.facts:
@@ -47,17 +77,18 @@ def lines_of(explanation: Explanation, mission: Mission, width: int) -> Iterator
             yield from _folded(fact, width)
     source = _Source(mission)
     for number, conflict in enumerate(explanation.conflicts, start=1):
-        yield f"\n{_title(conflict, number, len(explanation.conflicts))}"
+        yield f"\n{_title(conflict, number, explanation)}"
         yield from source.marked([part for part in conflict.parts if part.kind == "formula"])
         for part in conflict.parts:
             if part.kind != "formula":
                 yield from _folded(part, width)
 
 
-def _title(conflict: Conflict, number: int, count: int) -> str:
-    which = f"conflict {number}" if count > 1 else "conflict"
+def _title(conflict: Conflict, number: int, explanation: Explanation) -> str:
+    which = f"conflict {number}" if len(explanation.conflicts) > 1 else "conflict"
     if not conflict.minimal:
-        return f"{which}: these cannot hold together (not proven minimal: the time was up)"
+        why = _REASONS[explanation.cut.get("conflicts", "patience")]
+        return f"{which}: these cannot hold together (not proven minimal: {why})"
     if len(conflict.parts) == 1:
         return f"{which}: this alone cannot hold"
     return f"{which}: these cannot hold together, and without any one of them the rest can"

@@ -24,6 +24,7 @@ def scarcity(view: View) -> Iterator[Fact]:
             text = f"{_wanted(need)}; the team has {view.having(need.capability)}"
             yield view.fact("scarcity", text, [need], *view.team(need.capability, "team"))
     for together in moments(view):
+        view.pause()
         capability = together[0].capability
         total = _at_once(together)
         if capability not in alone and total > view.mission.having(capability):
@@ -57,6 +58,7 @@ def moments(view: View) -> Iterator[list[Demand]]:
 def instants(view: View) -> Iterator[list[Demand]]:
     """All needs that begin at the same step, whenever that is."""
     for way, node in _anchors(view.mission.formula):
+        view.pause()
         yield [
             item
             for item in demands_below(view.mission, way, node, Span(0, 0))

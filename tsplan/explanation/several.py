@@ -20,12 +20,12 @@ from tsplan.explanation.candidates import candidates
 from tsplan.explanation.changes import ORDER, Repairs, applied, least
 from tsplan.explanation.conflicts import Finder
 from tsplan.explanation.facts import View
-from tsplan.explanation.oracle import Oracle
 from tsplan.explanation.relaxing import bounded_above, relaxed
 
 if TYPE_CHECKING:
     from tsplan.explanation.data import Change, ChangeKind, Element
     from tsplan.explanation.dimensions import Dimension
+    from tsplan.explanation.oracle import Oracle
     from tsplan.mission import Mission
 
 MOST_WAYS = 12
@@ -69,7 +69,7 @@ class Several:
         """Ways of some kinds that together lead to a plan; nothing if none are found."""
         chosen: list[Step] = []
         core = conflict
-        while len(chosen) < MOST_WAYS and not self.oracle.over:
+        while len(chosen) < MOST_WAYS and not self.oracle.refuses():
             new = self._resolving(core, chosen, kinds)
             if not new:
                 return []
@@ -77,8 +77,7 @@ class Several:
             changed = self._changed(chosen)
             if changed is None:
                 return []
-            finder = Finder(Oracle(changed, self.oracle.clock, self.oracle.solver))
-            finder.oracle.patience = self.oracle.patience
+            finder = Finder(self.oracle.about(changed))
             found = finder.within(finder.everything)
             if found is None:
                 return chosen
@@ -126,6 +125,7 @@ class Several:
         return step if amount and self._resolves(core, [*chosen, step]) else None
 
     def _changed(self, steps: Sequence[Step]) -> Mission | None:
+        self.oracle.pause()
         try:
             return applied(self.view.mission, steps)
         except MissionError:
@@ -136,7 +136,7 @@ class Several:
         changed = self._changed(steps)
         if changed is None:
             return False
-        others = Finder(Oracle(changed, self.oracle.clock)).everything - core
+        others = Finder(self.oracle.about(changed)).everything - core
         return self.oracle.asked(relaxed(changed, others)) is True
 
     def _needed(self, ways: Sequence[Step]) -> list[Step]:

@@ -16,7 +16,6 @@ from tsplan.explanation.dimensions import edited
 from tsplan.explanation.elements import formula_groups, leaf_of
 from tsplan.explanation.numbers import agents
 from tsplan.explanation.occurrences import Leaf, Way, exchanged, node_at, nodes_along
-from tsplan.explanation.oracle import Oracle
 from tsplan.logic import (
     FALSE,
     Count,
@@ -29,10 +28,10 @@ from tsplan.logic import (
     positive,
     translate,
 )
-from tsplan.planner import plan
 
 if TYPE_CHECKING:
     from tsplan.explanation.facts import View
+    from tsplan.explanation.oracle import Oracle
     from tsplan.mission import Mission
     from tsplan.results import Plan
 
@@ -65,13 +64,11 @@ def tight_facts(view: View, oracle: Oracle) -> tuple[Fact, ...]:
 
 def _most_robust(mission: Mission, oracle: Oracle) -> Plan | None:
     """A plan with the most agents to spare, as far as the time allows."""
-    if oracle.over:
-        return None
     left = oracle.clock.left
     limit = _PATIENCE if left is None else min(_PATIENCE, max(left / 2, 1.0))
     asked = replace(mission, objective=("availability",), prefer=(), warnings=())
-    found = plan(asked, time_limit=limit, solver=oracle.solver)
-    return found if found.has_paths else None
+    found = oracle.planned(asked, limit)
+    return found if found is not None and found.has_paths else None
 
 
 def _bindings(view: View, best: Plan) -> Iterator[Fact]:
@@ -100,7 +97,8 @@ def _held_down(view: View, oracle: Oracle, level: int) -> list[tuple[str, Place]
     mission = view.mission
     harder = replace(mission, formula=tightened(mission, level + 1), objective=(), warnings=())
     harder = replace(harder, text=str(harder.formula))
-    other = Oracle(harder, oracle.clock, oracle.solver, patience=_PATIENCE)
+    other = oracle.about(harder)
+    other.patience = _PATIENCE
     finder = Finder(other)
     core = finder.within(finder.everything)
     if core is None:
@@ -149,14 +147,14 @@ def _tighter(mission: Mission, node: Formula, level: int) -> Formula:
     return fold(positive(translate(node, interval=mission.task_interval)), atom)
 
 
-def slacks(view: View, oracle: Oracle) -> tuple[Fact, ...]:
+def slacks(view: View, oracle: Oracle) -> Iterator[Fact]:
     """How much sooner each deadline, and how much tighter each bound of a swarm, could be."""
     oracle.patience = _PATIENCE
-    bounds = [item for item in swarm_bounds(view.mission) if item != MARGIN]
-    return (
-        *(_slack(view, oracle, way) for way in _deadlines(view.mission)),
-        *(_bound_slack(view, oracle, element) for element in bounds),
-    )
+    for way in _deadlines(view.mission):
+        yield _slack(view, oracle, way)
+    for element in swarm_bounds(view.mission):
+        if element != MARGIN:
+            yield _bound_slack(view, oracle, element)
 
 
 def _bound_slack(view: View, oracle: Oracle, element: Element) -> Fact:

@@ -84,6 +84,7 @@ def stuck(view: View) -> Iterator[Fact]:
     """Robots that cannot be anywhere at the end, whatever they do: all of their ways end before."""
     mission = view.mission
     for number, group in enumerate(mission.team):
+        view.pause()
         moves = [*usable(mission.system, group.class_name, group.capabilities)]
         if len({edge.source for edge, _ in moves}) == len(mission.system.states):
             continue  # there is a way on from everywhere
@@ -119,6 +120,7 @@ def restless(view: View) -> Iterator[Fact]:
     """
     nowhere = frozenset(without_wait(view.mission.system))
     for need in view.needs:
+        view.pause()
         fixed = need.reach == "each" or len(need.states) == 1
         if not (nowhere and fixed and need.span.lasts):
             continue

@@ -30,6 +30,7 @@ def explanation_to_json(explanation: Explanation) -> str:
             }
             for item in explanation.changes
         ],
+        "cut_short": dict(explanation.cut),
         "timings": dict(explanation.timings),
     }
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,164 @@
+"""Limits and interruption while explaining: what is known is kept, with the true reason."""
+
+from __future__ import annotations
+
+import io
+import json
+import signal
+from dataclasses import replace
+
+import pytest
+from rich.console import Console
+
+import tsplan
+from tests.test_explain_conflicts import row
+from tsplan.explanation import Conflict, Explanation, explain, facts, oracle
+from tsplan.explanation.facts import View, facts_of
+from tsplan.explanation.oracle import EnoughError
+from tsplan.explanation.report import print_explanation
+from tsplan.results import Plan, StoppedBy
+from tsplan.running import on_interrupt
+
+MISSION = row("F[0,2] sum(C) >= 1 && F[0,4] sum(C) >= 3 && G[0,4] max(B) <= 1")
+
+
+def interrupting(monkeypatch: pytest.MonkeyPatch, number: int) -> list[object]:
+    """Ctrl-C while the planner works on its question of that number; the questions asked."""
+    asked: list[object] = []
+
+    def plan(problem: object, **options: object) -> Plan:
+        asked.append(problem)
+        found = tsplan.plan(problem, **options)
+        if len(asked) == number:
+            signal.raise_signal(signal.SIGINT)  # too late for the planner to tell
+        return found
+
+    monkeypatch.setattr(oracle, "plan", plan)
+    return asked
+
+
+def said(explanation: Explanation, mission: tsplan.Mission = MISSION) -> str:
+    console = Console(width=100, record=True, file=io.StringIO())
+    print_explanation(explanation, mission, console)
+    return " ".join(console.export_text().split())
+
+
+def test_ctrl_c_at_any_question_keeps_what_was_found_before(monkeypatch) -> None:
+    whole = explain(MISSION)
+    assert not whole.cut
+    for number in range(1, 40):
+        asked = interrupting(monkeypatch, number)
+        made = explain(MISSION)
+        if len(asked) < number:
+            break
+        assert len(asked) == number  # nothing more was asked
+        assert made.facts == whole.facts
+        assert made.status == "explained"
+        assert set(made.cut.values()) == {"interrupt"}
+        assert {change.text for change in made.changes} <= {c.text for c in whole.changes} | {
+            c.text for c in made.changes if not c.proven
+        }
+        assert "it was interrupted" in said(made)
+    assert number > 5
+    assert made == replace(whole, timings=made.timings)
+
+
+def test_ctrl_c_while_facts_are_looked_for(monkeypatch) -> None:
+    finder = facts.unreachable
+
+    def interrupted(view: View):
+        signal.raise_signal(signal.SIGINT)
+        yield from finder(view)
+
+    asked = interrupting(monkeypatch, 0)
+    monkeypatch.setattr(facts, "unreachable", interrupted)
+    made = explain(MISSION)
+    assert not asked
+    assert made.cut["facts"] == "interrupt"
+    assert [fact.kind for fact in made.facts] == ["scarcity"]
+    assert "it was interrupted: there may be more facts" in said(made)
+    open_ = row("F[0,2] sum(B) >= 1")
+    assert "stays open; it was interrupted" in said(explain(open_), open_)
+
+
+def test_every_pause_of_the_facts_can_end_them() -> None:
+    whole = list(facts_of(View.of(MISSION)))
+    for most in range(100):
+        left = [most]
+
+        def pause(left: list[int] = left) -> None:
+            left[0] -= 1
+            if left[0] < 0:
+                raise EnoughError
+
+        found = []
+        try:
+            found.extend(facts_of(View.of(MISSION, pause)))
+        except EnoughError:
+            assert found == whole[: len(found)]
+        else:
+            assert found == whole
+            assert most > 10
+            return
+    pytest.fail("the facts never came to their end")
+
+
+def test_no_time_leaves_facts_and_says_so() -> None:
+    made = explain(MISSION, time_limit=1e-9)
+    assert made.facts
+    assert not made.changes
+    assert set(made.cut) == {"conflicts", "changes"}
+    assert set(made.cut.values()) == {"time_limit"}
+    text = said(made)
+    assert "not proven minimal: the time was up" in text
+    assert (
+        "the time was up: there may be other conflicts, or smaller ones; there may be more" in text
+    )
+    assert json.loads(made.to_json())["cut_short"] == dict(made.cut)
+
+
+@pytest.mark.parametrize(
+    ("why", "words"),
+    [
+        (StoppedBy.TIME_LIMIT, "some questions took too long"),
+        (StoppedBy.MEMORY, "memory was short"),
+        (StoppedBy.PRECISION, "the solver was not precise enough"),
+    ],
+)
+def test_questions_without_an_answer_say_why(monkeypatch, why: StoppedBy, words: str) -> None:
+    def plan(problem: object, **options: object) -> Plan:
+        found = tsplan.plan(problem, **options)
+        return replace(found, status="no_plan_found", stopped_by=why, agents=(), verified=False)
+
+    monkeypatch.setattr(oracle, "plan", plan)
+    made = explain(MISSION)
+    assert words in said(made)
+    assert not any(item.minimal for item in made.conflicts)
+
+
+def test_what_is_found_is_heard_on_the_way() -> None:
+    heard: list[Explanation] = []
+    made = explain(MISSION, on_found=heard.append)
+    assert heard[0].facts == made.facts
+    assert not heard[0].conflicts
+    assert len({len(item.changes) for item in heard}) > 1
+    assert set(heard[-1].changes) <= set(made.changes)
+
+
+def test_a_conflict_is_given_up_as_it_is_when_interrupted() -> None:
+    made = Explanation(
+        "explained", "m", conflicts=(Conflict((), False),), cut={"conflicts": "interrupt"}
+    )
+    assert "not proven minimal: it was interrupted" in said(made)
+
+
+def test_ctrl_c_asks_every_run_that_is_under_way() -> None:
+    heard: list[str] = []
+    with on_interrupt(lambda: heard.append("outer")):
+        with on_interrupt(lambda: heard.append("inner")):
+            signal.raise_signal(signal.SIGINT)
+            assert heard == ["inner", "outer"]
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+    assert heard == ["inner", "outer"]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
