@@ -13,8 +13,9 @@ import pytest
 
 from tests.walks import walking, wandering
 from tsplan import Mission, load_map, load_mission
-from tsplan.draw.canvas import PlotUnavailableError, text_size
+from tsplan.draw.canvas import text_size
 from tsplan.draw.layout import places
+from tsplan.draw.library import PlotUnavailableError
 from tsplan.draw.map import duration_words, usual_duration
 from tsplan.draw.palette import PLAIN, TRAVEL, Palette
 from tsplan.draw.paths import MOST_PATHS, strands_of

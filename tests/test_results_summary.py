@@ -9,7 +9,8 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from tsplan.draw.canvas import PlotUnavailableError, figure_class
+from tsplan.draw.canvas import figure_class
+from tsplan.draw.library import PlotUnavailableError
 from tsplan.results import AgentPlan, MissionRef, ObjectiveValue, Plan, SolverUse, Timings
 from tsplan.results.summary import MOST_PATHS, names, objective_line, outcome, print_summary
 

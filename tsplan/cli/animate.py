@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
@@ -17,5 +18,5 @@ def run(asked: argparse.Namespace) -> Exit:
     """Write the moving picture."""
     plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
     pace = Pace.of(plan.horizon, asked.fps, asked.seconds_per_step, asked.size)
-    animate(mission, plan, asked.output, pace)
+    animate(mission, plan, asked.output, pace, lambda words: sys.stderr.write(f"{words}\n"))
     return Exit.DONE

@@ -33,7 +33,7 @@ def run(asked: argparse.Namespace) -> Exit:
         plt.show()
         return Exit.DONE
     kind_of(asked.output)
-    save(_draw(asked, None), asked.output)
+    save(_draw(asked, None), asked.output, tell=lambda words: sys.stderr.write(f"{words}\n"))
     return Exit.DONE
 
 
@@ -51,11 +51,9 @@ def _reasons(asked: argparse.Namespace) -> str:
 
 def _window() -> Any:
     """Pyplot, if it can open a window."""
-    from tsplan.draw.canvas import PlotUnavailableError, figure_class  # noqa: PLC0415  (as above)
+    from tsplan.draw.library import PlotUnavailableError, library  # noqa: PLC0415  (as above)
 
-    figure_class()
-    from matplotlib import pyplot as plt  # noqa: PLC0415  (an extra, slow to import)
-
+    plt = library("pyplot")
     if plt.get_backend().lower() in _SCREENLESS:
         raise PlotUnavailableError("there is no display to draw on; write a file with -o FILE.png")
     return plt

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from tsplan.errors import TsplanError
+from tsplan.draw.library import lacking, library
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.draw.palette import Paint
@@ -38,19 +39,9 @@ class Entry(NamedTuple):
     words: str
 
 
-class PlotUnavailableError(TsplanError, RuntimeError):
-    """Drawing needs matplotlib, which is not installed."""
-
-
 def figure_class() -> Any:
     """Matplotlib's Figure; raises PlotUnavailableError with the remedy if it is missing."""
-    try:
-        from matplotlib.figure import Figure  # noqa: PLC0415  (an extra, slow to import)
-    except ImportError:
-        raise PlotUnavailableError(
-            "drawing needs matplotlib, which is not installed; pip install 'tsplan[plot]'"
-        ) from None
-    return Figure
+    return library("figure").Figure
 
 
 def new_figure(width: float, height: float) -> Any:
@@ -67,8 +58,11 @@ def axes(ax: Any, width: float, height: float) -> Picture:
 
 
 def plain(text: str) -> str:
-    """A text that matplotlib shows as it is: no part of it is read as a formula of TeX."""
-    return text.replace("$", r"\$")
+    """A text of one or more lines that matplotlib shows as it is.
+
+    No part of it is read as a formula of TeX, and what could not be seen is shown as its escape.
+    """
+    return visible(text, "\n").replace("$", r"\$")
 
 
 def text_size(text: str, size: float) -> tuple[float, float]:
@@ -81,9 +75,8 @@ def text_size(text: str, size: float) -> tuple[float, float]:
 @lru_cache(maxsize=5000)
 def _advance(letter: str) -> float:
     """How far a letter of the usual font moves the pen, as a share of the font's size."""
-    from matplotlib.font_manager import FontProperties, findfont, get_font  # noqa: PLC0415  (extra)
-
-    font = get_font(findfont(FontProperties()))
+    fonts = library("font_manager")
+    font = fonts.get_font(fonts.findfont(fonts.FontProperties()))
     if not font.get_char_index(ord(letter)):
         return 1.0  # a letter that the font lacks, mostly a wide one
     font.set_size(_LARGE, POINTS)
@@ -128,8 +121,7 @@ def legend_beside(ax: Any, entries: Sequence[Entry], gap: float = 0.0) -> None:
     """
     if not entries:
         return
-    from matplotlib.transforms import ScaledTranslation  # noqa: PLC0415  (an extra)
-
+    shift = library("transforms").ScaledTranslation
     rows = _legend_rows(ax.get_window_extent().height / ax.figure.dpi)
     legend = ax.legend(
         handles=[entry.handle for entry in entries],
@@ -138,7 +130,7 @@ def legend_beside(ax: Any, entries: Sequence[Entry], gap: float = 0.0) -> None:
         fontsize=SMALL,
         loc="upper left",
         bbox_to_anchor=(1.0, 1.0),
-        bbox_transform=ax.transAxes + ScaledTranslation(gap + 0.08, 0, ax.figure.dpi_scale_trans),
+        bbox_transform=ax.transAxes + shift(gap + 0.08, 0, ax.figure.dpi_scale_trans),
         borderaxespad=0.0,
         frameon=False,
         ncols=-(-len(entries) // rows),
@@ -150,7 +142,8 @@ def legend_beside(ax: Any, entries: Sequence[Entry], gap: float = 0.0) -> None:
 
 
 def shortened(words: str, longest: int) -> str:
-    """Words cut to a number of characters, with a sign that they are."""
+    """One line of words, every character to be seen, cut to a number with a sign that they are."""
+    words = visible(words)
     return words if len(words) <= longest else words[: longest - 1] + "\u2026"
 
 
@@ -159,7 +152,8 @@ def settle(figure: Any) -> None:
     whole = figure.figure  # that of a part of a figure is the figure it is in
     engine = whole.get_layout_engine()
     if engine is not None:
-        engine.execute(whole)
+        with lacking():  # what is missing is told when the picture is written
+            engine.execute(whole)
 
 
 def halo(ground: str = WHITE) -> dict[str, Any]:

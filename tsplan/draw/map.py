@@ -25,9 +25,11 @@ from tsplan.draw.canvas import (
     set_title,
 )
 from tsplan.draw.layout import Places, places, spacing
+from tsplan.draw.library import library
 from tsplan.draw.palette import Palette
 from tsplan.draw.room import Box, Frame, Point, Room, frame_of
 from tsplan.draw.signs import Sign, signs
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -167,25 +169,22 @@ def _box(system: TransitionSystem, where: Places) -> tuple[float, float, float, 
 
 def _unwritten(palette: Palette, chosen: Mapping[str, Sign]) -> list[Entry]:
     """What the colours stand for, for labels that are not written on the map."""
-    from matplotlib.patches import Patch  # noqa: PLC0415  (an extra)
-
+    patch = library("patches").Patch
     written = frozenset().union(*(sign.labels for sign in chosen.values()))
     labels = [label for label in palette.system.labels if label not in written]
-    shown = [Entry(Patch(**area(palette.labels[label])), label) for label in labels[:_MOST_LABELS]]
+    shown = [Entry(patch(**area(palette.labels[label])), label) for label in labels[:_MOST_LABELS]]
     if len(labels) > _MOST_LABELS:
-        shown.append(Entry(Patch(alpha=0), f"and {len(labels) - _MOST_LABELS} more labels"))
+        shown.append(Entry(patch(alpha=0), f"and {len(labels) - _MOST_LABELS} more labels"))
     return shown
 
 
 def _unmarked(system: TransitionSystem) -> list[Entry]:
     """How long the edges without a number take, unless that is one step."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
-
     usual = usual_duration(system)
     if usual == "1":
         return []
     words = f"{usual} steps if not marked"
-    return [Entry(Line2D([], [], color=LINE, linewidth=0.9), words)]
+    return [Entry(library("lines").Line2D([], [], color=LINE, linewidth=0.9), words)]
 
 
 def usual_duration(system: TransitionSystem) -> str:
@@ -205,29 +204,25 @@ def _durations(system: TransitionSystem) -> Iterator[tuple[tuple[str, str], str]
 
 def _draw_shapes(scene: Scene) -> None:
     """The polygons, pale and in the colour of their states."""
-    from matplotlib.patches import Polygon  # noqa: PLC0415  (an extra)
-
     width = 0.2 if scene.dense else 0.7
     for name, state in scene.system.states.items():
         if state.shape:
             paint = scene.palette.states[name]
             scene.ax.add_patch(
-                Polygon(
+                library("patches").Polygon(
                     state.shape,
                     facecolor=paint.pale,
                     edgecolor=WHITE if scene.dense else _BORDER,
                     hatch=paint.hatch or None,
                     linewidth=width,
                     zorder=1,
-                    gid=f"state:{name}",
+                    gid=visible(f"state:{name}"),
                 )
             )
 
 
 def _draw_edges(scene: Scene) -> None:
     """One line for each pair of connected states; an arrow head if there is no way back."""
-    from matplotlib.collections import LineCollection  # noqa: PLC0415  (an extra)
-
     both, single = [], []
     for source, target in scene.system.edges:
         line = (scene.where[source], scene.where[target])
@@ -239,8 +234,9 @@ def _draw_edges(scene: Scene) -> None:
             both.append(line)
     width = 0.3 if scene.dense else 0.9
     style: dict[str, Any] = {"colors": LINE, "linewidths": width, "zorder": 2, "alpha": 0.7}
-    scene.ax.add_collection(LineCollection(both, gid="edges", **style), autolim=False)
-    scene.ax.add_collection(LineCollection(single, gid="one-way edges", **style), autolim=False)
+    for lines, gid in ((both, "edges"), (single, "one-way edges")):
+        drawn = library("collections").LineCollection(lines, gid=gid, **style)
+        scene.ax.add_collection(drawn, autolim=False)
     if not scene.dense:
         arrow_heads(scene, single, 0.62, (LINE, 4.5))
 
@@ -252,8 +248,6 @@ def arrow_heads(
     look: tuple[str, float],
 ) -> None:
     """Small triangles at a share of each line that point to its end; a colour and points long."""
-    from matplotlib.collections import PolyCollection  # noqa: PLC0415  (an extra)
-
     colour, size = look
     triangles = []
     for begin, end in lines:
@@ -267,7 +261,8 @@ def arrow_heads(
             (x - right / 2 + up * _SLIM, y - up / 2 - right * _SLIM),
         )
         triangles.append([scene.frame.back(corner) for corner in corners])
-    heads = PolyCollection(triangles, facecolors=colour, linewidths=0, zorder=4, gid="heads")
+    style: dict[str, Any] = {"facecolors": colour, "linewidths": 0, "zorder": 4, "gid": "heads"}
+    heads = library("collections").PolyCollection(triangles, **style)
     scene.ax.add_collection(heads, autolim=False)
 
 

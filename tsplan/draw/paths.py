@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from tsplan.draw.canvas import DARK, TINY, WHITE, Entry, Picture, set_title, text_size
 from tsplan.draw.colours import lightness, mixed
+from tsplan.draw.library import library
 from tsplan.draw.map import Scene, arrow_heads, base, finish
 from tsplan.draw.palette import HUES, STROKES, Paint, Palette, paints
 from tsplan.draw.room import Box, Point
@@ -22,6 +23,7 @@ from tsplan.draw.signs import Sign
 from tsplan.draw.starts import draw_starts
 from tsplan.results.fitting import refuse_misfit
 from tsplan.results.summary import names
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -179,8 +181,6 @@ def _clearance(sign: Sign, centre: Point, along: Point) -> float:
 
 def _draw_strand(scene: Scene, strand: Strand, shifts: Sequence[float]) -> None:
     """All lanes of a strand, and their arrow heads."""
-    from matplotlib.collections import LineCollection  # noqa: PLC0415  (an extra)
-
     lines = []
     for pair, shift in zip(strand.passages, shifts, strict=True):
         begin, end = _ends(scene, pair, shift)
@@ -188,13 +188,13 @@ def _draw_strand(scene: Scene, strand: Strand, shifts: Sequence[float]) -> None:
     thin = _THIN if scene.dense else 1.0
     widths = [thin * _width(passage.agents) for passage in strand.passages.values()]
     for colour, more, layer in _layers(strand.paint):
-        lanes = LineCollection(
+        lanes = library("collections").LineCollection(
             lines,
             colors=colour,
             linestyles=strand.paint.stroke,
             linewidths=[width + more for width in widths],
             zorder=layer,
-            gid=f"path:{strand.words}",
+            gid=visible(f"path:{strand.words}"),
         )
         scene.ax.add_collection(lanes, autolim=False)
     if not scene.dense:
@@ -250,11 +250,9 @@ def _beside(scene: Scene, pair: Pair, outermost: float, text: str) -> Iterator[P
 
 def _entries(plan: Plan, strands: Sequence[Strand], *, joined: bool) -> list[Entry]:
     """The legend: each strand, the agents that never move, and what the numbers are."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
-
     shown = [
         Entry(
-            Line2D(
+            library("lines").Line2D(
                 [], [], color=s.paint.colour, linestyle=s.paint.stroke,
                 linewidth=_width(s.agents),
             ),
@@ -262,15 +260,15 @@ def _entries(plan: Plan, strands: Sequence[Strand], *, joined: bool) -> list[Ent
         )
         for s in strands
     ]  # fmt: skip
-    badge = Line2D(
+    badge = library("lines").Line2D(
         [], [], linestyle="none", marker="o", markersize=8, color=WHITE, markeredgecolor=DARK
     )
     shown.append(Entry(badge, "agents that start there"))
     idle = len(plan.agents) - sum(strand.agents for strand in strands)
     if idle:
         never = "never moves" if idle == 1 else "never move"
-        shown.append(Entry(Line2D([], [], linestyle="none"), f"{idle:,} {never}"))
+        shown.append(Entry(library("lines").Line2D([], [], linestyle="none"), f"{idle:,} {never}"))
     if strands:
         what = "the more agents, the wider" if joined else "numbers: steps of arrival"
-        shown.append(Entry(Line2D([], [], linestyle="none"), what))
+        shown.append(Entry(library("lines").Line2D([], [], linestyle="none"), what))
     return shown

@@ -28,6 +28,7 @@ from tsplan.draw.canvas import (
     shortened,
     text_size,
 )
+from tsplan.draw.library import library
 from tsplan.draw.palette import BAD, GOOD
 from tsplan.draw.timeline import set_steps
 
@@ -123,11 +124,10 @@ def _fails(row: Requirement) -> bool:
 
 
 def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
-    from matplotlib.patches import Rectangle  # noqa: PLC0415  (an extra)
 
     first, last = steps
     ax.add_patch(
-        Rectangle(
+        library("patches").Rectangle(
             (first - 0.5, place + 0.04), last - first + 1, 0.9, facecolor=colour, linewidth=0,
             zorder=0.5, gid=meaning,
         )
@@ -159,20 +159,19 @@ def _beside(row: Requirement) -> tuple[str, str, float]:
 
 
 def _entries(rows: Sequence[Requirement]) -> list[Entry]:
-    from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
-    from matplotlib.patches import Patch  # noqa: PLC0415  (an extra)
 
     if not rows:
         return []
+    line, patch = library("lines").Line2D, library("patches").Patch
     return [
-        Entry(Line2D([], [], color=_COUNT, linewidth=1.1), "agents counted"),
-        Entry(Line2D([], [], color=DARK, linestyle=(0, (4, 2)), linewidth=0.9), "need"),
-        Entry(Patch(facecolor=_WINDOW), "can be asked for"),
+        Entry(line([], [], color=_COUNT, linewidth=1.1), "agents counted"),
+        Entry(line([], [], color=DARK, linestyle=(0, (4, 2)), linewidth=0.9), "need"),
+        Entry(patch(facecolor=_WINDOW), "can be asked for"),
         *(
-            [Entry(Patch(facecolor=_CHOSEN), "satisfied here")]
+            [Entry(patch(facecolor=_CHOSEN), "satisfied here")]
             if not all(map(_fails, rows))
             else []
         ),
-        *([Entry(Patch(facecolor=_MISSED), "missed here")] if any(map(_fails, rows)) else []),
-        Entry(Line2D([], [], linestyle="none", marker="v", markersize=3.5, color=DARK), "witness"),
+        *([Entry(patch(facecolor=_MISSED), "missed here")] if any(map(_fails, rows)) else []),
+        Entry(line([], [], linestyle="none", marker="v", markersize=3.5, color=DARK), "witness"),
     ]

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.draw.canvas import TEXT, TINY, text_size
 from tsplan.draw.room import Box, Frame, Point, Room
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.draw.layout import Places
@@ -125,8 +126,9 @@ def _tried(
 ) -> Callable[[Point], Iterator[Sign]]:
     """A state's possible signs: inside its shape, or around its dot, in one line or in more."""
     title, labels = texts
-    names = dict.fromkeys((title, _folded(title)))
-    words = dict.fromkeys((", ".join(labels), ",\n".join(labels)))
+    shown, listed = visible(title), [visible(label) for label in labels]
+    names = dict.fromkeys((shown, _folded(shown)))
+    words = dict.fromkeys((", ".join(listed), ",\n".join(listed)))
     limit = _extent(state, frame)
 
     def possible(centre: Point) -> Iterator[Sign]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from tsplan.draw.canvas import DARK, SMALL, WHITE, Entry
+from tsplan.draw.library import library
 from tsplan.draw.map import Scene
 from tsplan.draw.palette import Paint, Palette
 from tsplan.draw.room import Box, Point
@@ -18,12 +19,11 @@ _BADGE = 11.0  # points across a badge
 _APART = _BADGE + 2  # points from badge to badge
 _DOT = 12.0  # square points of the ring around one robot
 _WHITE = Paint(WHITE)
+_UNITS = ("", "k", "M", "G", "T", "P", "E")
 
 
 def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
     """A legend of the classes: how many robots each has, and what they can do."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra)
-
     counts: dict[str, int] = {}
     able: dict[str, dict[str, None]] = {}
     for group in mission.team:
@@ -31,7 +31,7 @@ def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
         able.setdefault(group.class_name, {}).update(dict.fromkeys(sorted(group.capabilities)))
     return [
         Entry(
-            Line2D(
+            library("lines").Line2D(
                 [],
                 [],
                 linestyle="none",
@@ -111,9 +111,21 @@ def _draw_dots(scene: Scene, starts: Mapping[str, Mapping[str, int]]) -> None:
     )
 
 
+def three_digits(count: int) -> str:
+    """A number as short as a badge is: the legend has all its digits.
+
+    >>> three_digits(999), three_digits(1234), three_digits(999_999), three_digits(45_600_000)
+    ('999', '1.23k', '1M', '45.6M')
+    """
+    size, unit = float(count), 0
+    while size >= (999.5 if unit else 1000):
+        size, unit = size / 1000, unit + 1
+    return f"{size:.3g}{_UNITS[unit]}"
+
+
 def _badge(scene: Scene, centre: Point, count: int, paint: Paint) -> None:
     """A disc with a number; its outline tells it from everything else on the map."""
-    text = f"{count}" if count < 1000 else f"{count / 1000:.3g}k"  # noqa: PLR2004  (three digits fit)
+    text = three_digits(count)
     size = SMALL if len(text) < 3 else SMALL * 2.4 / len(text)  # noqa: PLR2004  (as above)
     x, y = scene.frame.back(centre)
     scene.ax.plot(

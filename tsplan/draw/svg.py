@@ -7,23 +7,23 @@ from collections.abc import Iterable
 from html import escape
 
 from tsplan.draw.palette import TRAVEL_STRIPE
+from tsplan.words import visible
 
 FONT = 11.0
 """Pixels of ordinary text."""
 
-# control characters that XML cannot hold, and halves of surrogate pairs
-_UNFIT = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
+_UNFIT = re.compile("[\ufffe\uffff]")  # what XML cannot hold beside control characters
 _LETTER = 0.6  # usual width of a letter, of the font's size
 _WIDE = 0x1100  # from here on letters may be twice as wide
 
 
 def words(text: str) -> str:
-    """A text as the content of an element or attribute: nothing of it is markup.
+    """A text as the content of an element or attribute: nothing of it is markup or hidden.
 
     >>> words('<script>"hm"</script>')
     '&lt;script&gt;&quot;hm&quot;&lt;/script&gt;'
     """
-    return escape(_UNFIT.sub("\ufffd", text), quote=True)
+    return escape(_UNFIT.sub("\ufffd", visible(text)), quote=True)
 
 
 def element(name: str, content: str = "", /, **attributes: object) -> str:

@@ -33,9 +33,11 @@ from tsplan.draw.canvas import (
     shortened,
     text_size,
 )
+from tsplan.draw.library import library
 from tsplan.draw.palette import Paint, paints
 from tsplan.draw.timeline import set_steps
 from tsplan.results.fitting import refuse_misfit
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -253,18 +255,17 @@ def _name_rows(
 def _draw_bands(
     ax: Any, bands: Sequence[Band], feet: Mapping[str, float], paint: Paint, horizon: int
 ) -> None:
-    from matplotlib.collections import PathCollection  # noqa: PLC0415  (an extra)
 
     for waits, opacity in ((True, _STAY), (False, _MOVE)):
         some = [b for b in bands if (b.source[0] == b.target[0]) == waits]
-        shapes = PathCollection(
+        shapes = library("collections").PathCollection(
             [_ribbon(band, feet) for band in some],
             facecolors=paint.colour,
             edgecolors=paint.colour,
             linewidths=0.4,  # closes the seams, and steep bands never vanish
             hatch=paint.hatch or None,
             alpha=opacity,
-            gid=f"{'stays' if waits else 'moves'}:{bands[0].class_name if bands else ''}",
+            gid=visible(f"{'stays' if waits else 'moves'}:{bands[0].class_name if bands else ''}"),
         )
         shapes.set_zorder(3 if waits else 2)
         ax.add_collection(shapes, autolim=False)
@@ -272,17 +273,16 @@ def _draw_bands(
 
 def _ribbon(band: Band, feet: Mapping[str, float]) -> Any:
     """The outline of a band: two curves that leave and arrive horizontally."""
-    from matplotlib.path import Path  # noqa: PLC0415  (an extra)
-
     x0, x1 = band.source[1], band.target[1]
     y0, y1 = feet[band.source[0]] + band.leaves, feet[band.target[0]] + band.arrives
     a, b = x0 + _BEND * (x1 - x0), x1 - _BEND * (x1 - x0)
     low, high = y0 + band.count, y1 + band.count
     points = [(x0, y0), (a, y0), (b, y1), (x1, y1), (x1, high), (b, high), (a, low), (x0, low)]
-    curve, line = Path.CURVE4, Path.LINETO
-    return Path(
+    path = library("path").Path
+    curve, line = path.CURVE4, path.LINETO
+    return path(
         [*points, (x0, y0)],
-        [Path.MOVETO, curve, curve, curve, line, curve, curve, curve, Path.CLOSEPOLY],
+        [path.MOVETO, curve, curve, curve, line, curve, curve, curve, path.CLOSEPOLY],
     )
 
 
@@ -327,9 +327,9 @@ def _changed(bands: Sequence[Band], sizes: Mapping[Node, int]) -> set[Node]:
 
 
 def _entries(given: Mapping[str, Paint]) -> list[Entry]:
-    from matplotlib.patches import Patch  # noqa: PLC0415  (an extra)
 
+    patch = library("patches").Patch
     return [
-        Entry(Patch(facecolor=p.colour, hatch=p.hatch or None, edgecolor=LINE, linewidth=0), name)
+        Entry(patch(facecolor=p.colour, hatch=p.hatch or None, edgecolor=LINE, linewidth=0), name)
         for name, p in given.items()
     ]

@@ -31,11 +31,13 @@ from tsplan.draw.canvas import (
     shortened,
     text_size,
 )
+from tsplan.draw.library import library
 from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
 from tsplan.errors import Finding, PlanError
 from tsplan.results.fitting import refuse_misfit, refuse_pathless
 from tsplan.results.occupancy import state_counts
 from tsplan.results.summary import names
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -173,10 +175,8 @@ def _margin(words: Sequence[str]) -> float:
 
 def set_steps(ax: Any, horizon: int) -> None:
     """Steps 0..horizon across the axes, and no frame but the axis of the steps."""
-    from matplotlib.ticker import MaxNLocator  # noqa: PLC0415  (an extra)
-
     ax.set_xlim(-_HALF, horizon + _HALF)
-    ax.xaxis.set_major_locator(MaxNLocator(nbins=14, integer=True))
+    ax.xaxis.set_major_locator(library("ticker").MaxNLocator(nbins=14, integer=True))
     ax.tick_params(axis="x", labelsize=SMALL, length=2.5, width=0.6)
     ax.set_xlabel("step", fontsize=SMALL)
     for side in ("top", "right", "left"):
@@ -204,9 +204,10 @@ def _draw_rows(ax: Any, rows: Sequence[Row], keys: dict[str, Key], horizon: int)
             _bar(ax, place, (first, last), TRAVEL, "on the way")
         for first, last, state in row.bundle.stays:
             _bar(ax, place, (first, last), keys[state].paint, state)
-            if size >= SMALL * 0.7 and text_size(state, size)[0] + 3 < across * (last - first + 1):
+            words = visible(state)
+            if size >= SMALL * 0.7 and text_size(words, size)[0] + 3 < across * (last - first + 1):
                 ax.text(
-                    (first + last) / 2, place, plain(state), fontsize=size, ha="center",
+                    (first + last) / 2, place, plain(words), fontsize=size, ha="center",
                     va="center_baseline", color=keys[state].paint.ink,
                 )  # fmt: skip
 
@@ -217,7 +218,7 @@ def _bar(ax: Any, place: int, steps: tuple[float, float], paint: Paint, meaning:
         steps[1] - steps[0] + 1,
         left=steps[0] - _HALF,
         height=_THICK,
-        gid=meaning,
+        gid=visible(meaning),
         **area(paint),
     )
 
@@ -260,7 +261,7 @@ def _draw_bands(ax: Any, plan: Plan, keys: dict[str, Key]) -> None:
             style = area(paint) | {"linewidth": 0.3, "edgecolor": area(paint)["edgecolor"]}
             ax.fill_between(
                 edges, np.append(low, low[-1]), np.append(high, high[-1]), step="post",
-                gid=f"{name}: {words or 'on the way'}", **style,
+                gid=visible(f"{name}: {words or 'on the way'}"), **style,
             )  # fmt: skip
 
 
@@ -277,14 +278,13 @@ def _shares(
 
 def _entries(plan: Plan, keys: dict[str, Key]) -> list[Entry]:
     """What the colours stand for, and the hatch of the ways."""
-    from matplotlib.patches import Patch  # noqa: PLC0415  (an extra)
-
+    patch = library("patches").Patch
     listed = sorted(dict.fromkeys(keys.values()), key=lambda key: key.paint == PLAIN)
-    shown = [Entry(Patch(**_framed(key.paint)), key.words) for key in listed[:_MOST_ENTRIES]]
+    shown = [Entry(patch(**_framed(key.paint)), key.words) for key in listed[:_MOST_ENTRIES]]
     if len(listed) > _MOST_ENTRIES:
-        shown.append(Entry(Patch(alpha=0), f"and {len(listed) - _MOST_ENTRIES} more"))
+        shown.append(Entry(patch(alpha=0), f"and {len(listed) - _MOST_ENTRIES} more"))
     if any(True for bundle in plan.bundles for _ in ways(bundle, plan.horizon)):
-        shown.append(Entry(Patch(**_framed(TRAVEL)), "on the way"))
+        shown.append(Entry(patch(**_framed(TRAVEL)), "on the way"))
     return shown
 
 

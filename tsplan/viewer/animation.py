@@ -7,7 +7,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tsplan.draw.library import letters_lost, warned
 from tsplan.errors import Finding, InputError, TsplanError
 from tsplan.results.planfile import write_whole
 from tsplan.viewer.opening import write_page
@@ -68,8 +69,17 @@ class Pace:
         return (*(horizon * number / pictures for number in range(pictures)), float(horizon))
 
 
-def animate(mission: Mission, plan: Plan, path: Path, pace: Pace | None = None) -> None:
+def animate(
+    mission: Mission,
+    plan: Plan,
+    path: Path,
+    pace: Pace | None = None,
+    tell: Callable[[str], object] | None = None,
+) -> None:
     """Write a plan as a moving picture; the file's name says which kind: .gif, .mp4 or .html.
+
+    Letters that no font could draw are named in one sentence to `tell`, without it as
+    MissingLettersWarning.
 
     Raises InputError for another kind, PlanError for a plan that cannot be shown,
     FfmpegUnavailableError for MP4 without ffmpeg, PlotUnavailableError without matplotlib.
@@ -81,14 +91,22 @@ def animate(mission: Mission, plan: Plan, path: Path, pace: Pace | None = None) 
     elif kind == ".gif":
         scene = Scene(mission, plan, pace.size)
         write_whole(path, gif(scene, pace.times(plan.horizon), pace.fps))
+        _tell_letters(scene, path, tell)
     elif kind == ".mp4":
         program = _ffmpeg()
         even = (pace.size[0] // 2 * 2, pace.size[1] // 2 * 2)  # the usual codec asks for it
         scene = Scene(mission, plan, even)
         write_whole(path, _mp4(program, scene, pace.times(plan.horizon), pace.fps))
+        _tell_letters(scene, path, tell)
     else:
         what = f"moving pictures cannot be written as '{kind or path.name}'"
         raise InputError([Finding(what, "use .gif, .mp4 or .html", str(path))])
+
+
+def _tell_letters(scene: Scene, path: Path, tell: Callable[[str], object] | None) -> None:
+    if scene.letters:
+        lost = letters_lost(scene.letters, "an .html file is shown in the reader's fonts")
+        (tell or warned)(f"{path}: {lost}")
 
 
 def gif(scene: Scene, times: tuple[float, ...], fps: int) -> bytes:

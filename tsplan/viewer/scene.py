@@ -6,9 +6,7 @@ What stays the same is painted once; for each picture the rest is painted on a c
 from __future__ import annotations
 
 import math
-import warnings
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -16,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tsplan.draw.canvas import POINTS, figure_class
+from tsplan.draw.library import lacking, library
 from tsplan.draw.map import Scene as MapScene
 from tsplan.draw.map import base, finish
 from tsplan.draw.palette import Palette
@@ -53,7 +52,7 @@ class _Artists:
 
 
 class Scene:
-    """Pictures of one plan, all of one size.
+    """Pictures of one plan, all of one size; `letters` are those that no font could draw.
 
     Raises PlotUnavailableError without matplotlib, and PlanError for a plan without paths or one
     that does not fit the mission's map.
@@ -62,10 +61,9 @@ class Scene:
     def __init__(self, mission: Mission, plan: Plan, size: Size) -> None:
         refuse_misfit(plan, mission)
         figure = figure_class()  # says what to install where matplotlib is missing
-        from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415  (an extra)
 
         self._figure = figure(figsize=(size[0] / DOTS, size[1] / DOTS), dpi=DOTS)
-        self._canvas = FigureCanvasAgg(self._figure)
+        self._canvas = library("backends.backend_agg").FigureCanvasAgg(self._figure)
         self._movers = movers(mission, plan)
         self._colors = class_colors(mission)
         self._axes = self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
@@ -75,7 +73,7 @@ class Scene:
         self._panel = StatusPanel(self._figure, (title, plan.horizon), _SHARE)
         self._panel.show(formula_parts(mission, plan))
         self._panel.legend([*self._legend(mission), *self._map_legend()])
-        with _quietly():
+        with lacking() as self.letters:
             self._canvas.draw()
         self.ground = self._ground(mission, ground)
         self._artists = self._made(mission)
@@ -91,10 +89,9 @@ class Scene:
         """The picture at a time between 0 and the horizon: (height, width, 3)."""
         self._canvas.restore_region(self._still)
         shown = picture(self._movers, self.ground, time)
-        with _quietly():
-            for artist in [*self._marks(shown), *self._counts(shown), *self._numbers(shown)]:
-                self._axes.draw_artist(artist)
-            self._panel.paint(time)
+        for artist in [*self._marks(shown), *self._counts(shown), *self._numbers(shown)]:
+            self._axes.draw_artist(artist)
+        self._panel.paint(time)
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
     def _ground(self, mission: Mission, drawn: MapScene) -> Ground:
@@ -111,7 +108,8 @@ class Scene:
         radius = min(7.0, max(2.4, room * 0.09))
         for name, sign in drawn.signs.items():
             if sign.parts:  # agents stand below what is written on their state, but in its shape
-                written = (sign.centre[1] - sign.box.bottom) * DOTS / POINTS
+                middle = drawn.frame.at(drawn.where[name])[1]
+                written = max(middle - sign.box.bottom, 0.0) * DOTS / POINTS
                 floor = self._floor(mission.system.states[name].shape) + 1.3 * radius
                 below = max(floor, at[name][1] - written - 1.6 * radius)
                 at[name] = at[name][0], min(at[name][1], below)
@@ -134,8 +132,6 @@ class Scene:
 
     def _map_legend(self) -> list[tuple[str, str, str]]:
         """What stands beside the map otherwise: the panel has that place here."""
-        from matplotlib.colors import to_hex  # noqa: PLC0415  (an extra, slow to import)
-
         legend = self._axes.get_legend()
         if legend is None:
             return []
@@ -144,12 +140,11 @@ class Scene:
         for handle, text in zip(legend.legend_handles, legend.get_texts(), strict=True):
             area = hasattr(handle, "get_facecolor")
             color = handle.get_facecolor() if area else handle.get_color()
-            found.append((text.get_text(), to_hex(color), "s" if area else "_"))
+            words = text.get_text().replace(r"\$", "$")  # the panel reads no formulas of TeX
+            found.append((words, library("colors").to_hex(color), "s" if area else "_"))
         return found
 
     def _made(self, mission: Mission) -> _Artists:
-        from matplotlib.transforms import IdentityTransform  # noqa: PLC0415  (an extra)
-
         dots = (2 * self.ground.radius * 72 / DOTS) ** 2
         marks = {
             name: self._axes.scatter(
@@ -160,14 +155,14 @@ class Scene:
                 marker=_MARKERS[place % len(_MARKERS)],
                 edgecolors="white",
                 linewidths=0.8,
-                transform=IdentityTransform(),
+                transform=library("transforms").IdentityTransform(),
                 animated=True,
                 zorder=6,
             )
             for place, (name, color) in enumerate(self._colors.items())
         }
         for scatter in marks.values():
-            scatter.set_offset_transform(IdentityTransform())
+            scatter.set_offset_transform(library("transforms").IdentityTransform())
         counts = {}
         if len(mission.system.states) <= MOST_COUNTED:
             below = -(self.ground.distance + self.ground.radius + 9)
@@ -220,11 +215,3 @@ class Scene:
                 {"boxstyle": "round,pad=0.25", "color": self._colors[name], "linewidth": 0}
             )
         return kept[: len(shown.numbers)]
-
-
-@contextmanager
-def _quietly() -> Iterator[None]:
-    """Letters that the font lacks are drawn as boxes; there is no need to say so each time."""
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
-        yield

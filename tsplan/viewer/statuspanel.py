@@ -7,7 +7,9 @@ from collections.abc import Iterable, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
+from tsplan.draw.library import library
 from tsplan.viewer.parts import Part
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,7 +37,7 @@ class StatusPanel:
         self._rows: list[tuple[Part, Any, Any, Any]] = []
         self._signs: list[Any] = []
         letters = int((self._width - self._left - 24) / 8.4)
-        title = textwrap.shorten(what[0], 2 * letters, placeholder="...")
+        title = textwrap.shorten(visible(what[0]), 2 * letters, placeholder="...")
         self._below = self._height - 16
         self._put(self._left, self._below, textwrap.fill(title, letters), 11, weight="bold")
         self._below -= 21 * len(textwrap.wrap(title, letters)) + 2
@@ -58,11 +60,11 @@ class StatusPanel:
 
     def _time_bar(self) -> Any:
         """The whole time as a line along the bottom; what is over of it is painted anew."""
-        from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra, slow to import)
-
         self._bar = (18.0, self._width - 18.0)
         for ends, color, animated in ((self._bar, _LINE, False), ((18.0, 18.0), _TIME, True)):
-            line = Line2D(ends, (18.0, 18.0), color=color, linewidth=4, transform=None)
+            line = library("lines").Line2D(
+                ends, (18.0, 18.0), color=color, linewidth=4, transform=None
+            )
             line.set_solid_capstyle("round")
             line.set_animated(animated)
             self._figure.add_artist(line)
@@ -90,21 +92,20 @@ class StatusPanel:
 
     def _wrapped(self, text: str) -> str:
         letters = max(8, int((self._width - self._left - 36) / 7.15))
-        lines = textwrap.wrap(text, letters)
+        lines = textwrap.wrap(visible(text), letters)
         if len(lines) > _LINES:
             lines = [*lines[: _LINES - 1], lines[_LINES - 1][: letters - 3] + "..."]
         return "\n".join(lines)
 
     def _row(self, part: Part, words: str) -> None:
-        from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra, slow to import)
-        from matplotlib.patches import Wedge  # noqa: PLC0415  (as above)
 
+        wedge, line = library("patches").Wedge, library("lines").Line2D
         x, y = self._left + 8, self._below - 7
         self._put(self._left + 22, self._below, words, 8.5, family="monospace")
-        around = Wedge((x, y), 7, 0, 360, width=2.5, color=_LINE, linewidth=0)
-        done = Wedge((x, y), 7, 90, 90, width=2.5, color=_GOOD, linewidth=0, animated=True)
-        check = Line2D((x - 3.2, x - 0.8, x + 3.6), (y, y - 2.8, y + 3.2), color="white")
-        cross = Line2D((x - 3, x + 3, x, x - 3, x + 3), (y - 3, y + 3, y, y + 3, y - 3))
+        around = wedge((x, y), 7, 0, 360, width=2.5, color=_LINE, linewidth=0)
+        done = wedge((x, y), 7, 90, 90, width=2.5, color=_GOOD, linewidth=0, animated=True)
+        check = line((x - 3.2, x - 0.8, x + 3.6), (y, y - 2.8, y + 3.2), color="white")
+        cross = line((x - 3, x + 3, x, x - 3, x + 3), (y - 3, y + 3, y, y + 3, y - 3))
         cross.set_color("white")
         for artist in (around, done, check, cross):
             artist.set_transform(None)
@@ -116,15 +117,17 @@ class StatusPanel:
 
     def legend(self, classes: Iterable[tuple[str, str, str]]) -> None:
         """The classes' marks, below the formula."""
-        from matplotlib.lines import Line2D  # noqa: PLC0415  (an extra, slow to import)
-
         y = self._below - 14
         for words, color, marker in classes:
             if y < 40:  # noqa: PLR2004  (dots above the time bar)
                 return
-            mark = Line2D([self._left + 8], [y], color=color, marker=marker, transform=None)
+            mark = library("lines").Line2D(
+                [self._left + 8], [y], color=color, marker=marker, transform=None
+            )
             self._figure.add_artist(mark)
-            self._put(self._left + 22, y, textwrap.shorten(words, 40), 8.5, va="center_baseline")
+            self._put(
+                self._left + 22, y, textwrap.shorten(visible(words), 40), 8.5, va="center_baseline"
+            )
             y -= 17
 
     def paint(self, time: float) -> None:

@@ -14,9 +14,10 @@ from base64 import b64encode
 from functools import cache
 from hashlib import sha256
 from importlib.resources import files
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tsplan.viewer.data import page_data
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -52,10 +53,23 @@ def page(mission: Mission, plan: Plan) -> str:
         "policy": _policy(style, script),
         "style": style,
         "script": script,
-        "data": embedded(page_data(mission, plan)),
+        "data": embedded(seen(page_data(mission, plan))),
     }
     # in one pass, so that nothing in a part is taken for a slot
     return _SLOT.sub(lambda match: parts[match[1]], _source("page.html"))
+
+
+def seen(data: Any) -> Any:
+    r"""The data with every text as a person can see it: control characters as their escapes.
+
+    >>> print(seen({"name": ["a\x1b", 3]}))
+    {'name': ['a\\x1b', 3]}
+    """
+    if isinstance(data, str):
+        return visible(data)
+    if isinstance(data, dict):
+        return {key: seen(value) for key, value in data.items()}
+    return [seen(item) for item in data] if isinstance(data, list | tuple) else data
 
 
 def embedded(data: Mapping[str, object]) -> str:
