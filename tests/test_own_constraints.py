@@ -192,6 +192,23 @@ def test_what_is_maximised_is_told_in_its_own_sense(problem) -> None:
     } == {9.5}
 
 
+def test_what_is_preferred_comes_before_an_own_objective() -> None:
+    plain = mission()
+    wished = tsplan.Mission.of(
+        map=plain.system,
+        team=list(plain.team),
+        formula="F[0,4] true",
+        prefer=[{"formula": "F[0,4] sum(goal) >= 2"}],
+        language="mtl",
+        objective=["preferences", "travel"],
+    )
+    problem = tsplan.Problem(wished)
+    problem.maximise(problem.count("home", step=4))
+    plan = tsplan.plan(problem)
+    assert [item.met for item in plan.preferences] == [True]
+    assert plan.notes == ("own objective, maximised: 1 (bound 1)",)
+
+
 def test_a_difference_of_two_senses_is_minimised(problem) -> None:
     problem.maximise(problem.count("end", step=4))
     problem.minimise(3 * problem.count("way", step=2) + 0.5)

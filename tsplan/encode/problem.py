@@ -117,14 +117,26 @@ class Problem:
     def minimise(self, expression: Expression) -> None:
         """Add a linear term over counts, minimised before the mission's own objectives.
 
-        Several terms are added up. Raises MissionError for what is no expression over counts.
+        Only `satisfaction` (with the availability of what holds) and `preferences`, which say what
+        is to hold, come before it. Several terms are added up. Raises MissionError for what is no
+        expression over counts.
+
+        >>> import tsplan
+        >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
+        >>> problem.minimise(problem.count("dock", step=0) + problem.count("dock", step=1))
         """
         self._extend(expression, maximised=False)
 
     def maximise(self, expression: Expression) -> None:
-        """Add a linear term over counts, maximised before the mission's own objectives.
+        """Add a linear term over counts, maximised; otherwise as `minimise`.
 
         Together with terms to minimise, it is taken off these, and the difference is minimised.
+
+        >>> import tsplan
+        >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
+        >>> problem.maximise(problem.count("dock", step=5))
+        >>> tsplan.plan(problem, time_limit=10).notes[0].startswith("own objective, maximised:")
+        True
         """
         self._extend(expression, maximised=True)
 
