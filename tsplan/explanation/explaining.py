@@ -17,6 +17,7 @@ from tsplan.explanation.facts import View, find_facts
 from tsplan.explanation.oracle import Oracle
 from tsplan.explanation.several import Several
 from tsplan.explanation.surroundings import EdgeTime
+from tsplan.milp.hush import audible, hushed_alone
 from tsplan.running import on_interrupt
 
 if TYPE_CHECKING:
@@ -56,8 +57,8 @@ def explain(
     ...     print([part.text for part in conflict.parts])
     """
     limit = mission.solver.time_limit if time_limit is None else time_limit
-    run = _Run(mission, Clock(limit), solver, on_stage or (lambda _: None))
-    with on_interrupt(run.oracle.stop):
+    run = _Run(mission, Clock(limit), solver, audible(on_stage or (lambda _: None)))
+    with on_interrupt(run.oracle.stop), hushed_alone():
         return run.explanation(conflicts, slack=slack)
 
 

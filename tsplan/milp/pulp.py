@@ -23,9 +23,10 @@ import numpy as np
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
 from tsplan.milp.answer import Ending, Question, Verdict
 from tsplan.milp.attend import Attendant, Patience
+from tsplan.milp.hush import hushed
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.offspring import Offspring
-from tsplan.milp.pulp_words import load, told
+from tsplan.milp.pulp_words import load, pulp_module, told
 from tsplan.milp.solution import Options, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
 
@@ -258,17 +259,15 @@ class _Solve:
 
 def backends() -> list[str]:
     """PuLP's names of the solvers it can use here."""
-    import pulp  # noqa: PLC0415 - never imported unasked
-
-    with warnings.catch_warnings():
+    pulp = pulp_module()
+    with warnings.catch_warnings(), hushed():  # some load their solver or start its licence
         warnings.simplefilter("ignore", DeprecationWarning)
         return [name for name in pulp.listSolvers(onlyAvailable=True) if name not in _UNFIT]
 
 
 def _backend(name: str, arguments: dict[str, object]) -> Any:
-    import pulp  # noqa: PLC0415 - never imported unasked
-
-    with warnings.catch_warnings():
+    pulp = pulp_module()
+    with warnings.catch_warnings(), hushed():
         # PuLP 3 warns of the end of the CBC it brings along, whoever asked for it
         warnings.simplefilter("ignore", DeprecationWarning)
         try:

@@ -13,6 +13,7 @@ import numpy as np
 
 from tsplan.errors import SolverError
 from tsplan.milp.answer import Ending, Verdict
+from tsplan.milp.hush import hushed
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import StoppedBy
 
@@ -20,10 +21,16 @@ _NOT_SOLVED, _SOLVED, _INFEASIBLE, _UNBOUNDED, _UNDEFINED = 0, 1, -1, -2, -3  # 
 _TIME, _MEMORY, _GAP, _NUMERICAL = -4, -5, -7, -12  # PuLP 4
 
 
+def pulp_module() -> Any:
+    """The module pulp, loaded without a word of its own or of the solvers it loads."""
+    with hushed():
+        import pulp  # noqa: PLC0415 - never imported unasked
+    return pulp
+
+
 def load(model: Model) -> tuple[Any, list[Any]]:
     """The model as a `pulp.LpProblem`, and its variables in the order of the columns."""
-    import pulp  # noqa: PLC0415 - never imported unasked
-
+    pulp = pulp_module()
     expression = getattr(pulp.LpAffineExpression, "from_list", pulp.LpAffineExpression)
     problem = pulp.LpProblem("tsplan", pulp.LpMinimize)
     kinds = (pulp.LpContinuous, pulp.LpInteger)

@@ -1,0 +1,65 @@
+"""Names and numbers as they are shown to people: nothing hidden, nothing lost."""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+
+_HIDDEN = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
+"""Kinds of characters that act on a terminal or reorder a line instead of being seen."""
+
+_JOINERS = frozenset("\u200c\u200d")  # part of the spelling of some scripts, and harmless
+_DECIMALS = 6  # shown after the point, which is more than costs are usually given with
+_EXACT = 1e16  # from here on not every whole number is a float
+
+
+def visible(text: str, keep: str = "") -> str:
+    r"""The text with every character that could not be seen shown as its escape.
+
+    Control characters, marks that reorder a line and halves of characters change what a person
+    reads, or what a terminal does. Those in `keep` are left as they are.
+
+    >>> print(visible("q\x1b[31m\n\u202e"))
+    q\x1b[31m\n\u202e
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(c if c in keep or not _hidden(c) else _escaped(c) for c in text)
+
+
+def _hidden(character: str) -> bool:
+    return character not in _JOINERS and unicodedata.category(character) in _HIDDEN
+
+
+def _escaped(character: str) -> str:
+    return character.encode("unicode_escape", "surrogatepass").decode("ascii")
+
+
+def number(value: float | None, infinite: str = "open") -> str:
+    """A number with all its digits before the point and up to six after it; None is `infinite`.
+
+    Small numbers keep six digits that count. Infinite ones are told in words, too.
+
+    >>> [number(value) for value in (10000009.5, 999.999, 1234567.0, 0.00012345678, None)]
+    ['10,000,009.5', '999.999', '1,234,567', '0.000123457', 'open']
+    """
+    if value is None or math.isinf(value):
+        return infinite
+    if math.isnan(value):
+        return "unknown"
+    if abs(value) >= _EXACT:
+        return repr(float(value))
+    if value == int(value):
+        return f"{int(value):,}"
+    if abs(value) < 1:
+        return f"{value:.{_DECIMALS}g}"
+    return f"{value:,.{_DECIMALS}f}".rstrip("0").rstrip(".")
+
+
+def known(value: float | None) -> float | None:
+    """A number as it may be told and written: what is infinite or no number is not known.
+
+    >>> [known(value) for value in (3, float("-inf"), float("nan"), None)]
+    [3, None, None, None]
+    """
+    return value if value is not None and math.isfinite(value) else None
