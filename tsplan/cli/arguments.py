@@ -17,6 +17,7 @@ class Exit(IntEnum):
     INFEASIBLE = 3
     NO_PLAN = 4
     FAILED = 5
+    UNSHOWN = 6  # what was found out could not be written to stdout
     INTERRUPTED = 130
 
 
@@ -24,7 +25,8 @@ MOST_FRAMES = 50  # a second; players of GIFs show no more
 LEAST_SIDE, MOST_SIDE = 200, 4000  # dots of a moving picture
 
 _CODES = """exit codes of plan: 0 a verified plan, 2 bad input or usage, 3 infeasible,
-4 no plan within the limits, 5 internal or solver failure"""
+4 no plan within the limits, 5 internal or solver failure,
+6 the standard output could not be written to"""
 
 
 def parser() -> argparse.ArgumentParser:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tsplan.cli.output import remark
 from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.mission import load_mission
 from tsplan.results.fitting import refuse_misfit, refuse_pathless
@@ -14,7 +15,6 @@ from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from pathlib import Path
 
     from tsplan.mission import Mission
     from tsplan.results.plan import Plan
@@ -47,7 +47,7 @@ def warn(findings: Iterable[Finding]) -> None:
     """Write findings that do not stop the work, one a line."""
     for finding in findings:
         marked = replace(finding, message=f"warning: {finding.message}")
-        sys.stderr.write(" ".join(str(marked).splitlines()) + "\n")
+        remark(" ".join(str(marked).splitlines()))
 
 
 def mission_for(path: Path, plan: Plan, given: Path | None) -> Mission:
@@ -77,8 +77,11 @@ def mission_beside(path: Path, plan: Plan) -> Mission | None:
     return None
 
 
-def refuse_place(path: Path | None, what: str) -> None:
-    """Say at once that a file could not be written, not after the search."""
+def refuse_place(path: Path | None, what: str, inputs: Iterable[Path | None] = ()) -> None:
+    """Say at once that a file could not be written, not after the search.
+
+    A file that is read, under whatever name, is not written over.
+    """
     if path is None:
         return
     folder = path.resolve().parent
@@ -88,9 +91,28 @@ def refuse_place(path: Path | None, what: str) -> None:
         why = "its directory does not exist"
     elif not os.access(path if path.exists() else folder, os.W_OK):
         why = "no permission"
+    elif any(_same(path, other) for other in inputs):
+        why = "this file is read by the same command"
     else:
         return
     raise InputError([Finding(f"cannot write {what}: {why}", "choose another file", str(path))])
+
+
+def _same(path: Path, other: Path | None) -> bool:
+    """Whether two names are of one file, by links too; a device or a pipe may serve twice."""
+    try:
+        return other is not None and other.is_file() and path.samefile(other)
+    except OSError:
+        return False
+
+
+def files_of(mission: Mission | None) -> list[Path]:
+    """The files that a mission was read from: its own, and its map's."""
+    if mission is None or mission.origin is None:
+        return []
+    own, data = Path(mission.origin.source), mission.origin.data
+    named = data.get("map") if isinstance(data, dict) else None
+    return [own, own.parent / named] if isinstance(named, str) else [own]
 
 
 def refuse_solver(name: str) -> None:

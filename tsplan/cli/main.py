@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import sys
+from contextlib import suppress
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -15,23 +14,30 @@ if TYPE_CHECKING:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; never a traceback for bad input."""
+    from tsplan.cli import output  # noqa: PLC0415  (after the arguments)
+
+    output.fill_closed()
     try:
-        asked = parser().parse_args(arguments)
-    except SystemExit as stop:  # argparse has said what is wrong
-        return int(stop.code or 0)
-    try:
-        command = import_module(f"tsplan.cli.{asked.command}")
-        code: Exit = command.run(asked)
-        sys.stdout.flush()
+        try:
+            asked = parser().parse_args(arguments)
+        except SystemExit as stop:  # argparse has said what is wrong
+            code = Exit(int(stop.code or 0))
+        else:
+            command = import_module(f"tsplan.cli.{asked.command}")
+            code = command.run(asked)
+        output.OUT.flush()
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (whatever it is, no traceback)
         code, lines = _answer(error)
-        for line in lines:
-            sys.stderr.write(f"{line}\n")
+        output.remarks(lines)
+        with suppress(output.OutputError):
+            output.OUT.flush()
+    output.ERR.flush()
     return int(code)
 
 
 def _answer(error: BaseException) -> tuple[Exit, list[str]]:
     """The exit code and the lines that say what went wrong."""
+    from tsplan.cli.output import OutputError  # noqa: PLC0415  (after the help)
     from tsplan.errors import InputError, TsplanError  # noqa: PLC0415  (after the help)
 
     if isinstance(error, InputError):
@@ -40,10 +46,10 @@ def _answer(error: BaseException) -> tuple[Exit, list[str]]:
         return Exit.FAILED, str(error).splitlines()
     if isinstance(error, KeyboardInterrupt):
         return Exit.INTERRUPTED, ["interrupted"]
-    if isinstance(error, BrokenPipeError):
-        # whoever reads the output has seen enough; keep the interpreter from complaining too
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return Exit.DONE, []
+    if isinstance(error, OutputError):
+        return Exit.UNSHOWN, [str(error)]
+    if isinstance(error, MemoryError):
+        return Exit.FAILED, ["there is not enough memory for this; try a smaller input"]
     return Exit.FAILED, [internal(error)]
 
 

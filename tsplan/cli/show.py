@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Any
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_beside, mission_for, mission_of
+from tsplan.cli.inputs import files_of, mission_beside, mission_for, mission_of, refuse_place
+from tsplan.cli.output import say
+from tsplan.cli.pictures import own_backend
 from tsplan.errors import Finding, InputError
 from tsplan.results.evidence import explain_preferred
 from tsplan.results.fitting import refuse_misfit, refuse_pathless
@@ -16,25 +17,39 @@ if TYPE_CHECKING:
     import argparse
     from pathlib import Path
 
+    from tsplan.mission import Mission
+
 _SCREENLESS = frozenset({"agg", "pdf", "ps", "svg", "cairo", "template"})
 
 
 def run(asked: argparse.Namespace) -> Exit:
-    """Print the reasons, write the picture, or open a window."""
-    if asked.why:
-        sys.stdout.write(_reasons(asked) + "\n")
-        if asked.output is None:
-            return Exit.DONE
+    """Write the picture, print the reasons, or open a window."""
+    reasons = _reasons(asked) if asked.why else None
+    if asked.output is not None:
+        _save(asked)
+    if reasons is not None:
+        say(reasons)
+    elif asked.output is None:
+        with own_backend(None):
+            plt = _window()
+            _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
+            plt.show()
+    return Exit.DONE
+
+
+def _save(asked: argparse.Namespace) -> None:
     from tsplan.draw.save import kind_of, save  # noqa: PLC0415  (reasons need no picture)
 
-    if asked.output is None:
-        plt = _window()
-        _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
-        plt.show()
-        return Exit.DONE
     kind_of(asked.output)
-    save(_draw(asked, None), asked.output)
-    return Exit.DONE
+    _refuse_inputs(asked, None)
+    with own_backend("Agg"):
+        save(_draw(asked, None), asked.output)
+
+
+def _refuse_inputs(asked: argparse.Namespace, mission: Mission | None) -> None:
+    """Do not draw over what is drawn."""
+    inputs = [asked.file, asked.mission, *files_of(mission)]
+    refuse_place(asked.output, "the picture", inputs)
 
 
 def _reasons(asked: argparse.Namespace) -> str:
@@ -72,7 +87,9 @@ def _draw(asked: argparse.Namespace, figure: Any) -> Any:
 
     data = read_document(asked.file).data
     if isinstance(data, dict) and ("spec" in data or "format" in data):
-        return draw_mission(mission_of(asked.file), ax)[0]
+        drawn = mission_of(asked.file)
+        _refuse_inputs(asked, drawn)
+        return draw_mission(drawn, ax)[0]
     from tsplan.ts.read import load_map  # noqa: PLC0415  (missions do not need it)
 
     return draw_map(load_map(asked.file), ax)[0]
@@ -89,6 +106,7 @@ def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
         mission = mission_beside(asked.file, plan)
     else:
         mission = mission_for(asked.file, plan, asked.mission)
+    _refuse_inputs(asked, mission)
     if mission is None:
         return draw_timeline(plan, None, ax)[0]
     refuse_misfit(plan, mission, str(asked.file))

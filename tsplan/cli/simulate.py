@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_and_plan
+from tsplan.cli.output import say
 from tsplan.errors import PlanError
 from tsplan.results.headroom import margin_for
 from tsplan.results.simulation import Frequency, simulate
@@ -29,7 +29,7 @@ def run(asked: argparse.Namespace) -> Exit:
     except PlanError as error:
         raise PlanError(_named(error, str(asked.plan))) from None
     for line in _words(mission, found, asked.probability):
-        sys.stdout.write(f"{line}\n")
+        say(line)
     return Exit.DONE
 
 

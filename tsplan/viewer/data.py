@@ -11,9 +11,10 @@ from tsplan.draw.layout import places
 from tsplan.draw.palette import PLAIN, Paint, Palette
 from tsplan.results.fitting import refuse_misfit
 from tsplan.results.plan import ObjectiveValue
-from tsplan.results.summary import number, objective_line, outcome
+from tsplan.results.summary import objective_line, outcome
 from tsplan.viewer.movers import movers
 from tsplan.viewer.parts import Part, formula_parts
+from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
