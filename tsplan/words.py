@@ -59,7 +59,9 @@ def number(value: float | None, infinite: str = "open") -> str:
 def known(value: float | None) -> float | None:
     """A number as it may be told and written: what is infinite or no number is not known.
 
-    >>> [known(value) for value in (3, float("-inf"), float("nan"), None)]
-    [3, None, None, None]
+    The negative zero is told as 0.
+
+    >>> [known(value) for value in (3.5, -0.0, float("-inf"), float("nan"), None)]
+    [3.5, 0.0, None, None, None]
     """
-    return value if value is not None and math.isfinite(value) else None
+    return value + 0.0 if value is not None and math.isfinite(value) else None

@@ -11,6 +11,7 @@ from tsplan.cli.output import say
 from tsplan.errors import PlanError
 from tsplan.results.headroom import margin_for
 from tsplan.results.simulation import Frequency, simulate
+from tsplan.words import number
 
 if TYPE_CHECKING:
     import argparse
@@ -44,7 +45,7 @@ def _words(mission: Mission, found: Simulation, probability: float) -> Iterator[
     margin = margin_for(mission, probability)
     yield (
         f"with 'margin: {margin}' (or more) in the mission, any plan's formula holds with "
-        f"probability {probability:g}"
+        f"probability {number(probability)}"
     )
 
 

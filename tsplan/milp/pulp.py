@@ -37,7 +37,7 @@ _LEAST_GAP = (
     1e-9  # some backends take a gap of 0 for none given, and have a larger one of their own
 )
 _SLACK = 0.25  # seconds after its time limit until a backend is interrupted from outside
-_PATIENCE = Patience(time_limit=1.0, interrupt=5.0)  # then it has to write its point
+_PATIENCE = Patience(time_limit=1.0, interrupt=3.0)  # then it has to write its point
 _MOST = 0.9  # of a time limit, after which it is what stopped a backend that does not say
 _CBC = frozenset({"PULP_CBC_CMD", "COIN_CMD"})
 

@@ -54,9 +54,10 @@ def summary(plan: Plan) -> list[RenderableType]:
     title = f"{plan.mission.name or 'mission'}: {outcome(plan)}"
     lines: list[str] = [title, *(f"  {note}" for note in plan.notes)]
     if plan.has_paths:
-        lines += [f"  {objective_line(item)}" for item in plan.objective]
+        endless = infinite_word(plan)
+        lines += [f"  {objective_line(item, endless)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
-            lines.append(f"  availability {number(plan.availability, infinite='unbounded')}")
+            lines.append(f"  availability {number(plan.availability, endless)}")
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
         paths = [*_happenings(plan)] if plan.groups else _table(plan)
         return [*_visible([*lines, ""]), *paths, "", *_work(plan)]
@@ -82,9 +83,20 @@ def outcome(plan: Plan) -> str:
     return words[plan.status]
 
 
-def objective_line(item: ObjectiveValue) -> str:
-    """One objective: its value, and what is proven about it."""
-    value = number(item.value, infinite="unbounded")
+def infinite_word(plan: Plan) -> str:
+    """What an availability without a number is: nothing can fail, or nothing has to hold.
+
+    A formula that does not hold, or of which no part is met, has no robots to spare.
+    """
+    made = plan.satisfaction
+    whole = made is None or made.fraction == 1
+    some = not plan.preferences or any(item.met for item in plan.preferences)
+    return "unbounded" if whole and some else "open"
+
+
+def objective_line(item: ObjectiveValue, infinite: str = "unbounded") -> str:
+    """One objective: its value, and what is proven about it; `infinite` is one without a number."""
+    value = number(item.value, infinite)
     if item.value is None or item.bound is None:
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
