@@ -12,6 +12,7 @@ from tsplan.cli.output import console, remark, say_json
 from tsplan.cli.timing import TimeUpError, time_limit
 from tsplan.errors import InputError, SolverError
 from tsplan.milp.guard import may_have_children
+from tsplan.milp.leash import USUAL
 from tsplan.results.assigning import assign
 from tsplan.results.plan import Plan, Status
 from tsplan.results.planfile import save_plan
@@ -82,7 +83,7 @@ def _planned(
     if not (may_have_children() or asked.quiet):
         remark("this process may start no other: a crash of the solver would end it")
     with Progress(quiet=asked.quiet) as progress:
-        return Planning(mission, progress, requests).plan(order)
+        return Planning(mission, progress, requests, USUAL).plan(order)
 
 
 def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from tsplan.errors import Finding, InputError, SolverError
 from tsplan.events import FINISHING, Bound, Event, Incumbent, Stage
 from tsplan.milp.guard import STOPPING, CrashError, LateError, OutOfMemoryError, run_guarded
-from tsplan.milp.leash import Leash, Patience
+from tsplan.milp.leash import USUAL, Leash, Patience
 from tsplan.results.plan import MissionRef, Plan, Status, StoppedBy
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ class Planning:
     mission: Mission
     progress: Progress
     requests: Requests
-    patience: Patience = field(default_factory=Patience)
+    patience: Patience = USUAL
     _best: Plan | None = field(default=None, init=False)
 
     def plan(self, order: Order) -> Plan:

@@ -235,17 +235,15 @@ def _child(job: Callable[[A, Send], R], argument: A, ends: _Ends) -> None:
         other.close()
     threading.Thread(target=_watch_parent, args=(ends.lifeline,), daemon=True).start()
     connection = ends.answers
+    answer: tuple[str, Any] | None = None
     try:
-        answer: tuple[str, Any] = (
-            "result",
-            job(argument, lambda event: connection.send(("event", event))),
-        )
-    except MemoryError:
-        answer = ("error", OutOfMemoryError("the solver's process ran out of memory"))
+        _listen_to_signals()
+        answer = ("result", job(argument, lambda event: connection.send(("event", event))))
+        # the answer is ready: Ctrl-C must not lose it
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - handed to the parent as it is
-        answer = ("error", _sendable(error))
-    # the answer is ready: a second Ctrl-C must not lose it
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        answer = answer or ("error", _sendable(error))
     try:
         connection.send(answer)
     except (pickle.PicklingError, TypeError, AttributeError) as error:
@@ -262,6 +260,10 @@ def _own_signals() -> None:
     for number in STOPPING:
         if number != signal.SIGINT and signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, signal.SIG_DFL)
+
+
+def _listen_to_signals() -> None:
+    """From here on those that came while the child began are heard, and those to come."""
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPPING)
 
@@ -277,6 +279,8 @@ def _watch_parent(lifeline: Connection) -> None:
 
 def _sendable(error: BaseException) -> BaseException:
     """The error itself where it survives pickling, else one that says the same."""
+    if isinstance(error, MemoryError):
+        return OutOfMemoryError("the solver's process ran out of memory")
     try:
         pickle.loads(pickle.dumps(error))  # noqa: S301 - our own bytes
     except Exception:  # noqa: BLE001 - any failure means it cannot be sent

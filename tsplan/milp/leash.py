@@ -31,6 +31,10 @@ class Patience:
     poll: float = 0.05
 
 
+USUAL = Patience()
+"""What a child gets where nothing else is said."""
+
+
 @dataclass(eq=False)
 class Leash:
     """One child process, held by whoever started it; usable in signal handlers.
@@ -38,7 +42,7 @@ class Leash:
     `asked` counts the requests to stop, `late` says that the child was ended for being late.
     """
 
-    patience: Patience = Patience()
+    patience: Patience = USUAL
     asked: int = field(default=0, init=False)
     late: bool = field(default=False, init=False)
     finishing: bool = field(default=False, init=False)
