@@ -52,7 +52,7 @@ def planning(monkeypatch, then):
             file.write("x")
         made = honest(mission, **options)
         best = replace(made, status="feasible", stopped_by="interrupt")
-        forward = Forward(on_event._send, soon=0.0)
+        forward = Forward(on_event._send)
         forward(Incumbent("travel", 4.0, 2.0, 0.1, lambda: best))
         return then()
 

@@ -32,7 +32,8 @@ if TYPE_CHECKING:
 _EVERY = 0.1  # seconds between bounds that are passed on
 _ONE_REQUEST = 0.5  # seconds within which signals are one request
 _LEAST = 1.0  # seconds that a second try gets at least
-_SOON = 1.0  # seconds of planning before a plan is handed over on the way
+_LARGE = 200_000  # robots times steps whose paths may take long to make and check
+_LATER = 5.0  # seconds of planning before a plan of so many is handed over on the way
 _SHARE = 0.05  # of the time may go into plans that are handed over on the way
 
 
@@ -162,20 +163,24 @@ def _job(given: tuple[Mission, Order], send: Callable[[object], object]) -> Plan
             seed=order.seed,
             encoding=order.encoding,
             without=order.without,
-            on_event=Forward(send),
+            on_event=Forward(send, _LATER if mission.size * mission.horizon > _LARGE else 0.0),
         )
     except InputError as error:
         return _Refusal(error.findings)
 
 
 class Forward:
-    """Sends events on: bounds not too often, and plans as far as making them takes little time."""
+    """Sends events on: bounds not too often, and plans as far as making them takes little time.
+
+    The first plan is handed over `first` seconds after the start, and later ones while they take
+    at most a `share` of the time: a search may be silent for long after its last news.
+    """
 
     def __init__(
-        self, send: Callable[[object], object], soon: float = _SOON, share: float = _SHARE
+        self, send: Callable[[object], object], first: float = 0.0, share: float = _SHARE
     ) -> None:
         self._send = send
-        self._soon, self._share = soon, share
+        self._first, self._share = first, share
         self._began = time.monotonic()
         self._last = -_EVERY
         self._spent = 0.0
@@ -193,7 +198,7 @@ class Forward:
         self._send(replace(event, plan=None) if isinstance(event, Incumbent) else event)
 
     def _hand_over(self, elapsed: float) -> None:
-        if self._made is None or elapsed < self._soon or self._spent > self._share * elapsed:
+        if self._made is None or elapsed < self._first or self._spent > self._share * elapsed:
             return
         make, self._made = self._made, None
         began = time.monotonic()
