@@ -58,7 +58,7 @@ def _plan(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     )
     plan.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
     plan.add_argument("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
-    plan.add_argument("--time-limit", type=_positive, metavar="S", help="seconds of search")
+    plan.add_argument("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
     plan.add_argument("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
     plan.add_argument("--threads", type=_count, metavar="N", help="threads of the solver")
     plan.add_argument("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
@@ -87,7 +87,8 @@ def _explain(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
     explain = commands.add_parser(
         "explain",
         help="say why there is no plan and what would help; what is tight where there is one",
-        epilog="exit codes: 0 explained, 2 bad input or usage, 4 no answer within the time limit",
+        epilog="exit codes: 0 explained, 2 bad input or usage, 4 no answer within the time limit, "
+        "5 internal or solver failure, 6 the standard output could not be written to",
     )
     explain.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
     explain.add_argument("--all", action="store_true", help="several different conflicts")

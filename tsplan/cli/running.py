@@ -32,8 +32,7 @@ if TYPE_CHECKING:
 _EVERY = 0.1  # seconds between bounds that are passed on
 _ONE_REQUEST = 0.5  # seconds within which signals are one request
 _LEAST = 1.0  # seconds that a second try gets at least
-_LARGE = 200_000  # robots times steps whose paths may take long to make and check
-_LATER = 5.0  # seconds of planning before a plan of so many is handed over on the way
+_MANY = 1_000_000  # robots times steps whose paths take seconds to make and check
 _SHARE = 0.05  # of the time may go into plans that are handed over on the way
 
 
@@ -163,7 +162,7 @@ def _job(given: tuple[Mission, Order], send: Callable[[object], object]) -> Plan
             seed=order.seed,
             encoding=order.encoding,
             without=order.without,
-            on_event=Forward(send, _LATER if mission.size * mission.horizon > _LARGE else 0.0),
+            on_event=Forward(send, 0.0 if mission.size * mission.horizon > _MANY else _SHARE),
         )
     except InputError as error:
         return _Refusal(error.findings)
@@ -172,15 +171,13 @@ def _job(given: tuple[Mission, Order], send: Callable[[object], object]) -> Plan
 class Forward:
     """Sends events on: bounds not too often, and plans as far as making them takes little time.
 
-    The first plan is handed over `first` seconds after the start, and later ones while they take
-    at most a `share` of the time: a search may be silent for long after its last news.
+    The first plan is handed over at once, as a search may be silent for long after its last news;
+    later ones while all of them take at most a `share` of the time. With a share of 0 none is.
     """
 
-    def __init__(
-        self, send: Callable[[object], object], first: float = 0.0, share: float = _SHARE
-    ) -> None:
+    def __init__(self, send: Callable[[object], object], share: float = _SHARE) -> None:
         self._send = send
-        self._first, self._share = first, share
+        self._share = share
         self._began = time.monotonic()
         self._last = -_EVERY
         self._spent = 0.0
@@ -198,7 +195,7 @@ class Forward:
         self._send(replace(event, plan=None) if isinstance(event, Incumbent) else event)
 
     def _hand_over(self, elapsed: float) -> None:
-        if self._made is None or elapsed < self._first or self._spent > self._share * elapsed:
+        if self._made is None or not self._share or self._spent > self._share * elapsed:
             return
         make, self._made = self._made, None
         began = time.monotonic()
