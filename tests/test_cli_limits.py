@@ -166,8 +166,12 @@ def test_ctrl_c_while_paths_are_made_loses_nothing(folder):
 
 @pytest.mark.parametrize("limit", [None, 1000.0])
 def test_a_wish_to_stop_is_no_time_limit(folder, limit):
+    pressed = []
+
     def press(event):
-        signal.raise_signal(signal.SIGINT)
+        if not pressed:  # a second time would interrupt for good
+            pressed.append(event)
+            signal.raise_signal(signal.SIGINT)
 
     for listener in (press, lambda _: True):
         plan = tsplan.plan(tsplan.load_mission("mission.yaml"), on_event=listener, time_limit=limit)
@@ -219,8 +223,10 @@ def slow_reading(path):
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs the system's timer")
 def test_the_limit_holds_while_the_mission_is_read(folder, capsys, monkeypatch):
     monkeypatch.setattr("tsplan.cli.inputs.load_mission", slow_reading)
-    assert main(["plan", "mission.yaml", "--time-limit", "0.2"]) == 4
-    assert "time limit was reached while it was read" in capsys.readouterr().err
+    monkeypatch.setattr("tsplan.cli.timing._READING", 0.0)
+    for command in ("plan", "explain"):
+        assert main([command, "mission.yaml", "--time-limit", "0.2"]) == 4
+        assert capsys.readouterr().err == "the time limit was reached while the mission was read\n"
     assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
 
 

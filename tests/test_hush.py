@@ -184,3 +184,27 @@ def test_long_work_is_hushed_only_where_nobody_else_could_speak(capfd):
     with hushed_alone():
         os.write(1, b"unheard\n")
     assert capfd.readouterr().out == "heard\n"
+
+
+LICENSED = """
+import ctypes, os
+for output in (1, 2):
+    os.write(output, b"LOUD licence\\n")
+ctypes.CDLL(None).puts(b"LOUD kept back")
+raise ImportError("no licence")
+"""
+LOOKING = """
+from tsplan.milp.solver import SOLVERS
+try:
+    SOLVERS["{family}"]("").availability()
+except Exception as error:
+    assert "licence" in str(error)
+"""
+
+
+@posix
+@pytest.mark.parametrize("name", ["gurobipy", "pulp"])
+def test_looking_for_other_solvers_is_quiet(loud, tmp_path, name):
+    (tmp_path / "library" / f"{name}.py").write_text(LICENSED)
+    done = loud("-c", LOOKING.format(family=name.removesuffix("py")))
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

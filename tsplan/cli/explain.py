@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import files_of, mission_of, refuse_place, refuse_solver
 from tsplan.cli.output import ERR, console, remark, say_json
+from tsplan.cli.timing import reading_limit, rest
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.data import Explanation, Status
 from tsplan.explanation.report import print_explanation
@@ -30,11 +32,14 @@ def run(asked: argparse.Namespace) -> Exit:
     if (asked.fix is None) != (asked.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
     refuse_place(asked.output, "the mission", [asked.mission])
-    mission = mission_of(asked.mission)
+    began = time.perf_counter()
+    with reading_limit(asked.time_limit):
+        mission = mission_of(asked.mission)
+    loaded = time.perf_counter() - began
     refuse_place(asked.output, "the mission", files_of(mission))
     refuse_solver(asked.solver or mission.solver.name or "highs")
     try:
-        found = _explained(mission, asked)
+        found = _explained(mission, asked, loaded)
     except LateError as late:
         remark(str(late))
         return Exit.NO_PLAN
@@ -59,18 +64,19 @@ class _Order:
     solver: str | None
 
 
-def _explained(mission: Mission, asked: argparse.Namespace) -> Explanation:
+def _explained(mission: Mission, asked: argparse.Namespace, loaded: float) -> Explanation:
     """The explanation, made in a child process: a crash of native code becomes a message."""
     from tsplan.explanation.explaining import MOST_CONFLICTS  # noqa: PLC0415  (loads a solver)
 
     most = MOST_CONFLICTS if asked.all else 1
-    order = _Order(mission, most, asked.slack, asked.time_limit, asked.solver)
+    limit = mission.solver.time_limit if asked.time_limit is None else asked.time_limit
+    limit = rest(limit, loaded)  # reading the mission was a part of the work
+    order = _Order(mission, most, asked.slack, limit, asked.solver)
 
     def tell(stage: object) -> None:
         if ERR.isatty():
             remark(f"{stage} ...")
 
-    limit = mission.solver.time_limit if asked.time_limit is None else asked.time_limit
     return run_guarded(_job, order, tell, Leash(Patience(limit)))
 
 

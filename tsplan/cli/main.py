@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit, parser
+from tsplan.cli.timing import TimeUpError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,7 +27,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             command = import_module(f"tsplan.cli.{asked.command}")
             code = command.run(asked)
         output.OUT.flush()
-    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (whatever it is, no traceback)
+    except (Exception, KeyboardInterrupt, TimeUpError) as error:  # noqa: BLE001  (no traceback)
         code, lines = _answer(error)
         output.remarks(lines)
         with suppress(output.OutputError):
@@ -42,14 +43,16 @@ def _answer(error: BaseException) -> tuple[Exit, list[str]]:
 
     if isinstance(error, InputError):
         return Exit.BAD_INPUT, [" ".join(str(finding).splitlines()) for finding in error.findings]
-    if isinstance(error, TsplanError):
-        return Exit.FAILED, str(error).splitlines()
-    if isinstance(error, KeyboardInterrupt):
-        return Exit.INTERRUPTED, ["interrupted"]
-    if isinstance(error, OutputError):
-        return Exit.UNSHOWN, [str(error)]
-    if isinstance(error, MemoryError):
-        return Exit.FAILED, ["there is not enough memory for this; try a smaller input"]
+    known: tuple[tuple[type[BaseException], Exit, str], ...] = (
+        (TsplanError, Exit.FAILED, str(error)),
+        (KeyboardInterrupt, Exit.INTERRUPTED, "interrupted"),
+        (TimeUpError, Exit.NO_PLAN, str(error)),
+        (OutputError, Exit.UNSHOWN, str(error)),
+        (MemoryError, Exit.FAILED, "there is not enough memory for this; try a smaller input"),
+    )
+    for kind, code, words in known:
+        if isinstance(error, kind):
+            return code, words.splitlines()
     return Exit.FAILED, [internal(error)]
 
 

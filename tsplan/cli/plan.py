@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import files_of, mission_of, refuse_place, refuse_solver
 from tsplan.cli.output import console, remark, say_json
-from tsplan.cli.timing import TimeUpError, time_limit
+from tsplan.cli.timing import reading_limit, rest
 from tsplan.errors import InputError, SolverError
 from tsplan.milp.guard import may_have_children
 from tsplan.milp.leash import USUAL
@@ -30,7 +30,6 @@ _CODES = {
     Status.NO_PLAN_FOUND: Exit.NO_PLAN,
     Status.ERROR: Exit.FAILED,
 }
-_LEAST = 1.0  # seconds of search that are left however long reading took
 _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 
@@ -40,12 +39,8 @@ def run(asked: argparse.Namespace) -> Exit:
 
     refuse_place(asked.output, "the plan", [asked.mission])
     began = time.perf_counter()
-    try:
-        with time_limit(asked.time_limit):
-            mission = mission_of(asked.mission)
-    except TimeUpError:
-        remark(f"{asked.mission}: the time limit was reached while it was read; there is no plan")
-        return Exit.NO_PLAN
+    with reading_limit(asked.time_limit):
+        mission = mission_of(asked.mission)
     loaded = time.perf_counter() - began
     refuse_place(asked.output, "the plan", files_of(mission))
     refuse_solver(asked.solver or mission.solver.name or "highs")
@@ -72,8 +67,7 @@ def _planned(
     limit = mission.solver.time_limit if asked.time_limit is None else asked.time_limit
     order = Order(
         solver=asked.solver,
-        # reading the mission was a part of the work
-        time_limit=None if limit is None else max(limit - loaded, min(limit, _LEAST)),
+        time_limit=rest(limit, loaded),  # reading the mission was a part of the work
         gap=asked.gap,
         threads=asked.threads,
         seed=asked.seed,
