@@ -29,7 +29,7 @@ def plan(
 
     `time_limit` is in seconds, `gap` relative; what is None comes from the mission. `on_event` is
     called with every `Event`; when it returns True the search stops and the best plan is kept.
-    Ctrl-C does the same. `without` names ideas of the tight encoding to switch off. The plan of a
+    Ctrl-C does the same. What it raises ends the search and is raised here. `without` names ideas of the tight encoding to switch off. The plan of a
     swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
     1,000; `assign` makes them for more.
 

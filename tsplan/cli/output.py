@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Literal
 from tsplan.words import visible
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from rich.console import Console
 
@@ -70,8 +70,7 @@ class Stream:
         if stream is not None:
             self._attempt(stream.flush)
 
-    def _attempt(self, action: object) -> None:
-        assert callable(action)
+    def _attempt(self, action: Callable[[], object]) -> None:
         try:
             action()
         except BrokenPipeError:
