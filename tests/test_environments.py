@@ -1,5 +1,9 @@
 """The project's own maps and missions: they are what they say, and plans for them are right."""
 
+import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -107,6 +111,78 @@ def test_plans(name):
     assert plan.status == "optimal"
     assert plan.verified
     assert [goal.value for goal in plan.objective] == pytest.approx(BEST[name])
+
+
+# what the command line is to give for each mission, whatever its stderr is
+EXIT = {name: 3 if best is None else 0 for name, best in BEST.items()}
+SLICE = {
+    ("office_delivery", "pipe"),
+    ("office_delivery", "terminal"),
+    ("farm_shortage", "terminal"),
+}
+
+
+def run(arguments, folder, stderr):
+    """The exit code, stdout and stderr of the command line; stderr is a pipe or a terminal."""
+    command = [sys.executable, "-m", "tsplan", *arguments]
+    environment = {**os.environ, "PYTHONPATH": str(Path(tsplan.__file__).parents[1])}
+    if stderr == "pipe":
+        done = subprocess.run(
+            command, capture_output=True, text=True, check=False, cwd=folder, env=environment
+        )
+        return done.returncode, done.stdout, done.stderr
+    ours, theirs = os.openpty()
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=theirs, cwd=folder, env=environment
+    ) as process:
+        os.close(theirs)
+        seen = b""
+        while True:
+            try:
+                part = os.read(ours, 65536)
+            except OSError:  # the other end is gone
+                break
+            if not part:
+                break
+            seen += part
+        out = process.stdout.read().decode()
+    os.close(ours)
+    return process.returncode, out, seen.decode()
+
+
+@pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs terminals made by programs")
+@pytest.mark.parametrize(
+    ("name", "stderr"),
+    [
+        pytest.param(m, kind, marks=() if (m, kind) in SLICE else pytest.mark.long)
+        for m in MISSIONS
+        for kind in ("pipe", "terminal")
+    ],
+)
+def test_the_command_line_gives_the_same(name, stderr, tmp_path):
+    place = tmp_path / "plan.json"
+    code, out, err = run(
+        ["plan", str(FOLDER / f"{name}.yaml"), "-o", str(place), "--json"], tmp_path, stderr
+    )
+    assert code == EXIT[name], err
+    assert "internal error" not in err
+    plan = json.loads(out, parse_constant=pytest.fail)
+    assert json.loads(place.read_text(encoding="utf-8")) == plan
+    if BEST[name] is not None:
+        assert [goal["value"] for goal in plan["objective"]] == pytest.approx(BEST[name])
+
+
+@pytest.mark.parametrize("limit", ["0.6"])
+def test_a_short_limit_gives_a_verified_plan_or_none(limit, tmp_path):
+    arguments = ["plan", str(FOLDER / "office_wishes.yaml"), "--json", "--time-limit", limit]
+    code, out, err = run(arguments, tmp_path, "pipe")
+    assert code in (0, 4), err
+    plan = json.loads(out, parse_constant=pytest.fail)
+    assert (plan["status"], plan["verified"]) in (
+        ("optimal", True),
+        ("feasible", True),
+        ("no_plan_found", False),
+    )
 
 
 def test_one_bound_alone_makes_the_thin_survey_infeasible():

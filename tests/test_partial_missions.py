@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
@@ -14,7 +15,7 @@ from tsplan.errors import MissionError, PlanError, SolverError
 from tsplan.explanation import explain
 from tsplan.logic import parse
 from tsplan.mission import Group, Mission, Preference, mission_from_text
-from tsplan.results import Plan, certify, check
+from tsplan.results import Plan, certify, check, load_plan
 from tsplan.results.satisfaction import Depth
 from tsplan.results.summary import satisfaction_lines
 from tsplan.ts import Edge, State, TransitionSystem
@@ -365,3 +366,27 @@ def test_the_command_line(tmp_path, capsys):
     assert "holds in part, with satisfaction 2/3" in capsys.readouterr().out
     made.write_text(made.read_text().replace('"exact": "2/3"', '"exact": "2/3 "'))
     assert main(["check", str(place), str(made)]) == 2
+
+
+FALSE = """\
+format: tsplan-mission/1
+map: {waiting: true, states: {p: {labels: [A]}, q: {labels: [B]}}, edges: [[p, q, 1], [q, p, 1]]}
+team: [{class: a, count: 2, at: p}]
+spec: {language: mtl, formula: "false"}
+objective: [{satisfaction: weighted}, availability]
+"""
+
+
+def test_what_is_plainly_false_has_no_robots_to_spare(tmp_path, capsys):
+    mission_file, plan_file = str(tmp_path / "mission.yaml"), str(tmp_path / "plan.json")
+    Path(mission_file).write_text(FALSE)
+    assert main(["plan", mission_file, "-o", plan_file]) == 0
+    assert main(["check", mission_file, plan_file]) == 0
+    assert main(["show", plan_file, "--why"]) == 0
+    assert main(["view", plan_file, "-o", str(tmp_path / "page.html")]) == 0
+    seen = capsys.readouterr()
+    assert "availability open" in seen.out
+    assert "availability is open" in seen.out
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    notebook = load_plan(plan_file)._repr_html_()
+    assert "unbounded" not in seen.out + seen.err + page + notebook

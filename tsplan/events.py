@@ -12,6 +12,9 @@ if TYPE_CHECKING:
 
     from tsplan.results.plan import Plan
 
+FINISHING = "paths and check"
+"""The name of the last stage: the search is over, and its plan is made ready."""
+
 
 @dataclass(frozen=True, slots=True)
 class Stage:

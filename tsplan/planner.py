@@ -14,7 +14,8 @@ from tsplan.errors import Finding, MissionError, SolverError
 from tsplan.exact import digits
 from tsplan.mission import Mission
 from tsplan.results import AgentPlan, Plan, decompose
-from tsplan.running import Listener, Result, Run, Settings, Tell, Ways, claimed_depths, known
+from tsplan.running import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
+from tsplan.words import known
 
 
 def plan(
@@ -33,7 +34,7 @@ def plan(
 
     `time_limit` is in seconds, `gap` relative; what is None comes from the mission. `on_event` is
     called with every `Event`; when it returns True the search stops and the best plan is kept.
-    Ctrl-C does the same. `without` names ideas of the tight encoding to switch off. The plan of a
+    Ctrl-C does the same. What it raises ends the search and is raised here. `without` names ideas of the tight encoding to switch off. The plan of a
     swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
     1,000; `assign` makes them for more.
 

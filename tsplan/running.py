@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import signal
 import threading
 import time
@@ -16,8 +15,9 @@ from typing import Any, Generic, TypedDict, TypeVar
 from tsplan.encode.clock import Clock
 from tsplan.encode.effort import Effort
 from tsplan.encode.stages import Reached
-from tsplan.events import Bound, Event, Incumbent, Stage
+from tsplan.events import FINISHING, Bound, Event, Incumbent, Stage
 from tsplan.limits import refuse_options
+from tsplan.milp.hush import audible, hushed_alone
 from tsplan.milp.solution import StoppedBy as Stopped
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
@@ -35,6 +35,7 @@ from tsplan.results import (
     certify,
 )
 from tsplan.results.satisfaction import Depth, Satisfaction
+from tsplan.words import known
 
 FoundT = TypeVar("FoundT")
 Listener = Callable[[Event], "bool | None"]
@@ -114,8 +115,9 @@ class Run(ABC, Generic[FoundT]):
         self._mission = mission
         self._settings = settings
         self._listener = listener
-        self._stopped = False
-        self._clock = Clock(settings.time_limit, lambda: self._stopped)
+        self._stopped: float | None = None  # seconds after which it was asked to stop
+        self._newest: FoundT | None = None
+        self._clock = Clock(settings.time_limit, lambda: self._stopped is not None)
         self._seconds = {"reduce": 0.0, "build": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
 
     @abstractmethod
@@ -131,7 +133,15 @@ class Run(ABC, Generic[FoundT]):
         """Where everybody goes by what was found."""
 
     def plan(self) -> Plan:
-        """Run all stages and certify what they found."""
+        """Run all stages and certify what they found.
+
+        Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out,
+        the best plan known is certified, with that as the reason.
+        """
+        with on_interrupt(self._stop), hushed_alone(self._settings.log):
+            return self._planned()
+
+    def _planned(self) -> Plan:
         settings = self._settings
         chosen = solver_named(settings.solver or "highs")
         availability = chosen.availability()
@@ -140,22 +150,48 @@ class Run(ABC, Generic[FoundT]):
             gap=settings.gap or 0.0,
             threads=settings.threads,
             seed=settings.seed,
-            log=settings.log,
+            log=None if settings.log is None else audible(settings.log),
         )
-        began = time.perf_counter()
-        self.prepare()
-        self._seconds["reduce"] = time.perf_counter() - began
-        began = time.perf_counter()
-        with on_interrupt(self._stop):
-            result = self.search(effort, self._clock, self._tell)
-        built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
-        self._seconds["solve"] = time.perf_counter() - began - built
+        try:
+            result = self._searched(effort)
+        except MemoryError:
+            # what was being built is gone with the error, so there is room again
+            result = Result(
+                self._newest,
+                reached=(),
+                proven=False,
+                infeasible=False,
+                stopped_by=Stopped.MEMORY,
+                size=(0, 0, 0, 0),
+            )
         return self._finished(
             result, SolverUse(chosen.name, availability.version or "", self._options())
         )
 
+    def _searched(self, effort: Effort) -> Result[FoundT]:
+        began = time.perf_counter()
+        self.prepare()
+        self._seconds["reduce"] = time.perf_counter() - began
+        began = time.perf_counter()
+        try:
+            return self.search(effort, self._clock, self._tell)
+        finally:
+            built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
+            self._seconds["solve"] = time.perf_counter() - began - built
+
     def _stop(self) -> None:
-        self._stopped = True
+        if self._stopped is None:
+            self._stopped = self._clock.elapsed
+
+    def _why(self, said: Stopped | None) -> StoppedBy | None:
+        """What truly ended the search: a wish to stop is no time limit, nor the other way round."""
+        if said not in (Stopped.INTERRUPT, Stopped.TIME_LIMIT):
+            return None if said is None else StoppedBy(said.value)
+        limit = self._clock.limit
+        if limit is None:
+            return StoppedBy(said.value) if self._stopped is None else StoppedBy.INTERRUPT
+        asked = self._stopped is not None and self._stopped < limit
+        return StoppedBy.INTERRUPT if asked else StoppedBy.TIME_LIMIT
 
     def _options(self) -> dict[str, object]:
         asked = {
@@ -169,9 +205,13 @@ class Run(ABC, Generic[FoundT]):
     def _tell(
         self, stage: str, found: FoundT | None, value: float | None, bound: float | None
     ) -> None:
+        """The gate through which all news pass: what is infinite is not known out there."""
+        if found is not None:
+            self._newest = found
         if self._listener is None:
             return
         elapsed = self._clock.elapsed
+        value, bound = known(value), known(bound)
         event: Event
         if found is not None:
             event = Incumbent(stage, value, bound, elapsed, lambda: self._provisional(found))
@@ -179,8 +219,8 @@ class Run(ABC, Generic[FoundT]):
             event = Stage(stage, elapsed)
         else:
             event = Bound(stage, value, bound, elapsed)
-        if self._listener(event):
-            self._stopped = True
+        if audible(self._listener)(event):
+            self._stop()
 
     def _provisional(self, found: FoundT) -> Plan:
         """The verified plan of something found on the way."""
@@ -190,20 +230,30 @@ class Run(ABC, Generic[FoundT]):
             stopped_by=StoppedBy.INTERRUPT,
             mission=MissionRef(mission.name, mission.digest),
             horizon=mission.horizon,
+            objective=self._open(),
             **self.ways(found),
         )
         return certify(mission, made)
 
+    def _open(self) -> tuple[ObjectiveValue, ...]:
+        """The objectives of the mission, nothing known of them: the check fills their values in."""
+        mission = self._mission
+        return tuple(ObjectiveValue(name, None, None) for name in mission.objective)
+
     def _finished(self, result: Result[FoundT], used: SolverUse) -> Plan:
         mission = self._mission
+        if result.found is not None:
+            self._tell(FINISHING, None, None, None)
         began = time.perf_counter()
         ways = Ways() if result.found is None else self.ways(result.found)
         self._seconds["extract"] = time.perf_counter() - began
         # values are those that the check measures on the paths
         reached = [ObjectiveValue(r.name, None, known(r.bound)) for r in result.reached]
+        if result.found is not None and not reached:
+            reached = list(self._open())
         made = Plan(
             status=result.status,
-            stopped_by=None if result.stopped_by is None else StoppedBy(result.stopped_by.value),
+            stopped_by=self._why(result.stopped_by),
             mission=MissionRef(mission.name, mission.digest),
             horizon=mission.horizon,
             objective=tuple(item for item in reached if item.name != "own"),
@@ -225,9 +275,6 @@ class Run(ABC, Generic[FoundT]):
         return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
 
 
-def known(value: float | None) -> float | None:
-    """A number that can be told: what is infinite or undefined is not known, and -0.0 is 0."""
-    return value + 0.0 if value is not None and math.isfinite(value) else None
 
 
 def claimed_depths(mission: Mission, levels: Iterable[Reached]) -> Satisfaction | None:
@@ -258,11 +305,15 @@ class _Asked:
 
 @contextmanager
 def on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
-    """Ctrl-C asks the search to stop and keep its best plan; a second one interrupts for good."""
-    if threading.current_thread() is not threading.main_thread():
+    """Ctrl-C asks the search to stop and keep its best plan; a second one interrupts for good.
+
+    Where Ctrl-C is ignored, as in a background job of a shell, it stays so.
+    """
+    former = signal.getsignal(signal.SIGINT)
+    elsewhere = threading.current_thread() is not threading.main_thread()
+    if elsewhere or former in (None, signal.SIG_IGN):
         yield
         return
-    former = signal.getsignal(signal.SIGINT)
     asked = _Asked(stop, former)
     signal.signal(signal.SIGINT, asked)
     try:

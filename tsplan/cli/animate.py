@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import fitted
+from tsplan.cli.inputs import files_of, mission_for, refuse_place
+from tsplan.cli.pictures import own_backend
 from tsplan.results.planfile import load_plan
 from tsplan.viewer.animation import Pace, animate
 
@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the moving picture."""
-    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
+    plan = load_plan(asked.plan)
+    mission = mission_for(asked.plan, plan, asked.mission)
     pace = Pace.of(plan.horizon, asked.fps, asked.seconds_per_step, asked.size)
-    animate(mission, plan, asked.output, pace, lambda words: sys.stderr.write(f"{words}\n"))
+    refuse_place(asked.output, "the moving picture", [asked.plan, *files_of(mission)])
+    with own_backend("Agg"):
+        animate(mission, plan, asked.output, pace)
     return Exit.DONE

@@ -22,6 +22,7 @@ class Exit(IntEnum):
     INFEASIBLE = 3
     NO_PLAN = 4
     FAILED = 5
+    UNSHOWN = 6  # what was found out could not be written to stdout
     INTERRUPTED = 130
 
 
@@ -29,7 +30,8 @@ MOST_FRAMES = 50  # a second; players of GIFs show no more
 LEAST_SIDE, MOST_SIDE = 200, 4000  # dots of a moving picture
 
 _CODES = """exit codes of plan: 0 a verified plan, 2 bad input or usage, 3 infeasible,
-4 no plan within the limits, 5 internal or solver failure"""
+4 no plan within the limits, 5 internal or solver failure,
+6 the standard output could not be written to"""
 
 
 def parser() -> argparse.ArgumentParser:
@@ -61,7 +63,7 @@ def _plan(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     )
     plan.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
     plan.add_argument("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
-    plan.add_argument("--time-limit", type=_positive, metavar="S", help="seconds of search")
+    plan.add_argument("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
     plan.add_argument("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
     plan.add_argument("--threads", type=_threads, metavar="N", help="threads of the solver")
     plan.add_argument("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
@@ -90,7 +92,8 @@ def _explain(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
     explain = commands.add_parser(
         "explain",
         help="say why there is no plan and what would help; what is tight where there is one",
-        epilog="exit codes: 0 explained, 2 bad input or usage, 4 no answer within the time limit",
+        epilog="exit codes: 0 explained, 2 bad input or usage, 4 no answer within the time limit, "
+        "5 internal or solver failure, 6 the standard output could not be written to",
     )
     explain.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
     explain.add_argument("--all", action="store_true", help="several different conflicts")

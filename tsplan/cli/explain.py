@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-import sys
+import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_of, refuse_place, refuse_solver
+from tsplan.cli.inputs import files_of, mission_of, refuse_place, refuse_solver
+from tsplan.cli.output import ERR, console, remark, say_json
+from tsplan.cli.timing import reading_limit, rest
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.data import Explanation, Status
+from tsplan.explanation.report import print_explanation
+from tsplan.milp.guard import LateError, run_guarded
+from tsplan.milp.leash import Leash, Patience
+from tsplan.results.planfile import write_whole
 
 if TYPE_CHECKING:
     import argparse
@@ -25,16 +31,25 @@ def run(asked: argparse.Namespace) -> Exit:
     """Explain the mission; write a changed one where that is asked for."""
     if (asked.fix is None) != (asked.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
-    refuse_place(asked.output, "the mission")
-    mission = mission_of(asked.mission)
+    refuse_place(asked.output, "the mission", [asked.mission])
+    began = time.perf_counter()
+    with reading_limit(asked.time_limit):
+        mission = mission_of(asked.mission)
+    loaded = time.perf_counter() - began
+    refuse_place(asked.output, "the mission", files_of(mission))
     refuse_solver(asked.solver or mission.solver.name or "highs")
-    found = _explained(mission, asked)
+    try:
+        found = _explained(mission, asked, loaded)
+    except LateError as late:
+        remark(str(late))
+        return Exit.NO_PLAN
+    unwritten = _written(mission, found, asked)
     if asked.json:
-        sys.stdout.write(found.to_json())
+        say_json(found.to_json())
     else:
-        _print(found, mission)
-    if asked.fix is not None:
-        _write(mission, found, asked)
+        print_explanation(found, mission, console(_PIPE_WIDTH))
+    if unwritten is not None:
+        raise unwritten
     return Exit.NO_PLAN if found.status is Status.NO_ANSWER else Exit.DONE
 
 
@@ -49,22 +64,23 @@ class _Order:
     solver: str | None
 
 
-def _explained(mission: Mission, asked: argparse.Namespace) -> Explanation:
+def _explained(mission: Mission, asked: argparse.Namespace, loaded: float) -> Explanation:
     """The explanation, made in a child process: a crash of native code becomes a message."""
     from tsplan.explanation.explaining import MOST_CONFLICTS  # noqa: PLC0415  (loads a solver)
-    from tsplan.milp.guard import run_guarded  # noqa: PLC0415
 
     most = MOST_CONFLICTS if asked.all else 1
-    order = _Order(mission, most, asked.slack, asked.time_limit, asked.solver)
+    limit = mission.solver.time_limit if asked.time_limit is None else asked.time_limit
+    limit = rest(limit, loaded)  # reading the mission was a part of the work
+    order = _Order(mission, most, asked.slack, limit, asked.solver)
 
     def tell(stage: object) -> None:
-        if sys.stderr.isatty():
-            sys.stderr.write(f"{stage} ...\n")
+        if ERR.isatty():
+            remark(f"{stage} ...")
 
-    return run_guarded(_job, order, tell)
+    return run_guarded(_job, order, tell, Leash(Patience(limit)))
 
 
-def _job(order: _Order, send: Callable[[str], None]) -> Explanation:
+def _job(order: _Order, send: Callable[[str], object]) -> Explanation:
     """The child's part."""
     from tsplan.explanation.explaining import explain  # noqa: PLC0415  (loads a solver)
 
@@ -78,14 +94,14 @@ def _job(order: _Order, send: Callable[[str], None]) -> Explanation:
     )
 
 
-def _print(found: Explanation, mission: Mission) -> None:
-    from rich.console import Console  # noqa: PLC0415  (slow to import)
-
-    from tsplan.explanation.report import print_explanation  # noqa: PLC0415
-
-    console = Console()
-    wide = console if console.is_terminal else Console(width=_PIPE_WIDTH)
-    print_explanation(found, mission, wide)
+def _written(mission: Mission, found: Explanation, asked: argparse.Namespace) -> InputError | None:
+    """Write the changed mission before anything is printed; what keeps it unwritten comes last."""
+    if asked.fix is not None:
+        try:
+            _write(mission, found, asked)
+        except InputError as error:
+            return error
+    return None
 
 
 def _write(mission: Mission, found: Explanation, asked: argparse.Namespace) -> None:
@@ -98,6 +114,6 @@ def _write(mission: Mission, found: Explanation, asked: argparse.Namespace) -> N
         raise InputError([Finding(f"there is no change {asked.fix}; {known}", "choose another")])
     changed = found.changes[asked.fix - 1].mission
     written = rewritten(mission, changed, asked.mission.parent, output.parent)
-    output.write_text(written.text, encoding="utf-8")
+    write_whole(output, written.text.encode())
     if written.comments_lost:
-        sys.stderr.write(f"{output}: some comments of the mission could not be kept\n")
+        remark(f"{output}: some comments of the mission could not be kept")

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import os
-import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tsplan.errors import Finding, InputError, PlanError, nearest, told
+from tsplan.cli.output import remark
+from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.mission import load_mission
-from tsplan.results.fitting import refuse_impossible, refuse_pathless, with_groups
+from tsplan.results.fitting import refuse_misfit, refuse_pathless
 from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from pathlib import Path
 
     from tsplan.mission import Mission
     from tsplan.results.plan import Plan
@@ -45,25 +45,23 @@ def mission_and_plan(mission_path: Path, plan_path: Path) -> tuple[Mission, Plan
 
 def warn(findings: Iterable[Finding]) -> None:
     """Write findings that do not stop the work, one a line."""
-    marked = [replace(item, message=f"warning: {item.message}") for item in findings]
-    for line in told(marked):
-        sys.stderr.write(" ".join(line.splitlines()) + "\n")
+    for finding in findings:
+        marked = replace(finding, message=f"warning: {finding.message}")
+        remark(" ".join(str(marked).splitlines()))
 
 
-def fitted(path: Path, plan: Plan, given: Path | None) -> tuple[Plan, Mission]:
-    """A plan, complete, and its mission: the one that is given, or the one found beside the plan.
+def mission_for(path: Path, plan: Plan, given: Path | None) -> Mission:
+    """The mission of a plan file: the one that is given, or the one found beside the plan.
 
-    Raises PlanError if there is none, or if the plan has no paths, impossible ones, or those of
-    another mission.
+    Raises PlanError if there is none, or if the plan has no paths or is of another mission.
     """
     refuse_pathless(plan, str(path))
     mission = mission_of(given) if given is not None else mission_beside(path, plan)
     if mission is None:
         what = f"the mission of the plan ('{plan.mission.name}') is in no YAML file beside it"
         raise PlanError([Finding(what, "name its file with --mission MISSION", str(path))])
-    plan = with_groups(plan, mission)
-    refuse_impossible(plan, mission, str(path))
-    return plan, mission
+    refuse_misfit(plan, mission, str(path))
+    return mission
 
 
 def mission_beside(path: Path, plan: Plan) -> Mission | None:
@@ -79,29 +77,42 @@ def mission_beside(path: Path, plan: Plan) -> Mission | None:
     return None
 
 
-def refuse_place(path: Path | None, what: str) -> None:
-    """Say at once that a file could not be written, not after the search."""
+def refuse_place(path: Path | None, what: str, inputs: Iterable[Path | None] = ()) -> None:
+    """Say at once that a file could not be written, not after the search.
+
+    A file that is read, under whatever name, is not written over.
+    """
     if path is None:
         return
-    try:
-        why = _unwritable(path)
-    except (OSError, ValueError) as error:  # a folder on the way that nobody may look into
-        why = (error.strerror if isinstance(error, OSError) else None) or str(error)
-    if why is not None:
-        words = f"cannot write {what}: {why}"
-        raise InputError([Finding(words, "choose another file", str(path))])
-
-
-def _unwritable(path: Path) -> str | None:
-    """Why a file cannot be written, as far as is seen before; None if nothing speaks against it."""
     folder = path.resolve().parent
     if path.is_dir():
-        return "this is a directory"
-    if not folder.is_dir():
-        return "its directory does not exist"
-    if not os.access(path if path.exists() else folder, os.W_OK):
-        return "no permission"
-    return None
+        why = "this is a directory"
+    elif not folder.is_dir():
+        why = "its directory does not exist"
+    elif not os.access(path if path.exists() else folder, os.W_OK):
+        why = "no permission"
+    elif any(_same(path, other) for other in inputs):
+        why = "this file is read by the same command"
+    else:
+        return
+    raise InputError([Finding(f"cannot write {what}: {why}", "choose another file", str(path))])
+
+
+def _same(path: Path, other: Path | None) -> bool:
+    """Whether two names are of one file, by links too; a device or a pipe may serve twice."""
+    try:
+        return other is not None and other.is_file() and path.samefile(other)
+    except OSError:
+        return False
+
+
+def files_of(mission: Mission | None) -> list[Path]:
+    """The files that a mission was read from: its own, and its map's."""
+    if mission is None or mission.origin is None:
+        return []
+    own, data = Path(mission.origin.source), mission.origin.data
+    named = data.get("map") if isinstance(data, dict) else None
+    return [own, own.parent / named] if isinstance(named, str) else [own]
 
 
 def refuse_solver(name: str) -> None:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
+from tsplan.cli.output import say
 from tsplan.ts.lint import lint
 from tsplan.ts.read import load_map
 
@@ -20,8 +20,8 @@ def run(asked: argparse.Namespace) -> Exit:
     findings = lint(system)
     for finding in findings:
         placed = finding if finding.source else replace(finding, source=str(asked.map))
-        sys.stdout.write(f"{placed}\n")
+        say(str(placed))
     if findings:
         return Exit.REFUSED
-    sys.stdout.write(f"{len(system.states)} states, {len(system.edges)} edges, nothing looks odd\n")
+    say(f"{len(system.states)} states, {len(system.edges)} edges, nothing looks odd")
     return Exit.DONE

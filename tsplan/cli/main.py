@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import sys
+from contextlib import suppress
 from importlib import import_module
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit, parser
+from tsplan.cli.timing import TimeUpError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -15,35 +15,44 @@ if TYPE_CHECKING:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; never a traceback for bad input."""
+    from tsplan.cli import output  # noqa: PLC0415  (after the arguments)
+
+    output.fill_closed()
     try:
-        asked = parser().parse_args(arguments)
-    except SystemExit as stop:  # argparse has said what is wrong
-        return int(stop.code or 0)
-    try:
-        command = import_module(f"tsplan.cli.{asked.command}")
-        code: Exit = command.run(asked)
-        sys.stdout.flush()
-    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (whatever it is, no traceback)
+        try:
+            asked = parser().parse_args(arguments)
+        except SystemExit as stop:  # argparse has said what is wrong
+            code = Exit(int(stop.code or 0))
+        else:
+            command = import_module(f"tsplan.cli.{asked.command}")
+            code = command.run(asked)
+        output.OUT.flush()
+    except (Exception, KeyboardInterrupt, TimeUpError) as error:  # noqa: BLE001  (no traceback)
         code, lines = _answer(error)
-        for line in lines:
-            sys.stderr.write(f"{line}\n")
+        output.remarks(lines)
+        with suppress(output.OutputError):
+            output.OUT.flush()
+    output.ERR.flush()
     return int(code)
 
 
 def _answer(error: BaseException) -> tuple[Exit, list[str]]:
     """The exit code and the lines that say what went wrong."""
-    from tsplan.errors import InputError, TsplanError, told  # noqa: PLC0415  (after the help)
+    from tsplan.cli.output import OutputError  # noqa: PLC0415  (after the help)
+    from tsplan.errors import InputError, TsplanError  # noqa: PLC0415  (after the help)
 
     if isinstance(error, InputError):
-        return Exit.BAD_INPUT, [" ".join(line.splitlines()) for line in told(error.findings)]
-    if isinstance(error, TsplanError):
-        return Exit.FAILED, str(error).splitlines()
-    if isinstance(error, KeyboardInterrupt):
-        return Exit.INTERRUPTED, ["interrupted"]
-    if isinstance(error, BrokenPipeError):
-        # whoever reads the output has seen enough; keep the interpreter from complaining too
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return Exit.DONE, []
+        return Exit.BAD_INPUT, [" ".join(str(finding).splitlines()) for finding in error.findings]
+    known: tuple[tuple[type[BaseException], Exit, str], ...] = (
+        (TsplanError, Exit.FAILED, str(error)),
+        (KeyboardInterrupt, Exit.INTERRUPTED, "interrupted"),
+        (TimeUpError, Exit.NO_PLAN, str(error)),
+        (OutputError, Exit.UNSHOWN, str(error)),
+        (MemoryError, Exit.FAILED, "there is not enough memory for this; try a smaller input"),
+    )
+    for kind, code, words in known:
+        if isinstance(error, kind):
+            return code, words.splitlines()
     return Exit.FAILED, [internal(error)]
 
 

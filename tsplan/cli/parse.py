@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING
 
 from tsplan import logic
 from tsplan.cli.arguments import Exit
+from tsplan.cli.output import say
 from tsplan.errors import FormulaError, InputError
 
 if TYPE_CHECKING:
@@ -26,11 +26,11 @@ def run(asked: argparse.Namespace) -> Exit:
     ]
     if asked.language == "catl":
         rows.append(("mtl", str(logic.translate(formula))))
-    sys.stdout.write("tree\n")
+    say("tree")
     for line in tree(formula):
-        sys.stdout.write(f"  {line}\n")
+        say(f"  {line}")
     for name, text in rows:
-        sys.stdout.write(f"{name:<10}{text}\n")
+        say(f"{name:<10}{text}")
     return Exit.DONE
 
 

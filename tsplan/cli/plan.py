@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_of, refuse_place, refuse_solver
-from tsplan.errors import SolverError
+from tsplan.cli.inputs import files_of, mission_of, refuse_place, refuse_solver
+from tsplan.cli.output import console, remark, say_json
+from tsplan.cli.timing import reading_limit, rest
+from tsplan.errors import InputError, SolverError
+from tsplan.milp.guard import may_have_children
+from tsplan.milp.leash import USUAL
 from tsplan.results.assigning import assign
 from tsplan.results.plan import Plan, Status
 from tsplan.results.planfile import save_plan
@@ -17,6 +20,7 @@ from tsplan.results.planfile import save_plan
 if TYPE_CHECKING:
     import argparse
 
+    from tsplan.cli.running import Requests
     from tsplan.mission import Mission
 
 _CODES = {
@@ -30,51 +34,54 @@ _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 
 def run(asked: argparse.Namespace) -> Exit:
-    """Plan, show the plan, and say by the exit code how it ended."""
-    refuse_place(asked.output, "the plan")
+    """Plan, write the plan, show it, and say by the exit code how it ended."""
+    from tsplan.cli.running import Requests  # noqa: PLC0415  (needs what help does not)
+
+    refuse_place(asked.output, "the plan", [asked.mission])
     began = time.perf_counter()
-    mission = mission_of(asked.mission)
+    with reading_limit(asked.time_limit):
+        mission = mission_of(asked.mission)
     loaded = time.perf_counter() - began
+    refuse_place(asked.output, "the plan", files_of(mission))
     refuse_solver(asked.solver or mission.solver.name or "highs")
-    try:
-        plan = _timed(_planned(asked, mission), mission, loaded)
-    except KeyboardInterrupt:
-        sys.stderr.write("interrupted; there is no plan\n")
-        return Exit.NO_PLAN
-    if plan.has_paths and not plan.verified:
-        raise SolverError("the plan that was found has not been checked; it is not shown")
-    if asked.agents and plan.moves and not plan.agents:
-        plan = assign(mission, plan, seed=asked.seed)
-    if asked.output is not None:
-        save_plan(plan, asked.output)
-    if asked.json:
-        sys.stdout.write(plan.to_json())
-    elif not asked.quiet:
-        _summarise(plan)
-    if plan.status is Status.INFEASIBLE and not asked.quiet:
-        sys.stderr.write(f"to see why, and what would help: tsplan explain {asked.mission}\n")
+    requests = Requests(quiet=asked.quiet)
+    with requests.heard():
+        plan = _timed(_planned(asked, mission, requests, loaded), mission, loaded)
+        if plan.has_paths and not plan.verified:
+            raise SolverError("the plan that was found has not been checked; it is not shown")
+        if asked.agents and plan.moves and not plan.agents:
+            plan = assign(mission, plan, seed=asked.seed)
+        unwritten = _written(plan, asked)
+    _show(plan, asked)
+    if unwritten is not None:
+        raise unwritten
     return _CODES[plan.status]
 
 
-def _planned(asked: argparse.Namespace, mission: Mission) -> Plan:
+def _planned(
+    asked: argparse.Namespace, mission: Mission, requests: Requests, loaded: float
+) -> Plan:
     from tsplan.cli.progress import Progress  # noqa: PLC0415  (the solver's module comes first)
-    from tsplan.cli.running import Order, planned  # noqa: PLC0415
+    from tsplan.cli.running import Order, Planning  # noqa: PLC0415
 
+    limit = mission.solver.time_limit if asked.time_limit is None else asked.time_limit
     order = Order(
         solver=asked.solver,
-        time_limit=asked.time_limit,
+        time_limit=rest(limit, loaded),  # reading the mission was a part of the work
         gap=asked.gap,
         threads=asked.threads,
         seed=asked.seed,
         encoding=asked.encoding,
         without=tuple(asked.without),
     )
+    if not (may_have_children() or asked.quiet):
+        remark("this process may start no other: a crash of the solver would end it")
     with Progress(quiet=asked.quiet) as progress:
-        return planned(mission, order, progress)
+        return Planning(mission, progress, requests, USUAL).plan(order)
 
 
 def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:
-    """The plan with the seconds that reading the mission took."""
+    """The plan with the seconds that reading the mission took, which the limit was for, too."""
     timings = replace(
         plan.timings,
         load=loaded - mission.parse_seconds,
@@ -84,10 +91,22 @@ def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:
     return replace(plan, timings=timings)
 
 
-def _summarise(plan: Plan) -> None:
-    from rich.console import Console  # noqa: PLC0415  (slow to import)
+def _written(plan: Plan, asked: argparse.Namespace) -> InputError | None:
+    """Write the plan before anything is printed; what keeps it from being written comes last."""
+    if asked.output is not None:
+        try:
+            save_plan(plan, asked.output)
+        except InputError as error:
+            return error
+    return None
 
-    from tsplan.results.summary import print_summary  # noqa: PLC0415
 
-    console = Console()
-    print_summary(plan, console if console.is_terminal else Console(width=_PIPE_WIDTH))
+def _show(plan: Plan, asked: argparse.Namespace) -> None:
+    if asked.json:
+        say_json(plan.to_json())
+    elif not asked.quiet:
+        from tsplan.results.summary import print_summary  # noqa: PLC0415  (needs rich, slow)
+
+        print_summary(plan, console(_PIPE_WIDTH))
+    if plan.status is Status.INFEASIBLE and not asked.quiet:
+        remark(f"to see why, and what would help: tsplan explain {asked.mission}")

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 import time
+from contextlib import suppress
 from typing import TYPE_CHECKING, Self
 
+from tsplan.cli.output import ERR, remark
 from tsplan.events import Bound, Event, Incumbent, Stage
-from tsplan.results.summary import number
+from tsplan.words import number, visible
 
 if TYPE_CHECKING:
     from types import TracebackType
@@ -20,7 +21,10 @@ _REFRESH = 8  # live lines a second
 
 
 class Progress:
-    """Shows stage, best objective, bound, gap and elapsed time; a context manager."""
+    """Shows stage, best objective, bound, gap and elapsed time; a context manager.
+
+    Whatever goes wrong with showing costs words, never the work that is told of.
+    """
 
     def __init__(self, *, quiet: bool = False) -> None:
         self.quiet = quiet
@@ -43,9 +47,10 @@ class Progress:
 
     def pause(self) -> None:
         """Take the live line away until the next event."""
-        if self._live is not None:
-            self._live.stop()
-            self._live = None
+        live, self._live = self._live, None
+        if live is not None:
+            with suppress(Exception):
+                live.stop()
 
     def _begin(self) -> None:
         """Show the live line. Not before the first event: processes are begun without threads."""
@@ -53,15 +58,21 @@ class Progress:
         from rich.live import Live  # noqa: PLC0415
 
         self._live = Live(
-            console=Console(stderr=True),
+            console=Console(file=ERR),  # type: ignore[arg-type]
             get_renderable=self._rendered,
             refresh_per_second=_REFRESH,
             transient=True,
+            redirect_stdout=False,
+            redirect_stderr=False,
         )
         self._live.start()
 
     def tell(self, event: Event) -> None:
         """Take in what the planner tells."""
+        with suppress(Exception):
+            self._tell(event)
+
+    def _tell(self, event: Event) -> None:
         important = not isinstance(event, Bound)
         if isinstance(event, Stage):
             if event.name != self._stage:
@@ -73,27 +84,22 @@ class Progress:
             self._stage, self._news = event.stage, event
         if self.quiet or self._live is not None:
             return
-        if sys.stderr.isatty():
+        if ERR.isatty():
             self._begin()
             return
         now = time.monotonic()
         if important or now - self._said >= _EVERY:
             self._said = now
-            self.note(self.line())
+            remark(self.line())
 
     def note(self, text: str) -> None:
-        """Write a line of its own to stderr."""
-        if self.quiet:
-            return
-        if self._live is not None:
-            self._live.console.print(text, highlight=False, markup=False)
-        else:
-            sys.stderr.write(f"{text}\n")
-            sys.stderr.flush()
+        """Write a line of its own, however quiet: it says what became of the work."""
+        self.pause()
+        remark(text)
 
     def line(self) -> str:
         """Stage, objective, bound, gap and elapsed time as far as they are known."""
-        parts = [self._stage]
+        parts = [visible(self._stage)]
         news = self._news
         if news is not None and news.objective is not None:
             parts.append(f"best {number(news.objective)}")

@@ -2,39 +2,54 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Any
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import fitted, mission_beside, mission_of
+from tsplan.cli.inputs import files_of, mission_beside, mission_for, mission_of, refuse_place
+from tsplan.cli.output import say
+from tsplan.cli.pictures import own_backend
 from tsplan.errors import Finding, InputError
 from tsplan.results.evidence import explain_preferred
-from tsplan.results.fitting import refuse_pathless
+from tsplan.results.fitting import refuse_misfit, refuse_pathless
 from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
     import argparse
     from pathlib import Path
 
+    from tsplan.mission import Mission
+
 _SCREENLESS = frozenset({"agg", "pdf", "ps", "svg", "cairo", "template"})
 
 
 def run(asked: argparse.Namespace) -> Exit:
-    """Print the reasons, write the picture, or open a window."""
-    if asked.why:
-        sys.stdout.write(_reasons(asked) + "\n")
-        if asked.output is None:
-            return Exit.DONE
+    """Write the picture, print the reasons, or open a window."""
+    reasons = _reasons(asked) if asked.why else None
+    if asked.output is not None:
+        _save(asked)
+    if reasons is not None:
+        say(reasons)
+    elif asked.output is None:
+        with own_backend(None):
+            plt = _window()
+            _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
+            plt.show()
+    return Exit.DONE
+
+
+def _save(asked: argparse.Namespace) -> None:
     from tsplan.draw.save import kind_of, save  # noqa: PLC0415  (reasons need no picture)
 
-    if asked.output is None:
-        plt = _window()
-        _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
-        plt.show()
-        return Exit.DONE
     kind_of(asked.output)
-    save(_draw(asked, None), asked.output, tell=lambda words: sys.stderr.write(f"{words}\n"))
-    return Exit.DONE
+    _refuse_inputs(asked, None)
+    with own_backend("Agg"):
+        save(_draw(asked, None), asked.output)
+
+
+def _refuse_inputs(asked: argparse.Namespace, mission: Mission | None) -> None:
+    """Do not draw over what is drawn."""
+    inputs = [asked.file, asked.mission, *files_of(mission)]
+    refuse_place(asked.output, "the picture", inputs)
 
 
 def _reasons(asked: argparse.Namespace) -> str:
@@ -42,7 +57,8 @@ def _reasons(asked: argparse.Namespace) -> str:
     if not _is_plan(asked.file):
         what = "--why is about a plan, and this is none"
         raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(asked.file))])
-    plan, mission = fitted(asked.file, load_plan(asked.file), asked.mission)
+    plan = load_plan(asked.file)
+    mission = mission_for(asked.file, plan, asked.mission)
     trees = [str(plan.explain(mission))]
     for name, tree in explain_preferred(plan, mission).items():
         trees.append(f"preferred: {name}\n{tree}")
@@ -65,11 +81,13 @@ def _draw(asked: argparse.Namespace, figure: Any) -> Any:
     if _is_plan(asked.file):
         return _draw_plan(asked, figure, ax)
     from tsplan.document import read_document  # noqa: PLC0415  (plans do not need it)
-    from tsplan.document.kinds import MISSION, kind_of_data  # noqa: PLC0415  (as above)
     from tsplan.draw.map import draw_map, draw_mission  # noqa: PLC0415  (as above)
 
-    if kind_of_data(read_document(asked.file).data) == MISSION:
-        return draw_mission(mission_of(asked.file), ax)[0]
+    data = read_document(asked.file).data
+    if isinstance(data, dict) and ("spec" in data or "format" in data):
+        drawn = mission_of(asked.file)
+        _refuse_inputs(asked, drawn)
+        return draw_mission(drawn, ax)[0]
     from tsplan.ts.read import load_map  # noqa: PLC0415  (missions do not need it)
 
     return draw_map(load_map(asked.file), ax)[0]
@@ -82,10 +100,14 @@ def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
 
     plan = load_plan(asked.file)
     refuse_pathless(plan, str(asked.file))
-    alone = asked.view in (None, "timeline") and asked.mission is None
-    if alone and mission_beside(asked.file, plan) is None:
+    if asked.view in (None, "timeline") and asked.mission is None:
+        mission = mission_beside(asked.file, plan)
+    else:
+        mission = mission_for(asked.file, plan, asked.mission)
+    _refuse_inputs(asked, mission)
+    if mission is None:
         return draw_timeline(plan, None, ax)[0]
-    plan, mission = fitted(asked.file, plan, asked.mission)
+    refuse_misfit(plan, mission, str(asked.file))
     view = asked.view or PAGE
     if view != PAGE:
         return draw_view(plan, mission, view, ax)[0]
@@ -96,6 +118,10 @@ def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
 
 def _is_plan(path: Path) -> bool:
     """Whether a file is JSON, which maps and missions are not."""
-    from tsplan.document.files import beginning  # noqa: PLC0415  (as above)
-
-    return '"tsplan-plan/' in beginning(path, 1000) or path.suffix.lower() == ".json"
+    if path.suffix.lower() == ".json":
+        return True
+    try:
+        with path.open(encoding="utf-8", errors="replace") as stream:
+            return '"tsplan-plan/' in stream.read(1000)
+    except OSError:
+        return False  # the reader of missions says what is wrong

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_and_plan
+from tsplan.cli.output import say
 from tsplan.errors import PlanError
 from tsplan.results.headroom import margin_for
 from tsplan.results.simulation import Frequency, simulate
+from tsplan.words import number
 
 if TYPE_CHECKING:
     import argparse
@@ -29,7 +30,7 @@ def run(asked: argparse.Namespace) -> Exit:
     except PlanError as error:
         raise PlanError(_named(error, str(asked.plan))) from None
     for line in _words(mission, found, asked.probability):
-        sys.stdout.write(f"{line}\n")
+        say(line)
     return Exit.DONE
 
 
@@ -44,7 +45,7 @@ def _words(mission: Mission, found: Simulation, probability: float) -> Iterator[
     margin = margin_for(mission, probability)
     yield (
         f"with 'margin: {margin}' (or more) in the mission, any plan's formula holds with "
-        f"probability {probability:g}"
+        f"probability {number(probability)}"
     )
 
 

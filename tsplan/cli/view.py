@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import fitted
+from tsplan.cli.inputs import files_of, mission_for, refuse_place
+from tsplan.cli.output import say
 from tsplan.results.planfile import load_plan
 from tsplan.viewer.opening import open_page, write_page
 
@@ -16,10 +16,12 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the page; without a file to write it to, also open it."""
-    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
+    plan = load_plan(asked.plan)
+    mission = mission_for(asked.plan, plan, asked.mission)
+    refuse_place(asked.output, "the page", [asked.plan, *files_of(mission)])
     path = write_page(mission, plan, asked.output)
     if asked.output is None:
         opened = open_page(path)
         words = "opened" if opened else "no browser was found; open this file in one:"
-        sys.stdout.write(f"{words} {path}\n")
+        say(f"{words} {path}")
     return Exit.DONE

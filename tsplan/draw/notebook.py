@@ -10,7 +10,8 @@ from tsplan.draw.layout import Places, places
 from tsplan.draw.palette import HUES, Paint, Palette
 from tsplan.draw.timeline import Row, keys_of, rows_of, ways
 from tsplan.results.evidencetext import operator_text
-from tsplan.results.summary import names, objective_line, outcome
+from tsplan.results.summary import infinite_word, names, objective_line, outcome
+from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.logic.nodes import Formula
@@ -162,10 +163,10 @@ def _branch(above: tuple[float, float], below: tuple[float, float]) -> str:
 def plan_html(plan: Plan) -> str:
     """A plan: what is known about it, and who is where when."""
     facts = [("mission", plan.mission.name or "mission"), ("outcome", outcome(plan))]
-    facts += [("objective", objective_line(item)) for item in plan.objective]
+    endless = infinite_word(plan)
+    facts += [("objective", objective_line(item, endless)) for item in plan.objective]
     if plan.has_paths and all(item.name != "availability" for item in plan.objective):
-        value = "unbounded" if plan.availability is None else f"{plan.availability:g}"
-        facts.append(("availability", value))
+        facts.append(("availability", number(plan.availability, endless)))
     facts.append(("horizon", f"{plan.horizon} steps, {len(plan.agents):,} agents"))
     facts += [("note", note) for note in plan.notes]
     table = svg.element("table", svg.element("tbody", "".join(_line(*fact) for fact in facts)))

@@ -31,6 +31,7 @@ from tsplan.draw.canvas import (
 from tsplan.draw.library import library
 from tsplan.draw.palette import BAD, GOOD
 from tsplan.draw.timeline import set_steps
+from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -152,7 +153,7 @@ def _beside(row: Requirement) -> tuple[str, str, float]:
     if spare is None:
         words = "not used"
     else:
-        words = f"{spare + 0.0:g} to spare" if spare >= 0 else f"{-spare:g} missing"
+        words = f"{number(spare)} to spare" if spare >= 0 else f"{number(-spare)} missing"
     most = f"peak {row.counts.max()}"
     wide = max(text_size(text, SMALL)[0] for text in (words, most))
     return words, most, wide / POINTS + 0.1

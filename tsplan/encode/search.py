@@ -24,6 +24,7 @@ from tsplan.encode.target import Target
 from tsplan.encode.tree import Grown, Tree, Witnessing
 from tsplan.encode.wholeness import Wholes
 from tsplan.errors import SolverError
+from tsplan.exact import digits
 from tsplan.gap import relative_gap
 from tsplan.milp.confirm import confirmed
 from tsplan.milp.model import Floats, Model, Tag
@@ -148,8 +149,8 @@ class Search:
             return
         if self._target.better(value, self._bound):
             raise SolverError(
-                f"a plan of value {value:g} is better than the bound {self._bound:g} that was "
-                "proven: the solver's arithmetic fails on this mission"
+                f"a plan of value {digits(value)} is better than the bound {digits(self._bound)} "
+                "that was proven: the solver's arithmetic fails on this mission"
             )
         self._values, self._value = values, value
         self._report(values, value, self._bound if np.isfinite(self._bound) else None)

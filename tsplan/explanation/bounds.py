@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.data import Element, Part, Place
 from tsplan.explanation.numbers import agents
+from tsplan.logic.printing import number_text
 from tsplan.mission import SwarmBounds, SwarmRules
 
 if TYPE_CHECKING:
@@ -123,4 +124,6 @@ def sub_swarms(number: int) -> str:
 
 def room_of(margin: Fraction | int) -> str:
     """A head-room in words."""
-    return agents(margin, None) if isinstance(margin, int) else f"{float(100 * margin):g}%"
+    return (
+        agents(margin, None) if isinstance(margin, int) else f"{number_text(float(100 * margin))}%"
+    )

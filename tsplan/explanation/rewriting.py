@@ -19,7 +19,7 @@ from tsplan.explanation.bounds import bound_of, path_of, swarm_bounds
 from tsplan.explanation.occurrences import Way
 from tsplan.explanation.places import Source, Sources
 from tsplan.logic import Count, Eventually, Formula, Release, Until, Window
-from tsplan.logic.printing import quoted
+from tsplan.logic.printing import number_text, quoted
 from tsplan.mission import mission_from_text
 from tsplan.ts.emit import word
 from tsplan.ts.write import map_to_yaml
@@ -186,7 +186,9 @@ def _swarm_edits(original: Mission, changed: Mission, document: Document) -> Ite
 
 def _bound(value: Fraction | int | None) -> str:
     """A bound as a mission file says it; a fraction of the swarm as a percentage."""
-    return f"{float(100 * value):g}%" if isinstance(value, Fraction) else json.dumps(value)
+    return (
+        f"{number_text(float(100 * value))}%" if isinstance(value, Fraction) else json.dumps(value)
+    )
 
 
 def _team(mission: Mission) -> str:
@@ -270,7 +272,7 @@ def _wishes(mission: Mission) -> list[str]:
             "partial": wish.partial,
             **({"name": wish.name} if wish.name else {}),
         }
-        lines.append(f"    - {json.dumps(entry, ensure_ascii=False)}")
+        lines.append(f"    - {json.dumps(entry, ensure_ascii=False, allow_nan=False)}")
     return lines
 
 
@@ -301,5 +303,5 @@ def _anew(mission: Mission) -> str:
     ]
     solver = {key: value for key, value in asdict(mission.solver).items() if value is not None}
     if solver:
-        lines.append(f"solver: {json.dumps(solver)}")
+        lines.append(f"solver: {json.dumps(solver, allow_nan=False)}")
     return "\n".join(lines) + "\n"

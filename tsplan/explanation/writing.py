@@ -33,7 +33,7 @@ def explanation_to_json(explanation: Explanation) -> str:
         "cut_short": dict(explanation.cut),
         "timings": dict(explanation.timings),
     }
-    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _located(item: Fact | Part) -> dict[str, Any]:

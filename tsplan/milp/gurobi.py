@@ -17,6 +17,7 @@ import numpy as np
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
 from tsplan.milp.answer import Ending, Question, Verdict
 from tsplan.milp.attend import Attendant
+from tsplan.milp.hush import hushed
 from tsplan.milp.model import Model
 from tsplan.milp.solution import Options, Progress, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
@@ -46,7 +47,8 @@ class Gurobi:
                 installed=False, usable=False, why="gurobipy is not installed", remedy=_INSTALL
             )
         try:
-            import gurobipy  # noqa: PLC0415 - never imported unasked
+            with hushed():
+                import gurobipy  # noqa: PLC0415 - never imported unasked
         except ImportError as error:
             why = f"gurobipy cannot be imported ({error})"
             return Availability(installed=True, usable=False, why=why, remedy=_INSTALL)
@@ -182,7 +184,8 @@ def _pass_interrupt_on() -> None:
 def _imported() -> Any:
     """The module gurobipy. Raises SolverUnavailableError where it is missing."""
     try:
-        import gurobipy  # noqa: PLC0415 - never imported unasked
+        with hushed():
+            import gurobipy  # noqa: PLC0415 - never imported unasked
     except ImportError as error:
         raise SolverUnavailableError(f"gurobipy is not installed; {_INSTALL}") from error
     return gurobipy
@@ -204,9 +207,11 @@ def _refusal(error: Any, model: Model, options: Options) -> SolverError:
 
 
 def _environment() -> Any:
-    environment = _imported().Env(empty=True)
-    environment.setParam("OutputFlag", 0)
-    environment.start()
+    gurobipy = _imported()
+    with hushed():  # an environment tells of its licence when it starts
+        environment = gurobipy.Env(empty=True)
+        environment.setParam("OutputFlag", 0)
+        environment.start()
     return environment
 
 

@@ -10,16 +10,19 @@ import time
 from dataclasses import dataclass, field
 from typing import Any
 
-import highspy
 import numpy as np
-from highspy import HighsModelStatus as Ended
 
 from tsplan.errors import SolverError, nearest
 from tsplan.milp.answer import Ending, Question, Verdict
 from tsplan.milp.attend import Attendant
+from tsplan.milp.hush import Hear, hushed
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Options, Progress, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
+
+with hushed():
+    import highspy
+    from highspy import HighsModelStatus as Ended
 
 _LEAST_GAP = 1e-6
 _UNCLEAR = (Ended.kUnboundedOrInfeasible, Ended.kUnbounded)
@@ -38,10 +41,17 @@ _VERDICTS = {
 }
 
 
-def load(model: Model, *, relaxed: bool = False) -> highspy.Highs:
+def silent(log: Hear | None = None) -> highspy.Highs:
+    """An empty HiGHS object that writes nothing; what it writes all the same goes to `log`."""
+    with hushed(log):
+        highs = highspy.Highs()
+        checked(highs.setOptionValue("output_flag", False), "output_flag")
+    return highs
+
+
+def load(model: Model, *, relaxed: bool = False, log: Hear | None = None) -> highspy.Highs:
     """A silent HiGHS object that holds the model (its LP relaxation if `relaxed`)."""
-    highs = highspy.Highs()
-    checked(highs.setOptionValue("output_flag", False), "output_flag")
+    highs = silent(log)
     rows, columns = model.matrix.shape
     whole = np.zeros(columns, np.int32) if relaxed else model.integer.astype(np.int32)
     status = highs.passModel(
@@ -84,7 +94,7 @@ class Highs:
 
     def availability(self) -> Availability:
         """HiGHS comes with tsplan."""
-        return Availability(installed=True, usable=True, version=highspy.Highs().version())
+        return Availability(installed=True, usable=True, version=silent().version())
 
     def native(self, model: Model) -> highspy.Highs:
         """The model as a `highspy.Highs`."""
@@ -124,7 +134,7 @@ class _Solve:
         model, options = self.question.model, self.question.options
         # HiGHS counts points above its bound as found, so a first point needs a row
         strict = options.first and options.cutoff is not None
-        highs = load(self.question.cut() if strict else model)
+        highs = load(self.question.cut() if strict else model, log=options.log)
         _configure(highs, options)
         said = self._run(highs)
         if said is not None and highs.getModelStatus() in _UNCLEAR:

@@ -8,16 +8,19 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
-import highspy
 import numpy as np
 import numpy.typing as npt
-from highspy import HighsModelStatus as Ended
 from scipy import sparse
 
 from tsplan.errors import SolverError
 from tsplan.milp.highs import checked, load, set_option
+from tsplan.milp.hush import hushed
 from tsplan.milp.model import Floats, Ints, Model
 from tsplan.milp.solution import hopeless
+
+with hushed():
+    import highspy
+    from highspy import HighsModelStatus as Ended
 
 LPStatus: TypeAlias = Literal["optimal", "infeasible", "cutoff", "limit"]
 _ENDS: dict[Ended, LPStatus] = {

@@ -30,6 +30,7 @@ from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
 from tsplan.results.occupancy import interval_counts, state_counts
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan
+from tsplan.results.summary import infinite_word
 from tsplan.results.swarmjudge import Verdict, judged_swarms, swarm_completed, swarm_facts
 
 if TYPE_CHECKING:
@@ -136,7 +137,7 @@ def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], _Worth | None]
     worth = _worth(mission, plan, journeys)
     if worth.availability < 0 and not mission.partial:
         findings.append(
-            _finding(f"the formula does not hold (its availability is {worth.availability:g})")
+            _finding(f"the formula does not hold (its availability is {shown(worth.availability)})")
         )
     return findings, worth
 
@@ -328,9 +329,10 @@ def _claims(mission: Mission, plan: Plan, worth: _Worth) -> list[Finding]:
 
 
 def _facts(mission: Mission, plan: Plan, worth: _Worth) -> tuple[str, ...]:
+    endless = infinite_word(plan)
     values_found = (
         *_held(worth, shown(worth.availability)),
-        *(f"{name} is {shown(worth.objectives[name])}" for name in mission.objective),
+        *(f"{name} is {shown(worth.objectives[name], endless)}" for name in mission.objective),
     )
     if mission.swarm is not None:
         return (*swarm_facts(mission, plan, worth.objectives), *values_found)

@@ -55,6 +55,8 @@ def _bound(item: ObjectiveValue, actual: Fraction | float, status: Status) -> It
         yield f"{item.name} is called optimal at {value} with the bound {bound}"
 
 
-def shown(value: Fraction | float) -> str:
-    """A value with all its digits."""
-    return digits(value) if math.isfinite(value) else "unbounded"
+def shown(value: Fraction | float, infinite: str = "unbounded") -> str:
+    """A value with all its digits, or the word for an infinite one; below all it is impossible."""
+    if math.isfinite(value):
+        return digits(value)
+    return infinite if value > 0 else "impossible"

@@ -13,6 +13,7 @@ from tsplan.logic.nodes import Always, Eventually, Formula, Release, Until
 from tsplan.logic.printing import Operand, layout, text_of
 from tsplan.results.requirements import runs
 from tsplan.results.summary import names
+from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.results.evidence import Evidence, Presence
@@ -150,4 +151,4 @@ def _presence(presence: Presence) -> str:
 def _number(value: float | None) -> str:
     if value is None or math.isinf(value):
         return "unbounded" if value is None or value > 0 else "impossible"
-    return f"{value + 0.0:g}"  # never the negative zero
+    return number(value)

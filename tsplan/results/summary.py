@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 from tsplan.mission.data import SENSES
 from tsplan.results.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
 from tsplan.results.timeline import timeline
+from tsplan.words import number, visible
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Iterator, Sequence
     from fractions import Fraction
 
     from rich.console import Console, RenderableType
@@ -39,6 +40,9 @@ _LIMITS = {
 def print_summary(plan: Plan, console: Console) -> None:
     """Print outcome, objectives and paths of a plan."""
     for part in summary(plan):
+        if isinstance(part, str):
+            console.out(part, highlight=False)
+            continue
         with console.capture() as text:
             console.print(part, highlight=False, markup=False)
         for line in text.get().splitlines() or [""]:
@@ -48,14 +52,21 @@ def print_summary(plan: Plan, console: Console) -> None:
 def summary(plan: Plan) -> list[RenderableType]:
     """The lines of a plan's summary, and the table of its paths."""
     title = f"{plan.mission.name or 'mission'}: {outcome(plan)}"
-    lines: list[RenderableType] = [title, *(f"  {note}" for note in plan.notes)]
+    lines: list[str] = [title, *(f"  {note}" for note in plan.notes)]
     if plan.has_paths:
-        lines += [f"  {objective_line(item)}" for item in plan.objective]
+        endless = infinite_word(plan)
+        lines += [f"  {objective_line(item, endless)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
-            lines.append(f"  availability {number(plan.availability, infinite='unbounded')}")
+            lines.append(f"  availability {number(plan.availability, endless)}")
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
-        lines += ["", *(_happenings(plan) if plan.groups else _table(plan)), ""]
-    return [*lines, *_work(plan)]
+        paths = [*_happenings(plan)] if plan.groups else _table(plan)
+        return [*_visible([*lines, ""]), *paths, "", *_work(plan)]
+    return [*_visible(lines), *_work(plan)]
+
+
+def _visible(lines: Iterable[str]) -> Iterator[str]:
+    """Lines as they are shown: a name with a control character acts on nothing."""
+    return (visible(line) for line in lines)
 
 
 def outcome(plan: Plan) -> str:
@@ -72,9 +83,20 @@ def outcome(plan: Plan) -> str:
     return words[plan.status]
 
 
-def objective_line(item: ObjectiveValue) -> str:
-    """One objective: its value, and what is proven about it."""
-    value = number(item.value, infinite="unbounded")
+def infinite_word(plan: Plan) -> str:
+    """What an availability without a number is: nothing can fail, or nothing has to hold.
+
+    A formula that does not hold, or of which no part is met, has no robots to spare.
+    """
+    made = plan.satisfaction
+    whole = made is None or made.fraction == 1
+    some = not plan.preferences or any(item.met for item in plan.preferences)
+    return "unbounded" if whole and some else "open"
+
+
+def objective_line(item: ObjectiveValue, infinite: str = "unbounded") -> str:
+    """One objective: its value, and what is proven about it; `infinite` is one without a number."""
+    value = number(item.value, infinite)
     if item.value is None or item.bound is None:
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
@@ -128,13 +150,6 @@ def _share(fraction: Fraction) -> str:
     return f"{fraction} met" if fraction else "not met"
 
 
-def number(value: float | None, infinite: str = "open") -> str:
-    """A number without needless digits; None is `infinite`."""
-    if value is None:
-        return infinite
-    return f"{int(value):,}" if value == int(value) else f"{value:,.6g}"
-
-
 def path_words(bundle: Bundle) -> str:
     """A path as text: each state with its steps, `q1:0-4, q2:5`, and where it is heading.
 
@@ -173,7 +188,7 @@ def names(ids: Sequence[str], most: int = 3) -> str:
 
 def _happenings(plan: Plan) -> list[str]:
     """How the sub-swarms of a plan split and merge."""
-    lines = timeline(plan)
+    lines = list(_visible(timeline(plan)))
     if len(lines) <= MOST_PATHS:
         return lines
     rest = f"  ... and {len(lines) - MOST_PATHS:,} more splits and merges until the end:"
@@ -182,6 +197,7 @@ def _happenings(plan: Plan) -> list[str]:
 
 def _table(plan: Plan) -> list[RenderableType]:
     from rich.table import Table  # noqa: PLC0415  (slow to import)
+    from rich.text import Text  # noqa: PLC0415
 
     table = Table(box=None, pad_edge=False, show_edge=False, padding=(0, 1))
     table.add_column("agents", overflow="fold")
@@ -189,7 +205,8 @@ def _table(plan: Plan) -> list[RenderableType]:
     table.add_column("path (state:steps)", overflow="fold", ratio=1)
     for bundle in plan.bundles[:MOST_PATHS]:
         ids = [plan.agents[place].id for place in bundle.agents]
-        table.add_row(names(ids), bundle.class_name, path_words(bundle))
+        cells = _visible((names(ids), bundle.class_name, path_words(bundle)))
+        table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
     hidden = plan.bundles[MOST_PATHS:]
     if not hidden:
         return [table]

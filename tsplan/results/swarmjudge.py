@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from tsplan.results.claims import shown
 from tsplan.results.counting import count_trace
 from tsplan.results.groups import SubSwarm, subswarms
 from tsplan.results.moves import Move
@@ -59,9 +60,9 @@ def judged_swarms(mission: Mission, plan: Plan, journeys: Journeys) -> Verdict:
     if mission.partial:
         pass  # it may fail; by how much is another matter
     elif availability < 0:
-        problems.append(f"the formula does not hold (its availability is {availability:g})")
+        problems.append(f"the formula does not hold (its availability is {shown(availability)})")
     elif with_margin < 0:
-        short = f"{-with_margin:g} short of the mission's margin"
+        short = f"{shown(-with_margin)} short of the mission's margin"
         problems.append(f"the formula holds, but some demand falls {short}")
     problems += _misnamed(plan.groups, table)
     if not problems and plan.groups:

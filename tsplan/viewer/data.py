@@ -11,9 +11,10 @@ from tsplan.draw.layout import places
 from tsplan.draw.palette import PLAIN, Paint, Palette
 from tsplan.results.fitting import refuse_misfit
 from tsplan.results.plan import ObjectiveValue
-from tsplan.results.summary import number, objective_line, outcome
+from tsplan.results.summary import infinite_word, objective_line, outcome
 from tsplan.viewer.movers import movers
 from tsplan.viewer.parts import Part, formula_parts
+from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -35,11 +36,13 @@ def page_data(mission: Mission, plan: Plan) -> Json:
     classes = _classes(mission)
     kind = {entry["name"]: place for place, entry in enumerate(classes)}
     named = sum(mover.count for mover in lanes) <= MOST_IDS
+    endless = infinite_word(plan)
     return {
         "title": plan.mission.name or mission.name or system.name or "plan",
         "outcome": outcome(plan),
         "facts": [
-            {"text": fact_words(item), "about": objective_line(item)} for item in plan.objective
+            {"text": fact_words(item, endless), "about": objective_line(item, endless)}
+            for item in plan.objective
         ],
         "horizon": plan.horizon,
         "map": map_data(system),
@@ -63,13 +66,13 @@ def page_data(mission: Mission, plan: Plan) -> Json:
     }
 
 
-def fact_words(item: ObjectiveValue) -> str:
+def fact_words(item: ObjectiveValue, infinite: str = "unbounded") -> str:
     """An objective's value, and in one word whether it is proven.
 
     >>> fact_words(ObjectiveValue("travel", 12.0, 12.0)), fact_words(ObjectiveValue("cost", 8, 6))
     ('travel 12 · proven', 'cost 8 · bound 6')
     """
-    words = f"{item.name} {number(item.value, infinite='unbounded')}"
+    words = f"{item.name} {number(item.value, infinite)}"
     if item.value is None or item.bound is None:
         return words
     same = math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9)

@@ -1,0 +1,185 @@
+"""Telling never costs the plan: streams that are closed, full, of another encoding, or left."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import tsplan
+from tsplan.cli import main
+from tsplan.cli.progress import Progress
+from tsplan.events import Bound, Incumbent, Stage
+
+ROOT = str(Path(tsplan.__file__).parents[1])
+MISSION = """\
+format: tsplan-mission/1
+name: "仓库 :car: \\x1b[31m"
+map:
+  waiting: true
+  states: {":key:": {labels: ["入口"]}, "b\\x07": {labels: ["[b]"]}}
+  edges: [[":key:", "b\\x07", 1], ["b\\x07", ":key:", 1]]
+team: [{class: "é😀", count: 2, at: ":key:"}]
+spec: {language: mtl, formula: 'F[0,3] "[b]" && F[4,6] sum("入口") >= 2'}
+objective: [travel]
+"""
+MISTAKES = ("Traceback", "internal error", "Exception ignored")
+posix = pytest.mark.skipif(os.name != "posix", reason="needs a shell and devices")
+full = pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is full")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    (tmp_path / "mission.yaml").write_text(MISSION, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def shell(line, **variables):
+    """Run a line of shell in which `tsplan` is the command line; buffered, as users have it."""
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONUNBUFFERED"}
+    tool = f'tsplan() {{ "{sys.executable}" -m tsplan "$@"; }}; set -o pipefail; '
+    return subprocess.run(
+        ["bash", "-c", tool + line],
+        capture_output=True,
+        check=False,
+        timeout=120,
+        env={**environment, "PYTHONPATH": ROOT, **variables},
+    )
+
+
+def written(folder):
+    """The plan that was written, which has to be whole."""
+    plan = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
+    (folder / "plan.json").unlink()
+    return plan["status"] == "optimal" and plan["verified"]
+
+
+@posix
+@pytest.mark.parametrize(
+    ("redirection", "code"),
+    [
+        pytest.param(">/dev/full", 6, marks=full),
+        pytest.param("2>/dev/full", 0, marks=full),
+        (">&-", 0),
+        ("2>&-", 0),
+        (">&- 2>&- <&-", 0),
+        ("| head -1 >/dev/null", 0),
+        ("2> >(head -1 >/dev/null)", 0),
+        ("| true", 0),
+    ],
+)
+def test_streams_cost_words_and_not_the_plan(folder, redirection, code):
+    done = shell(f"tsplan plan mission.yaml -o plan.json {redirection}")
+    said = (done.stdout + done.stderr).decode()
+    assert done.returncode == code, said
+    assert not any(word in said for word in MISTAKES)
+    assert written(folder)
+    if code == 6:
+        last = done.stderr.decode().splitlines()[-1]
+        assert last == "cannot write to the standard output: No space left on device"
+
+
+@posix
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+@full
+def test_every_command_says_that_stdout_is_full(folder, unbuffered):
+    assert main(["plan", "mission.yaml", "-o", "plan.json", "--quiet"]) == 0
+    (folder / "map.yaml").write_text("waiting: true\nstates: {p: {}}\nedges: []\n")
+    for line in (
+        "check mission.yaml plan.json",
+        "show plan.json --why",
+        "explain mission.yaml",
+        "explain mission.yaml --json",
+        "lint map.yaml",
+        "parse 'F[0,2] a' --language mtl",
+    ):
+        done = shell(f"tsplan {line} >/dev/full", PYTHONUNBUFFERED=unbuffered)
+        said = done.stderr.decode().splitlines()
+        assert done.returncode == 6, (line, said)
+        assert said == ["cannot write to the standard output: No space left on device"]
+
+
+@posix
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii", "utf-8", "utf-16"])
+def test_any_encoding_will_do(folder, encoding):
+    done = shell("tsplan plan mission.yaml -o plan.json", PYTHONIOENCODING=encoding)
+    assert done.returncode == 0, done.stderr
+    assert written(folder)
+    out = done.stdout.decode(encoding)
+    assert ":car:" in out
+    assert ("仓库" if encoding.startswith("utf") else "\\u4ed3\\u5e93") in out
+    done = shell("tsplan plan mission.yaml --json --quiet", PYTHONIOENCODING=encoding)
+    plan = json.loads(done.stdout.decode(encoding))
+    assert plan["agents"][0]["class"] == "é😀"
+    assert plan["mission"]["name"] == "仓库 :car: \x1b[31m"
+    for line in ("explain mission.yaml", "check mission.yaml plan.json"):
+        shell("tsplan plan mission.yaml -o plan.json --quiet")
+        done = shell(f"tsplan {line}", PYTHONIOENCODING=encoding)
+        assert done.returncode == 0, done.stderr
+
+
+def test_names_are_shown_as_written_with_controls_escaped(folder, capsys):
+    assert main(["plan", "mission.yaml", "-o", "plan.json"]) == 0
+    out = capsys.readouterr().out
+    assert "仓库 :car: \\x1b[31m: optimal plan" in out
+    assert ":key::0" in out
+    assert "b\\x07" in out
+    assert main(["show", "plan.json", "--why"]) == 0
+    text = (folder / "mission.yaml").read_text(encoding="utf-8")
+    wrong = text.replace('"[b]" &&', '"[b]\\x9b" &&').replace("F[4,6]", "F[0,0]")
+    (folder / "mission.yaml").write_text(wrong.replace('["[b]"]', '["[b]\\x9b"]'), encoding="utf-8")
+    main(["explain", "mission.yaml"])
+    main(["check", "mission.yaml", "plan.json"])
+    seen = capsys.readouterr()
+    assert "\x1b" not in out + seen.out + seen.err
+    assert "\x07" not in out + seen.out + seen.err
+    assert "\x9b" not in out + seen.out + seen.err
+
+
+def test_a_plan_that_cannot_be_written_is_shown_all_the_same(folder, capsys, monkeypatch):
+    def refused(*_):
+        raise tsplan.PlanError([tsplan.Finding("cannot write: it is full", "", "plan.json")])
+
+    monkeypatch.setattr("tsplan.cli.plan.save_plan", refused)
+    assert main(["plan", "mission.yaml", "-o", "plan.json", "--json"]) == 2
+    out, err = capsys.readouterr()
+    assert json.loads(out)["status"] == "optimal"
+    assert "it is full" in err.splitlines()[-1]
+
+
+class _Broken:
+    """A stream that fails whatever is done with it."""
+
+    encoding = "utf-8"
+
+    def __getattr__(self, name):
+        raise RuntimeError(name)
+
+
+@pytest.mark.parametrize("terminal", [False, True])
+def test_progress_never_raises(monkeypatch, terminal):
+    monkeypatch.setattr("sys.stderr", _Broken())
+    if terminal:
+        monkeypatch.setattr("tsplan.cli.output.Stream.isatty", lambda _: True)
+    with Progress() as progress:
+        progress.tell(Stage("travel", 0.0))
+        progress.tell(Bound("travel", float("inf"), float("nan"), 0.1))
+        progress.tell(Incumbent("travel", float("inf"), -float("inf"), 0.1))
+
+
+def test_an_error_of_the_users_listener_stops_the_search_and_is_raised(folder):
+    mission = tsplan.load_mission("mission.yaml")
+    heard = []
+
+    def listen(event):
+        heard.append(event)
+        raise LookupError("mine")
+
+    with pytest.raises(LookupError, match="mine"):
+        tsplan.plan(mission, on_event=listen)
+    assert len(heard) == 1
