@@ -275,8 +275,6 @@ class Run(ABC, Generic[FoundT]):
         return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
 
 
-
-
 def claimed_depths(mission: Mission, levels: Iterable[Reached]) -> Satisfaction | None:
     """What is proven about the depths of a formula; the check fills in what holds."""
     if not mission.partial:

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import files_of, mission_of, refuse_place, refuse_solver
 from tsplan.cli.output import ERR, console, remark, say_json
+from tsplan.cli.running import Requests
 from tsplan.cli.timing import reading_limit, rest
 from tsplan.errors import Finding, InputError
-from tsplan.explanation.data import Explanation, Status
+from tsplan.explanation.data import Cut, Explanation, Status
 from tsplan.explanation.report import print_explanation
-from tsplan.milp.guard import LateError, run_guarded
+from tsplan.milp.guard import LateError, OutOfMemoryError, run_guarded
 from tsplan.milp.leash import Leash, Patience
 from tsplan.results.planfile import write_whole
 
@@ -38,12 +39,10 @@ def run(asked: argparse.Namespace) -> Exit:
     loaded = time.perf_counter() - began
     refuse_place(asked.output, "the mission", files_of(mission))
     refuse_solver(asked.solver or mission.solver.name or "highs")
-    try:
-        found = _explained(mission, asked, loaded)
-    except LateError as late:
-        remark(str(late))
-        return Exit.NO_PLAN
-    unwritten = _written(mission, found, asked)
+    requests = Requests(what=b"what is known")
+    with requests.heard():
+        found = _explained(mission, asked, loaded, requests)
+        unwritten = _written(mission, found, asked)
     if asked.json:
         say_json(found.to_json())
     else:
@@ -64,8 +63,39 @@ class _Order:
     solver: str | None
 
 
-def _explained(mission: Mission, asked: argparse.Namespace, loaded: float) -> Explanation:
-    """The explanation, made in a child process: a crash of native code becomes a message."""
+@dataclass(eq=False, slots=True)
+class _Heard:
+    """What the child has said so far: the stage it is in, and what it knows."""
+
+    stage: str
+    known: Explanation
+
+    def hear(self, news: str | Explanation) -> None:
+        """Take in what the child says."""
+        if isinstance(news, Explanation):
+            self.known = news
+            return
+        self.stage = news
+        if ERR.isatty():
+            remark(f"{news} ...")
+
+    def given_up(self, error: BaseException, *, asked: bool) -> Explanation:
+        """What was known when the child had to be ended, or ended by itself, with the reason."""
+        why: Cut = "interrupt"
+        if isinstance(error, OutOfMemoryError):
+            why = "memory"
+        elif isinstance(error, LateError) and not asked:
+            why = "time_limit"
+        return replace(self.known, cut={**self.known.cut, self.stage: why})
+
+
+def _explained(
+    mission: Mission, asked: argparse.Namespace, loaded: float, requests: Requests
+) -> Explanation:
+    """The explanation, made in a child process: a crash of native code becomes a message.
+
+    What the child has handed over is kept where it does not come to an end.
+    """
     from tsplan.explanation.explaining import MOST_CONFLICTS  # noqa: PLC0415  (loads a solver)
 
     most = MOST_CONFLICTS if asked.all else 1
@@ -73,14 +103,18 @@ def _explained(mission: Mission, asked: argparse.Namespace, loaded: float) -> Ex
     limit = rest(limit, loaded)  # reading the mission was a part of the work
     order = _Order(mission, most, asked.slack, limit, asked.solver)
 
-    def tell(stage: object) -> None:
-        if ERR.isatty():
-            remark(f"{stage} ...")
+    heard = _Heard("facts", Explanation(Status.NO_ANSWER, mission.name))
+    leash = Leash(Patience(limit))
+    try:
+        with requests.passed_to(leash):
+            return run_guarded(_job, order, heard.hear, leash)
+    except (LateError, OutOfMemoryError, KeyboardInterrupt) as error:
+        words = "it was interrupted" if isinstance(error, KeyboardInterrupt) else str(error)
+        remark(f"{words}; this is what was known")
+        return heard.given_up(error, asked=requests.asked > 0)
 
-    return run_guarded(_job, order, tell, Leash(Patience(limit)))
 
-
-def _job(order: _Order, send: Callable[[str], object]) -> Explanation:
+def _job(order: _Order, send: Callable[[str | Explanation], object]) -> Explanation:
     """The child's part."""
     from tsplan.explanation.explaining import explain  # noqa: PLC0415  (loads a solver)
 
@@ -91,6 +125,7 @@ def _job(order: _Order, send: Callable[[str], object]) -> Explanation:
         time_limit=order.time_limit,
         solver=order.solver,
         on_stage=send,
+        on_found=send,
     )
 
 

@@ -213,6 +213,7 @@ class Requests:
     """
 
     quiet: bool = False
+    what: bytes = b"the best plan found"
     asked: int = 0
     _last: float = 0.0
     _leash: Leash | None = None
@@ -231,7 +232,7 @@ class Requests:
         if self.asked == 1 and not self.quiet:
             # a plain write is safe wherever the signal came, and stderr may be gone
             with suppress(OSError, ValueError):
-                os.write(sys.__stderr__.fileno() if sys.__stderr__ else 2, _STOPPING)
+                os.write(sys.__stderr__.fileno() if sys.__stderr__ else 2, _STOPPING % self.what)
 
     @contextmanager
     def passed_to(self, leash: Leash) -> Iterator[None]:
@@ -261,4 +262,4 @@ class Requests:
                 signal.signal(number, handler)
 
 
-_STOPPING = b"\nstopping with the best plan found; once more to stop at once\n"
+_STOPPING = b"\nstopping with %s; once more to stop at once\n"

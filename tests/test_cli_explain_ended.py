@@ -1,0 +1,80 @@
+"""`tsplan explain` where the child that explains is asked to stop, stuck, or killed."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import time
+
+import pytest
+
+from tsplan.cli import explain, main
+from tsplan.explanation.data import Explanation, Fact, Status
+from tsplan.milp.leash import Patience
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs forks and signals")
+
+TEXT = """format: tsplan-mission/1
+name: far away
+map: {waiting: true, states: {p: {}, q: {labels: [Q]}}, edges: [[p, q, 5]]}
+team: [{class: a, count: 1, at: p}]
+spec: {language: mtl, formula: "F[0,3] Q"}
+"""
+KNOWN = Explanation(Status.EXPLAINED, "far away", facts=(Fact("reach", "it is too far"),))
+
+
+@pytest.fixture
+def mission(tmp_path) -> str:
+    (tmp_path / "m.yaml").write_text(TEXT)
+    return str(tmp_path / "m.yaml")
+
+
+def ending(monkeypatch: pytest.MonkeyPatch, how) -> None:
+    """The child says what it knows, then something becomes of it."""
+
+    def job(order: object, send) -> Explanation:
+        send("facts")
+        send(KNOWN)
+        send("conflicts")
+        how()
+        time.sleep(60)
+        raise AssertionError
+
+    monkeypatch.setattr(explain, "_job", job)
+    monkeypatch.setattr(explain, "Patience", lambda limit: Patience(limit, grace=0.2))
+
+
+def deaf() -> None:
+    """A child that does not hear that it is to stop; its parent is asked to."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.kill(os.getppid(), signal.SIGTERM)
+
+
+@pytest.mark.parametrize(
+    ("how", "words"),
+    [
+        (lambda: None, "the time was up: there may be other conflicts"),
+        (deaf, "it was interrupted: there may be other conflicts"),
+        (lambda: os.kill(os.getpid(), signal.SIGSTOP), "the time was up"),
+        (lambda: os.kill(os.getpid(), signal.SIGKILL), "memory was short"),
+        (lambda: os.kill(os.getppid(), signal.SIGTERM), "it was interrupted"),
+    ],
+)
+def test_what_the_child_knew_is_printed_with_the_true_reason(
+    mission, how, words, monkeypatch, capsys
+) -> None:
+    ending(monkeypatch, how)
+    assert main(["explain", mission, "--time-limit", "1"]) == 0
+    out, err = capsys.readouterr()
+    assert "far away: there is no plan" in out
+    assert "it is too far" in out
+    assert words in " ".join(out.split())
+    assert "this is what was known" in err
+
+
+def test_nothing_known_is_no_answer(mission, monkeypatch, capsys) -> None:
+    monkeypatch.setattr(explain, "_job", lambda *_: time.sleep(60))
+    monkeypatch.setattr(explain, "Patience", lambda limit: Patience(limit, grace=0.2))
+    assert main(["explain", mission, "--time-limit", "0.1"]) == 4
+    assert "stays open; try a longer time limit" in capsys.readouterr().out
