@@ -100,6 +100,11 @@ def split(question: Question, said: Ending) -> Ending:
     return replace(said, values=said.values - 0.6)
 
 
+def silent(question: Question, said: Ending) -> Ending:
+    """A worse point without any bound."""
+    return Ending(Verdict.SOLVED, np.zeros_like(said.values))
+
+
 def high(question: Question, said: Ending) -> Ending:
     """A bound above the point."""
     return replace(said, values=np.zeros_like(said.values), bound=3.0)
@@ -125,7 +130,7 @@ class Liar:
         return question.answer(lie(question, said), found.seconds)
 
 
-@pytest.mark.parametrize("lie", [worse, refuted, outside, split, high])
+@pytest.mark.parametrize("lie", [worse, refuted, outside, split, silent, high])
 @pytest.mark.parametrize("seed", range(5))
 def test_a_lie_is_found_out(lie: Lie, seed: int) -> None:
     model = knapsack(seed)
@@ -154,6 +159,22 @@ def test_points_and_refutations_contradict_each_other() -> None:
         confirmed(Liar(dict.fromkeys(range(9), outside)), knapsack(1), Options())
 
 
+def test_an_optimum_without_a_bound_is_said_twice() -> None:
+    def mute(question: Question, said: Ending) -> Ending:
+        return replace(said, bound=None)
+
+    liar = Liar(dict.fromkeys(range(9), mute))
+    found = confirmed(liar, knapsack(0), Options())
+    assert (found.status, found.objective) == (Status.OPTIMAL, listed(knapsack(0)))
+    assert len(liar.runs) == 2
+    liar = Liar({0: silent, 1: mute, 2: mute})
+    found = confirmed(liar, knapsack(0), Options())
+    assert (found.status, found.objective) == (Status.OPTIMAL, listed(knapsack(0)))
+    liar = Liar({0: silent, 1: mute, 2: worse})
+    found = confirmed(liar, knapsack(0), Options())
+    assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
+
+
 def test_infeasible_is_said_twice() -> None:
     model = replace(knapsack(2), row_upper=np.array([-1.0, 11.0]), lower=np.full(5, -0.1))
     liar = Liar({})
@@ -177,7 +198,7 @@ def test_a_solver_that_lies_now_and_then_never_makes_a_wrong_plan(block: int, mo
     def lying(made, model, options, watch=None):
         nonlocal told
         number = random.randrange(3)
-        liar = Liar({number: random.choice([worse, refuted, outside, split, high])})
+        liar = Liar({number: random.choice([worse, refuted, outside, split, silent, high])})
         found = confirmed(liar, model, options, watch)
         told += len(liar.runs)
         return found

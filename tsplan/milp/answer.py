@@ -135,7 +135,8 @@ class Question:
             silent = said.bound is None and self.options.gap > 0
             wanted = silent or distance <= self.options.gap * abs(objective)
             why = StoppedBy.GAP if wanted else StoppedBy.PRECISION
-        return Solution(status, why, values, objective, bound, seconds, said.nodes)
+        silent = said.bound is None and bool(self.model.integer.any())
+        return Solution(status, why, values, objective, bound, seconds, said.nodes, silent)
 
     def _believed(self, said: Ending, objective: float) -> float | None:
         """A solver's own bound, unless the point contradicts it.

@@ -1,8 +1,9 @@
 """Answers that are not taken at a solver's word.
 
-A solver that calls a point optimal with a bound that lies below it, calls a model infeasible, or
-returns a point that violates the model is asked again with other settings, each of them at most
-once. What two runs say alike counts; what stays unclear is a point and a bound, and no proof.
+A solver that calls a point optimal with a bound that lies below it or with none, calls a model
+infeasible, or returns a point that violates the model is asked again with other settings, each of
+them at most once. What two runs say alike counts; what stays unclear is a point and a bound, and no
+proof.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from tsplan.milp.solution import Options, Solution, Status, StoppedBy, Watcher
 from tsplan.milp.solver import Solver
 
 _SEEDS = 2**31
+_SAME = 1e-6  # relative distance of values that count as the same
 
 
 @dataclass(eq=False)
@@ -26,6 +28,7 @@ class _Hearing:
     point: Solution | None = None
     bound: float | None = None
     refutations: int = 0
+    words: int = 0  # optima of the best point's value that no bound bears out
     trouble: SolverError | None = None
 
     def hear(self, found: Solution) -> Solution | None:
@@ -35,16 +38,32 @@ class _Hearing:
                 raise SolverError("one run calls a model infeasible of which another has a point")
             self.refutations += 1
             return found if self.refutations > 1 else None
-        if found.bound is not None and (self.bound is None or found.bound > self.bound):
-            self.bound = found.bound
-        if found.objective is not None and (
-            self.point is None
-            or self.point.objective is None
-            or found.objective < self.point.objective
-        ):
-            self.point = found
+        told = None if found.silent else found.bound
+        if told is not None and (self.bound is None or told > self.bound):
+            self.bound = told
+        if self._improves(found):
+            self.point, self.words = found, 0
+        if found.silent and found.status is Status.OPTIMAL:
+            return self._word(found)
         unclear = found.stopped_by is StoppedBy.PRECISION
         return None if unclear else self.together(found)
+
+    def _improves(self, found: Solution) -> bool:
+        """Whether a run has the best point so far, by more than rounding."""
+        if found.objective is None:
+            return False
+        known = None if self.point is None else self.point.objective
+        return known is None or found.objective < known - _SAME * max(1.0, abs(known))
+
+    def _word(self, found: Solution) -> Solution | None:
+        """Take in an optimum that is but a word; the answer, once two runs say the same."""
+        assert self.point is not None
+        assert self.point.objective is not None
+        assert found.objective is not None
+        best = self.point.objective
+        if found.objective <= best + _SAME * max(1.0, abs(best)):
+            self.words += 1
+        return self.point if self.words > 1 and self.point.status is Status.OPTIMAL else None
 
     def together(self, last: Solution | None = None) -> Solution:
         """The best point and bound; how it ended is what the `last` run says, if it is clear."""
@@ -82,8 +101,10 @@ def confirmed(
         answer = heard.hear(found)
         if answer is not None:
             return answer
-    if heard.refutations and runs == 1:
+    if runs == 1 and heard.refutations:
         return Solution(Status.INFEASIBLE)  # there is no other setting to ask with
+    if runs == 1 and heard.words and heard.point is not None:
+        return heard.point
     if heard.point is None and not heard.refutations and heard.trouble is not None:
         raise heard.trouble
     return heard.together()

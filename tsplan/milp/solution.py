@@ -57,6 +57,8 @@ class Solution:
     Raises ValueError for a status that contradicts what stopped the solve or what is known: values
     and objective come together and only with OPTIMAL and FEASIBLE, OPTIMAL has a bound, INFEASIBLE
     has none, and no bound is above the objective.
+
+    `silent` says that the solver names no bound of its own, so that `bound` is but its word.
     """
 
     status: Status
@@ -66,6 +68,7 @@ class Solution:
     bound: float | None = None
     seconds: float = 0.0
     nodes: int = 0
+    silent: bool = False
 
     def __post_init__(self) -> None:
         if self.stopped_by not in _POSSIBLE[self.status]:
