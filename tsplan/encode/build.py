@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -12,13 +12,14 @@ from tsplan.encode.atoms import Requirement, requirement
 from tsplan.encode.capacities import capacity_rows
 from tsplan.encode.classes import AgentClass, MapArrays, agent_classes, map_arrays
 from tsplan.encode.constraints import Constraint, constraint_rows, terms_of
+from tsplan.encode.family import Family
 from tsplan.encode.ideas import ALL_IDEAS, Idea
 from tsplan.encode.network import Network, unroll
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.reference import ReferenceEncoder
-from tsplan.encode.staffing import Family, SiteColumns, Staffing
-from tsplan.encode.witness import WitnessEncoder, Witnesses
+from tsplan.encode.staffing import SiteColumns, Staffing
+from tsplan.encode.witness import Ways, WitnessEncoder, Witnesses
 from tsplan.logic import Count, Formula, capabilities, walk
 from tsplan.milp.model import Draft, Ints, Model
 from tsplan.mission import Mission
@@ -165,14 +166,17 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     With `chain` eventualities under an always get as few witnesses as possible: a restriction,
     whose flow columns are the same, for finding a first plan.
     """
-    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, chain=chain)
+    ways = Ways(chain=chain, visits=Idea.VISITS in setting.ideas)
+    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, ways)
 
+
+_WAYS = Ways()
 
 Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 """Asks an encoder for what is to hold; it may add columns and rows of its own to the draft."""
 
 
-def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = False) -> Encoded:
+def assembled(setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS) -> Encoded:
     """The tight model of what `ask` requires; its formulas are parts of the setting's goal."""
     draft = Draft()
     graphs = [item.graph for item in setting.reduced]
@@ -183,9 +187,11 @@ def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = Fa
     constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
     read = setting.requirement(level)
     outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
-    encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas, chain=chain)
+    ways = replace(ways, share=Idea.SHARING in setting.ideas)
+    encoder = WitnessEncoder(draft, outlook, read, ways)
     witnesses = ask(encoder, draft, network)
-    staffing = Staffing(network, draft, joint=Idea.FAMILIES in setting.ideas)
+    joint, lazy = Idea.FAMILIES in setting.ideas, Idea.LAZY in setting.ideas
+    staffing = Staffing(network, draft, joint=joint, lazy=lazy)
     staffing.write(
         witnesses, cuts=Idea.VISITS in setting.ideas, together=Idea.TOGETHER in setting.ideas
     )

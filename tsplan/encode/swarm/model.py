@@ -17,9 +17,10 @@ from tsplan.encode.atoms import Bound
 from tsplan.encode.build import Encoded
 from tsplan.encode.capacities import capacity_rows
 from tsplan.encode.classes import MapArrays, map_arrays
+from tsplan.encode.family import Family
 from tsplan.encode.literals import Literal
 from tsplan.encode.network import ClassColumns, Network, unroll
-from tsplan.encode.staffing import Family, SiteColumns, Staffing
+from tsplan.encode.staffing import SiteColumns, Staffing
 from tsplan.encode.swarm.groups import (
     Occupancy,
     bound_groups,
@@ -216,12 +217,12 @@ def _counted_rows(
     capacity_rows(agents, plot.arrays, plot.draft)
     smallest = min(bounds.least for bounds in plot.bounds)
     counted = [
-        demand
-        if demand.bound.upper
+        need
+        if need.bound.upper
         # whoever is at a state is a sub-swarm there
-        else replace(demand, bound=replace(demand.bound, amount=max(demand.bound.amount, smallest)))
-        for demand in witnesses.demands
-        if demand.bound.upper or demand.bound.amount > 0
+        else replace(need, bound=replace(need.bound, amount=max(need.bound.amount, smallest)))
+        for need in witnesses.lasting
+        if need.bound.upper or need.bound.amount > 0
     ]
     staffing = Staffing(agents, plot.draft)
     staffing.write(Witnesses(witnesses.choices, counted), cuts=True, together=True)
