@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from types import FrameType
 from typing import Generic, TypedDict, TypeVar
 
-from tsplan.encode.clock import Clock
+from tsplan.encode.clock import Clock, Halted
 from tsplan.encode.effort import Effort
 from tsplan.encode.stages import Reached
 from tsplan.events import Bound, Event, Incumbent, Stage
@@ -107,6 +107,7 @@ class Run(ABC, Generic[FoundT]):
         self._settings = settings
         self._listener = listener
         self._stopped = False
+        self._found: FoundT | None = None
         self._clock = Clock(settings.time_limit, lambda: self._stopped)
         self._seconds = {"reduce": 0.0, "build": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
 
@@ -134,17 +135,33 @@ class Run(ABC, Generic[FoundT]):
             seed=settings.seed,
             log=settings.log,
         )
-        began = time.perf_counter()
-        self.prepare()
-        self._seconds["reduce"] = time.perf_counter() - began
-        began = time.perf_counter()
+        used = SolverUse(chosen.name, availability.version or "", self._options())
+        # to the end: what was found is made into paths and checked after the first Ctrl-C too
         with on_interrupt(self._stop):
-            result = self.search(effort, self._clock, self._tell)
-        built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
-        self._seconds["solve"] = time.perf_counter() - began - built
-        return self._finished(
-            result, SolverUse(chosen.name, availability.version or "", self._options())
-        )
+            return self._finished(self._searched(effort), used)
+
+    def _searched(self, effort: Effort) -> Result[FoundT]:
+        """What the search finds; where it was halted, the last that was heard of."""
+        began = time.perf_counter()
+        try:
+            self.prepare()
+            self._seconds["reduce"] = time.perf_counter() - began
+            began = time.perf_counter()
+            return self.search(effort, self._clock, self._tell)
+        except Halted as halted:
+            reached = tuple(Reached(name, None, None) for name in self._mission.objective)
+            return Result(
+                self._found,
+                reached if self._found is not None else (),
+                proven=False,
+                infeasible=False,
+                stopped_by=halted.reason,
+                size=(0, 0, 0, 0),
+                notes=(halted.words,) if halted.words else (),
+            )
+        finally:
+            built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
+            self._seconds["solve"] = time.perf_counter() - began - built
 
     def _stop(self) -> None:
         self._stopped = True
@@ -161,6 +178,7 @@ class Run(ABC, Generic[FoundT]):
     def _tell(
         self, stage: str, found: FoundT | None, value: float | None, bound: float | None
     ) -> None:
+        self._found = self._found if found is None else found
         if self._listener is None:
             return
         elapsed = self._clock.elapsed

@@ -10,7 +10,9 @@ import numpy as np
 from tsplan.encode import objectives
 from tsplan.encode.atoms import Requirement, requirement
 from tsplan.encode.capacities import capacity_rows
+from tsplan.encode.ceiling import Watch
 from tsplan.encode.classes import AgentClass, MapArrays, agent_classes, map_arrays
+from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import Constraint, constraint_rows, terms_of
 from tsplan.encode.family import Family
 from tsplan.encode.ideas import ALL_IDEAS, Idea
@@ -38,6 +40,7 @@ class Setting:
     constraints: tuple[Constraint, ...] = ()
     ideas: frozenset[Idea] = ALL_IDEAS
     monotone: bool = False  # nothing bounds a count from above
+    clock: Clock = field(default_factory=Clock)  # heard while models are made
 
     def requirement(self, level: int) -> Callable[[Count], Requirement]:
         """How atoms are read when availability `level` is asked for."""
@@ -74,11 +77,15 @@ def prepare(
     constraints: Sequence[Constraint] = (),
     ideas: frozenset[Idea] = ALL_IDEAS,
     goal: Formula | None = None,
+    *,
+    clock: Clock | None = None,
 ) -> Setting:
     """Sort the team into classes and reduce their graphs.
 
-    `goal` is a positive formula in place of the mission's own goal.
+    `goal` is a positive formula in place of the mission's own goal. Raises Halted when the clock is
+    over before that is done.
     """
+    clock = clock or Clock()
     system = mission.system
     arrays = map_arrays(system)
     goal = mission.goal if goal is None else goal
@@ -94,7 +101,7 @@ def prepare(
     ]
     reduced = None
     if Idea.REDUCTION in ideas and _paid_by_duration(mission, classes):
-        reduced = _reduced(classes, interests, mission.horizon)
+        reduced = _reduced(classes, interests, mission.horizon, clock)
     return Setting(
         mission=mission,
         goal=goal,
@@ -104,6 +111,7 @@ def prepare(
         arrays=arrays,
         constraints=tuple(constraints),
         ideas=ideas,
+        clock=clock,
         monotone=reduced is not None
         and not any(interest.limited.any() for interest in interests)
         and not arrays.group_capacity,
@@ -111,12 +119,12 @@ def prepare(
 
 
 def _reduced(
-    classes: Sequence[AgentClass], interests: Sequence[Interest], horizon: int
+    classes: Sequence[AgentClass], interests: Sequence[Interest], horizon: int, clock: Clock
 ) -> tuple[Reduced, ...] | None:
     """Reductions of all classes, or None where that of one would not be exact."""
     found = []
     for item, interest in zip(classes, interests, strict=True):
-        reduction = reduce(item.graph, interest, horizon)
+        reduction = reduce(item.graph, interest, horizon, clock)
         if reduction is None:
             return None
         found.append(reduction)
@@ -178,7 +186,7 @@ Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 
 def assembled(setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS) -> Encoded:
     """The tight model of what `ask` requires; its formulas are parts of the setting's goal."""
-    draft = Draft()
+    draft = Draft(Watch(setting.clock))
     graphs = [item.graph for item in setting.reduced]
     finish = [~graph.wait for graph in graphs] if setting.monotone else None
     network = unroll(graphs, setting.horizon, draft, finish=finish)
@@ -212,7 +220,7 @@ def assembled(setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS)
 
 def reference(setting: Setting, levels: tuple[int, int]) -> Encoded:
     """The reference model, with one column `rho` for the availability between `levels`."""
-    draft = Draft()
+    draft = Draft(Watch(setting.clock))
     network = unroll([item.graph for item in setting.classes], setting.horizon, draft)
     flows = np.arange(draft.column_count)
     capacity_rows(network, setting.arrays, draft)

@@ -16,7 +16,9 @@ import numpy as np
 from tsplan.encode.atoms import Bound
 from tsplan.encode.build import Encoded
 from tsplan.encode.capacities import capacity_rows
+from tsplan.encode.ceiling import Watch
 from tsplan.encode.classes import MapArrays, map_arrays
+from tsplan.encode.clock import Clock
 from tsplan.encode.family import Family
 from tsplan.encode.literals import Literal
 from tsplan.encode.network import ClassColumns, Network, unroll
@@ -84,8 +86,13 @@ class _Plot:
     draft: Draft
 
 
-def swarm_model(mission: Mission, wanting: Wanting | None = None) -> SwarmModel:
-    """Encode a mission of swarms, or what is wanted in place of its goal."""
+def swarm_model(
+    mission: Mission, wanting: Wanting | None = None, clock: Clock | None = None
+) -> SwarmModel:
+    """Encode a mission of swarms, or what is wanted in place of its goal.
+
+    Raises Halted when the clock is over, or the model would not fit in memory.
+    """
     graphs = swarm_graphs(mission)
     rules = mission.swarm
     assert rules is not None
@@ -93,7 +100,7 @@ def swarm_model(mission: Mission, wanting: Wanting | None = None) -> SwarmModel:
         mission,
         map_arrays(mission.system),
         tuple(rules.each[group.class_name] for group in mission.team),
-        Draft(),
+        Draft(Watch(clock or Clock())),
     )
     swarms = tuple(occupancy(graph, mission.horizon, plot.draft) for graph in graphs)
     _bound(plot, swarms, rules.together)
