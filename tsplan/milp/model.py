@@ -184,6 +184,7 @@ class Draft:
 
     def build(self) -> Model:
         """The collected columns and rows as a model with a zero objective."""
+        self._grow(0, 0)
         rows, columns, values = (
             np.concatenate([entry[part] for entry in self._entries])
             if self._entries
