@@ -63,7 +63,7 @@ class TeamRun(Run[Point]):
 
     def prepare(self) -> None:
         """Sort the team into classes and reduce their maps."""
-        _ = self._problem.setting
+        self._problem.prepared(self._clock)
 
     def search(self, effort: Effort, clock: Clock, tell: Tell[Point]) -> Result[Point]:
         """Run all objectives of the problem."""

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from types import FrameType
 from typing import Any, Generic, TypedDict, TypeVar
 
-from tsplan.encode.clock import Clock
+from tsplan.encode.clock import Clock, Halted
 from tsplan.encode.effort import Effort
 from tsplan.encode.stages import Reached
 from tsplan.events import FINISHING, Bound, Event, Incumbent, Stage
@@ -152,32 +152,39 @@ class Run(ABC, Generic[FoundT]):
             seed=settings.seed,
             log=None if settings.log is None else audible(settings.log),
         )
-        try:
-            result = self._searched(effort)
-        except MemoryError:
-            # what was being built is gone with the error, so there is room again
-            result = Result(
-                self._newest,
-                reached=(),
-                proven=False,
-                infeasible=False,
-                stopped_by=Stopped.MEMORY,
-                size=(0, 0, 0, 0),
-            )
         return self._finished(
-            result, SolverUse(chosen.name, availability.version or "", self._options())
+            self._searched(effort),
+            SolverUse(chosen.name, availability.version or "", self._options()),
         )
 
     def _searched(self, effort: Effort) -> Result[FoundT]:
-        began = time.perf_counter()
-        self.prepare()
-        self._seconds["reduce"] = time.perf_counter() - began
+        """What the search finds; where it was halted, the last that was heard of."""
         began = time.perf_counter()
         try:
+            self.prepare()
+            self._seconds["reduce"] = time.perf_counter() - began
+            began = time.perf_counter()
             return self.search(effort, self._clock, self._tell)
+        except Halted as halted:
+            return self._halted(halted.reason, halted.words)
+        except MemoryError:
+            # what was being built is gone with the error, so there is room again
+            return self._halted(Stopped.MEMORY)
         finally:
             built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
             self._seconds["solve"] = time.perf_counter() - began - built
+
+    def _halted(self, reason: Stopped, words: str = "") -> Result[FoundT]:
+        """The last plan that was heard of, if any, and why there is no more."""
+        return Result(
+            self._newest,
+            reached=(),
+            proven=False,
+            infeasible=False,
+            stopped_by=reason,
+            size=(0, 0, 0, 0),
+            notes=(words,) if words else (),
+        )
 
     def _stop(self) -> None:
         if self._stopped is None:

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from tsplan.encode import objectives
 from tsplan.encode.atoms import Requirement, requirement
 from tsplan.encode.capacities import capacity_rows
+from tsplan.encode.ceiling import Watch
 from tsplan.encode.classes import AgentClass, MapArrays, agent_classes, map_arrays
+from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import constraint_rows, states_of, terms_of
 from tsplan.encode.expressions import Constraint
+from tsplan.encode.family import Family
 from tsplan.encode.ideas import ALL_IDEAS, Idea
 from tsplan.encode.network import Network, unroll
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.reference import ReferenceEncoder
-from tsplan.encode.staffing import Family, SiteColumns, Staffing
-from tsplan.encode.witness import WitnessEncoder, Witnesses
+from tsplan.encode.staffing import SiteColumns, Staffing
+from tsplan.encode.witness import Ways, WitnessEncoder, Witnesses
 from tsplan.logic import Count, Formula, capabilities, walk
 from tsplan.milp.model import Draft, Ints, Model
 from tsplan.mission import Mission
@@ -38,6 +41,7 @@ class Setting:
     constraints: tuple[Constraint, ...] = ()
     ideas: frozenset[Idea] = ALL_IDEAS
     monotone: bool = False  # nothing bounds a count from above
+    clock: Clock = field(default_factory=Clock)  # heard while models are made
 
     def requirement(self, level: int) -> Callable[[Count], Requirement]:
         """How atoms are read when availability `level` is asked for."""
@@ -74,11 +78,15 @@ def prepare(
     constraints: Sequence[Constraint] = (),
     ideas: frozenset[Idea] = ALL_IDEAS,
     goal: Formula | None = None,
+    *,
+    clock: Clock | None = None,
 ) -> Setting:
     """Sort the team into classes and reduce their graphs.
 
-    `goal` is a positive formula in place of the mission's own goal.
+    `goal` is a positive formula in place of the mission's own goal. Raises Halted when the clock is
+    over before that is done.
     """
+    clock = clock or Clock()
     system = mission.system
     arrays = map_arrays(system)
     goal = mission.goal if goal is None else goal
@@ -94,7 +102,7 @@ def prepare(
     ]
     reduced = None
     if Idea.REDUCTION in ideas and _paid_by_duration(mission, classes):
-        reduced = _reduced(classes, interests, mission.horizon)
+        reduced = _reduced(classes, interests, mission.horizon, clock)
     return Setting(
         mission=mission,
         goal=goal,
@@ -104,6 +112,7 @@ def prepare(
         arrays=arrays,
         constraints=tuple(constraints),
         ideas=ideas,
+        clock=clock,
         monotone=reduced is not None
         and not any(interest.limited.any() for interest in interests)
         and not arrays.group_capacity,
@@ -111,12 +120,12 @@ def prepare(
 
 
 def _reduced(
-    classes: Sequence[AgentClass], interests: Sequence[Interest], horizon: int
+    classes: Sequence[AgentClass], interests: Sequence[Interest], horizon: int, clock: Clock
 ) -> tuple[Reduced, ...] | None:
     """Reductions of all classes, or None where that of one would not be exact."""
     found = []
     for item, interest in zip(classes, interests, strict=True):
-        reduction = reduce(item.graph, interest, horizon)
+        reduction = reduce(item.graph, interest, horizon, clock)
         if reduction is None:
             return None
         found.append(reduction)
@@ -166,16 +175,19 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     With `chain` eventualities under an always get as few witnesses as possible: a restriction,
     whose flow columns are the same, for finding a first plan.
     """
-    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, chain=chain)
+    ways = Ways(chain=chain, visits=Idea.VISITS in setting.ideas)
+    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, ways)
 
+
+_WAYS = Ways()
 
 Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 """Asks an encoder for what is to hold; it may add columns and rows of its own to the draft."""
 
 
-def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = False) -> Encoded:
+def assembled(setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS) -> Encoded:
     """The tight model of what `ask` requires; its formulas are parts of the setting's goal."""
-    draft = Draft()
+    draft = Draft(Watch(setting.clock))
     graphs = [item.graph for item in setting.reduced]
     finish = [~graph.wait for graph in graphs] if setting.monotone else None
     network = unroll(graphs, setting.horizon, draft, finish=finish)
@@ -184,9 +196,11 @@ def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = Fa
     constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
     read = setting.requirement(level)
     outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
-    encoder = WitnessEncoder(draft, outlook, read, share=Idea.SHARING in setting.ideas, chain=chain)
+    ways = replace(ways, share=Idea.SHARING in setting.ideas)
+    encoder = WitnessEncoder(draft, outlook, read, ways)
     witnesses = ask(encoder, draft, network)
-    staffing = Staffing(network, draft, joint=Idea.FAMILIES in setting.ideas)
+    joint, lazy = Idea.FAMILIES in setting.ideas, Idea.LAZY in setting.ideas
+    staffing = Staffing(network, draft, joint=joint, lazy=lazy)
     staffing.write(
         witnesses, cuts=Idea.VISITS in setting.ideas, together=Idea.TOGETHER in setting.ideas
     )
@@ -207,7 +221,7 @@ def assembled(setting: Setting, ask: Asking, level: int = 0, *, chain: bool = Fa
 
 def reference(setting: Setting, levels: tuple[int, int]) -> Encoded:
     """The reference model, with one column `rho` for the availability between `levels`."""
-    draft = Draft()
+    draft = Draft(Watch(setting.clock))
     network = unroll([item.graph for item in setting.classes], setting.horizon, draft)
     flows = np.arange(draft.column_count)
     capacity_rows(network, setting.arrays, draft)

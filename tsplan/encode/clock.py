@@ -10,6 +10,15 @@ from dataclasses import dataclass, field
 from tsplan.milp.solution import StoppedBy
 
 
+class Halted(Exception):  # noqa: N818 - nothing has gone wrong
+    """The run ends before what was being made is ready; the words say why if it is not its time."""
+
+    def __init__(self, reason: StoppedBy, words: str = "") -> None:
+        super().__init__(words or reason.value)
+        self.reason = reason
+        self.words = words
+
+
 @dataclass(frozen=True)
 class Clock:
     """Seconds since the run began, when it has to stop, and what its phases have taken."""
@@ -40,6 +49,12 @@ class Clock:
         if self.stop():
             return StoppedBy.INTERRUPT
         return StoppedBy.TIME_LIMIT if self.over else None
+
+    def check(self) -> None:
+        """Raise Halted if the clock is over."""
+        reason = self.stopped_by
+        if reason is not None:
+            raise Halted(reason)
 
     def within(self, seconds: float) -> Clock:
         """The same clock with at most `seconds` from now."""

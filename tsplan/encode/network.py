@@ -94,6 +94,12 @@ class ClassColumns:
         edges = edges[~np.isin(self.graph.tail[edges], states)]
         return self._at(edges, steps - self.graph.duration[edges][:, None])
 
+    def coming(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Edges that end in `states` and are no waits of one step, as `arriving`."""
+        edges = _members(self.by_head, states)
+        edges = edges[~self.graph.wait[edges] | (self.graph.duration[edges] > 1)]
+        return self._at(edges, steps - self.graph.duration[edges][:, None])
+
     def between(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
         """Edges from `states` to `states`: the columns that have begun and not ended then."""
         edges = _members(self.by_head, states)
@@ -164,6 +170,14 @@ class Network:
     def entering(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
         """Positions in `steps` and columns of the arrivals at `states` from elsewhere."""
         return _joined([item.entering(states, steps) for item in self.having(capability)])
+
+    def coming(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
+        """Positions in `steps` and columns of those who come to a state otherwise than by waiting.
+
+        Whoever is at one of the states at some step of a window was there at its beginning or is
+        among those who come in it.
+        """
+        return _joined([item.coming(states, steps) for item in self.having(capability)])
 
     def between(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
         """Positions in `steps` and columns of the agents on their way inside `states`."""

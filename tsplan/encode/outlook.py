@@ -27,7 +27,8 @@ from tsplan.logic import (
     Until,
     walk,
 )
-from tsplan.milp.model import Floats
+from tsplan.logic.windows import switched, windowed
+from tsplan.milp.model import Floats, Ints
 
 
 class Outlook:
@@ -45,6 +46,7 @@ class Outlook:
         self._network = network
         self._cache: dict[tuple[tuple[int, ...], str | None], Floats] = {}
         self._values: dict[Formula, Floats] = {}
+        self._impossible: dict[Formula, Ints] = {}
         for node in walk(root):
             if isinstance(node, Count):
                 self._values[node] = self._atom(requirement(node))
@@ -59,6 +61,21 @@ class Outlook:
         """False only if `node` can hold at `step` in no plan; if trusting, only if it is false."""
         best = self.best(node, step)
         return best > -np.inf if self._trusting else best >= 0
+
+    def possible_throughout(self, node: Formula, first: int, last: int) -> bool:
+        """Whether `possible` at all of the steps `first .. last`."""
+        return self.first_impossible(node, first) > last
+
+    def first_impossible(self, node: Formula, step: int) -> int:
+        """The first step from `step` on at which `node` is not `possible`; past the end if none."""
+        if node not in self._impossible:
+            values = self._values[node]
+            self._impossible[node] = np.flatnonzero(
+                values == -np.inf if self._trusting else values < 0
+            )
+        steps = self._impossible[node]
+        place = int(np.searchsorted(steps, step))
+        return int(steps[place]) if place < len(steps) else self._network.horizon + 1
 
     def within_reach(self, bound: Bound, step: int) -> bool:
         """False only if one bound can hold at `step` in no plan."""
@@ -101,36 +118,26 @@ def _(node: Or, values: dict[Formula, Floats], steps: int) -> Floats:
 
 @_combine.register
 def _(node: Always, values: dict[Formula, Floats], steps: int) -> Floats:
-    return np.array(_windows(values[node.child], node.low, node.high, -np.inf).min(axis=-1))
+    return np.array(windowed(_extended(values[node.child], node), node.low, node.high, np.minimum))
 
 
 @_combine.register
 def _(node: Eventually, values: dict[Formula, Floats], steps: int) -> Floats:
-    return np.array(_windows(values[node.child], node.low, node.high, -np.inf).max(axis=-1))
+    return np.array(windowed(_extended(values[node.child], node), node.low, node.high, np.maximum))
 
 
 @_combine.register
 def _(node: Until, values: dict[Formula, Floats], steps: int) -> Floats:
-    left = _windows(values[node.left], 0, node.high, -np.inf)
-    right = _windows(values[node.right], 0, node.high, -np.inf)
-    before = np.concatenate(
-        [np.full((steps, 1), np.inf), np.minimum.accumulate(left, axis=1)[:, :-1]], axis=1
-    )
-    return np.array(np.minimum(before, right)[:, node.low :].max(axis=1))
+    sides = _extended(values[node.left], node), _extended(values[node.right], node)
+    return np.array(switched(sides, (node.low, node.high), np.maximum, np.minimum))
 
 
 @_combine.register
 def _(node: Release, values: dict[Formula, Floats], steps: int) -> Floats:
-    left = _windows(values[node.left], 0, node.high, -np.inf)
-    right = _windows(values[node.right], 0, node.high, -np.inf)
-    before = np.concatenate(
-        [np.full((steps, 1), -np.inf), np.maximum.accumulate(left, axis=1)[:, :-1]], axis=1
-    )
-    return np.array(np.maximum(before, right)[:, node.low :].min(axis=1))
+    sides = _extended(values[node.left], node), _extended(values[node.right], node)
+    return np.array(switched(sides, (node.low, node.high), np.minimum, np.maximum))
 
 
-def _windows(values: Floats, low: int, high: int, beyond: float) -> Floats:
-    """Row k holds the values at steps k+low .. k+high; steps past the end have `beyond`."""
-    padded = np.concatenate([values, np.full(high, beyond)])
-    view = np.lib.stride_tricks.sliding_window_view(padded, high - low + 1)
-    return np.array(view[low : low + len(values)])
+def _extended(values: Floats, node: Always | Eventually | Until | Release) -> Floats:
+    """The values at the steps that a window may reach; past the end nothing holds."""
+    return np.concatenate([values, np.full(node.high, -np.inf)])

@@ -169,12 +169,17 @@ class Problem:
     @property
     def setting(self) -> Setting:
         """The team in classes, on reduced maps; made when first needed."""
+        return self.prepared(Clock())
+
+    def prepared(self, clock: Clock) -> Setting:
+        """The same, made within the time of a clock; raises Halted when that is over."""
         if self._setting is None:
             terms = self._objective.terms
             watched = Constraint(tuple((term, 1) for term, _ in terms), None, None, "objective")
             constraints = [*self._constraints, *([watched] if terms else [])]
             make = prepare_soft if is_soft(self.mission) else prepare
-            self._setting = make(self.mission, constraints, ALL_IDEAS - self.tuning.without)
+            ideas = ALL_IDEAS - self.tuning.without
+            self._setting = make(self.mission, constraints, ideas, clock=clock)
         return self._setting
 
     def encode(self, level: int = 0) -> Encoded:
@@ -202,11 +207,12 @@ class Problem:
         objective = self.mission.objective
         if self._objective.terms:
             objective = ("own", *objective)
+        setting = replace(self.prepared(clock), clock=clock)
         stages = Stages(
-            setting=self.setting,
-            effort=replace(effort, ideas=self.setting.ideas),
+            setting=setting,
+            effort=replace(effort, ideas=setting.ideas),
             clock=clock,
-            measure=Measure(self.setting),
+            measure=Measure(setting),
             tell=tell,
             objective=objective,
             own=self.own,

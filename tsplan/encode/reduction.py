@@ -19,12 +19,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from tsplan.encode.clock import Clock
 from tsplan.encode.network import ClassGraph
-from tsplan.milp.model import Bools, Floats, Ints
+from tsplan.encode.shortcuts import Kept, shortcuts
+from tsplan.milp.model import Bools, Ints
+
+_CROWDED = 2  # shortcuts for each edge of the full graph: fewer are worth their shorter ways
+_NEVER = Clock()
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,8 +50,14 @@ def whole(graph: ClassGraph) -> Reduced:
     return Reduced(graph, tuple(np.arange(len(graph.tail)).reshape(-1, 1)))
 
 
-def reduce(graph: ClassGraph, interest: Interest, horizon: int) -> Reduced | None:
-    """The reduced graph of one class, or None where reduction would not be exact."""
+def reduce(
+    graph: ClassGraph, interest: Interest, horizon: int, clock: Clock = _NEVER
+) -> Reduced | None:
+    """The reduced graph of one class, or None where reduction would not be exact.
+
+    Where the states that matter lie around a hub there may be far more pairs of them than edges;
+    then the full graph is its own reduction. Raises Halted when the clock is over.
+    """
     unit_wait = graph.wait & (graph.duration == 1)
     waiting = np.zeros(len(graph.start), dtype=np.bool_)
     waiting[graph.tail[unit_wait]] = True
@@ -59,10 +67,11 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int) -> Reduced | Non
         return None
     # an agent may leave a limited state by a move that the horizon cuts short
     longest = np.inf if interest.limited.any() else float(horizon)
-    distance, before = _quickest(graph, relevant, sources, longest)
-    tail, head, duration = _shortcuts(distance, sources, relevant, relevant & ~interest.limited)
-    shortcuts = _paths(graph, before, sources, tail, head)
-    return _assemble(graph, sources, (sources[tail], head, duration), shortcuts)
+    kept = Kept(sources, relevant, relevant & ~interest.limited)
+    tail, head, paths = shortcuts(graph, kept, longest, clock)
+    if len(paths) > _CROWDED * len(graph.tail) and waiting.all():
+        return whole(graph)
+    return _assemble(graph, sources, (tail, head), paths)
 
 
 def _with_parking(graph: ClassGraph, interest: Interest) -> Bools:
@@ -80,80 +89,8 @@ def _ends_of_capacities(graph: ClassGraph) -> Bools:
     return ends
 
 
-def _quickest(
-    graph: ClassGraph, relevant: Bools, sources: Ints, longest: float
-) -> tuple[Floats, npt.NDArray[np.int32]]:
-    """Durations and predecessors from each source over paths with no relevant state inside.
-
-    Each source gets a copy of itself that only has its outgoing edges; relevant states have none.
-    """
-    count = len(graph.start)
-    move = ~graph.wait & (graph.group < 0)
-    tail, head, weight = graph.tail[move], graph.head[move], graph.duration[move]
-    copy = np.full(count, -1)
-    copy[sources] = count + np.arange(len(sources))
-    through = ~relevant[tail]
-    leaving = copy[tail] >= 0
-    rows = np.concatenate([tail[through], copy[tail[leaving]]])
-    columns = np.concatenate([head[through], head[leaving]])
-    weights = np.concatenate([weight[through], weight[leaving]]).astype(np.float64)
-    size = count + len(sources)
-    matrix = sparse.csr_array((weights, (rows, columns)), shape=(size, size))
-    distance, before = csgraph.dijkstra(
-        matrix,
-        indices=count + np.arange(len(sources)),
-        limit=longest,
-        return_predecessors=True,
-    )
-    return distance, before
-
-
-def _shortcuts(
-    distance: Floats, sources: Ints, relevant: Bools, free: Bools
-) -> tuple[Ints, Ints, Ints]:
-    """Pairs (position of the source, target state) worth an edge, and their durations.
-
-    A pair is left out where passing through a free state between them is as quick: stopping there
-    for no time is always allowed and changes nothing.
-    """
-    kept = np.flatnonzero(relevant)
-    direct = distance[:, kept]
-    via = np.flatnonzero(free)
-    position = np.full(len(relevant), -1)
-    position[sources] = np.arange(len(sources))
-    worth = np.isfinite(direct) & (kept[None, :] != sources[:, None])
-    for middle in via:
-        detour = distance[:, middle][:, None] + distance[position[middle], kept][None, :]
-        apart = (sources[:, None] != middle) & (kept[None, :] != middle)
-        worth &= ~(apart & (detour <= direct))
-    tail, target = np.nonzero(worth)
-    return tail, kept[target], direct[tail, target].astype(np.int64)
-
-
-def _paths(
-    graph: ClassGraph, before: npt.NDArray[np.int32], sources: Ints, tail: Ints, head: Ints
-) -> list[Ints]:
-    """The full graph's edges of every shortcut, in order."""
-    count = len(graph.start)
-    edge_of = {
-        pair: edge
-        for edge, pair in enumerate(zip(graph.tail.tolist(), graph.head.tolist(), strict=True))
-    }
-    paths = []
-    for source, target in zip(tail.tolist(), head.tolist(), strict=True):
-        edges = []
-        state = target
-        while state < count:
-            previous = int(before[source, state])
-            origin = previous if previous < count else int(sources[source])
-            edges.append(edge_of[origin, state])
-            state = previous
-        paths.append(np.array(edges[::-1], dtype=np.int64))
-    return paths
-
-
 def _assemble(
-    graph: ClassGraph, sources: Ints, moves: tuple[Ints, Ints, Ints], shortcuts: Sequence[Ints]
+    graph: ClassGraph, sources: Ints, ends: tuple[Ints, Ints], paths: Sequence[Ints]
 ) -> Reduced:
     """Unit waits, edges with a capacity of their own, and shortcuts as one graph."""
     kept = np.zeros(len(graph.start), dtype=np.bool_)
@@ -161,8 +98,9 @@ def _assemble(
     own = np.flatnonzero(
         (graph.wait & (graph.duration == 1) & kept[graph.tail]) | (graph.group >= 0)
     )
-    tail, head, duration = moves
-    cost = np.array([graph.cost[path].sum() for path in shortcuts], dtype=np.float64)
+    tail, head = ends
+    duration = np.array([graph.duration[path].sum() for path in paths], dtype=np.int64)
+    cost = np.array([graph.cost[path].sum() for path in paths], dtype=np.float64)
     joined = ClassGraph(
         capabilities=graph.capabilities,
         start=graph.start,
@@ -172,4 +110,4 @@ def _assemble(
         cost=np.concatenate([graph.cost[own], cost]),
         group=np.concatenate([graph.group[own], np.full(len(tail), -1)]),
     )
-    return Reduced(joined, (*own.reshape(-1, 1), *shortcuts))
+    return Reduced(joined, (*own.reshape(-1, 1), *paths))

@@ -15,36 +15,32 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import TypeAlias
 
 import numpy as np
+from scipy import sparse
 
 from tsplan.encode.atoms import Site
-from tsplan.encode.literals import Choices
+from tsplan.encode.family import Family, Run, apart, family
+from tsplan.encode.literals import Choices, Literal
 from tsplan.encode.network import Network
+from tsplan.encode.sums import RunningSums
 from tsplan.encode.together import Region, Together
-from tsplan.encode.witness import Cover, Demand, Witnesses
+from tsplan.encode.witness import Cover, Lasting, Visit, Witnesses
 from tsplan.milp.model import Block, Draft, Floats, Ints
 
+LONG = 1000
+"""Steps of a family from which on its visit cuts are left to separation, the whole window's apart.
+
+A chain for all of them would double the LP, whose iterations cost as much as it has rows.
+"""
+
 _SEVERAL = 2
+_ANYWAY = -1  # in the place of a column: what is asked for whatever the witnesses are
 
-
-@dataclass(frozen=True, eq=False)
-class Family:
-    """Demands at one site by literals of which at most one is 1.
-
-    `amount[t, j]` is what column `columns[j]` asks for at `steps[t]` (0: nothing), `base[t]` what
-    is asked for in any case.
-    """
-
-    steps: Ints
-    columns: Ints
-    amount: Floats
-    base: Floats
-
-    @property
-    def surplus(self) -> Floats:
-        """What each column asks for beyond the base."""
-        return np.maximum(self.amount - self.base[:, None], 0.0)
+Place: TypeAlias = tuple[Site, str | None]
+_Edge: TypeAlias = tuple[Ints, Floats]
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +60,11 @@ class SiteColumns:
 class Staffing:
     """Writes the rows of all demands, and keeps what is needed to separate more visit cuts."""
 
-    def __init__(self, network: Network, draft: Draft, *, joint: bool = True) -> None:
+    def __init__(
+        self, network: Network, draft: Draft, *, joint: bool = True, lazy: bool = False
+    ) -> None:
         self._joint = joint
+        self._lazy = lazy
         self._network = network
         self._draft = draft
         self._needs = Block("staffing")
@@ -77,61 +76,82 @@ class Staffing:
 
         `together` adds what the demands of one witness at several places ask for as a whole.
         """
-        lower: dict[tuple[Site, str | None], list[Demand]] = defaultdict(list)
-        for demand in witnesses.demands:
-            if not demand.bound.upper:
-                lower[demand.bound.states, demand.bound.capability].append(demand)
-        sites = {}
-        for (states, capability), demands in lower.items():
-            steps = [demand.step for demand in demands]
-            site = self._site(np.array(states), capability, min(steps), max(steps), cuts=cuts)
-            sites[states, capability] = site
-            for family in self._families(demands, witnesses.choices):
-                self.families.append((site, family))
-                self._demand_rows(site, family)
+        lower: dict[Place, list[Lasting]] = defaultdict(list)
+        upper: dict[Place, list[Lasting]] = defaultdict(list)
+        for need in witnesses.lasting:
+            found = upper if need.bound.upper else lower
+            found[need.bound.states, need.bound.capability].append(need)
+        for (states, capability), needs in lower.items():
+            span = min(need.first for need in needs), max(need.last for need in needs)
+            site = self._site(np.array(states), capability, *span, cuts=cuts)
+            asked = _runs_of(needs)
+            for made in self._families(asked, witnesses.choices):
+                self.families.append((site, made))
+                self._demand_rows(site, made)
                 if cuts:
-                    self._window_rows(site, family)
-        if cuts:
-            for key, demands in lower.items():
-                self._cover_rows(sites[key], _asked(demands), witnesses.covers)
+                    self._window_rows(site, made)
+            if cuts:
+                self._cover_rows(site, asked, witnesses.covers)
         if together:
             self._together(lower, witnesses, cuts=cuts)
+        self._visited(witnesses.visits)
         self._needs.write(self._draft)
         self._visits.write(self._draft)
-        self._limits([d for d in witnesses.demands if d.bound.upper], witnesses.choices)
+        self._limits(upper, witnesses.choices)
+
+    def _visited(self, visits: Sequence[Visit]) -> None:
+        """One agent is there at the beginning of a window, or comes in it."""
+        grouped: dict[Place, list[Visit]] = defaultdict(list)
+        for visit in visits:
+            grouped[visit.bound.states, visit.bound.capability].append(visit)
+        for (states, capability), mine in grouped.items():
+            site = np.array(states)
+            first = np.array([visit.first for visit in mine])
+            last = np.array([visit.last for visit in mine])
+            begin = int(first.min())
+            steps = np.arange(begin, int(last.max()) + 1)
+            position, column = self._network.coming(site, capability, steps)
+            come = RunningSums(position + begin, column, np.ones(len(column)))
+            row, members, values = come.over(self._draft, first + 1, last)
+            moments, which = np.unique(first, return_inverse=True)
+            here, there, constant = self._network.present_at(site, capability, moments)
+            at = sparse.csr_array(
+                (np.ones(len(here)), (here, np.arange(len(here)))), (len(moments), len(here))
+            )[which].tocoo()
+            above = [column for visit in mine for column in visit.literal]
+            under = np.repeat(np.arange(len(mine)), [len(visit.literal) for visit in mine])
+            self._needs.add(
+                np.concatenate([row, at.row, under]),
+                np.concatenate([members, there[at.col], np.array(above, dtype=np.int64)]),
+                np.concatenate([values, np.ones(len(at.row)), -np.ones(len(above))]),
+                np.array([0.0 if visit.literal else 1.0 for visit in mine]) - constant,
+            )
 
     def _together(
-        self,
-        lower: Mapping[tuple[Site, str | None], list[Demand]],
-        witnesses: Witnesses,
-        *,
-        cuts: bool,
+        self, lower: Mapping[Place, list[Lasting]], witnesses: Witnesses, *, cuts: bool
     ) -> None:
         """Rule out witnesses that need too many agents at once; visit cuts of whole regions."""
-        able: dict[str | None, list[Demand]] = defaultdict(list)
-        for (_, capability), demands in lower.items():
-            able[capability] += demands
-        for capability, demands in able.items():
-            joint = Together(demands, witnesses.choices)
+        able: dict[str | None, list[Lasting]] = defaultdict(list)
+        for (_, capability), needs in lower.items():
+            able[capability] += needs
+        for capability, needs in able.items():
+            joint = Together(needs, witnesses.choices)
             joint.rule_out(self._network.agents(capability))
             for region in joint.regions() if cuts else ():
                 self._region_rows(region, capability, witnesses)
 
     def _region_rows(self, region: Region, capability: str | None, witnesses: Witnesses) -> None:
-        steps = {step for need in region.columns.values() for step in need}
-        if len(steps) < _SEVERAL or self._network.horizon == 0:
+        runs = [run for found in region.columns.values() for run in found]
+        first = min((run.first for run in runs), default=0)
+        last = max((run.last for run in runs), default=0)
+        if first == last or self._network.horizon == 0:
             return
-        site = self._site(np.array(region.states), capability, min(steps), max(steps), cuts=True)
-        base = {step: float(n) for step, n in region.always.items() if step in steps}
-        asked = {
-            column: {step: float(n) for step, n in need.items()}
-            for column, need in region.columns.items()
-        }
-        for columns in witnesses.choices.families(asked):
-            family = _family(columns, asked, base)
-            self.families.append((site, family))
-            self._window_rows(site, family)
-        self._cover_rows(site, asked, witnesses.covers)
+        site = self._site(np.array(region.states), capability, first, last, cuts=True)
+        for columns in witnesses.choices.families(region.columns):
+            made = family(columns, region.columns, region.always, everywhere=False)
+            self.families.append((site, made))
+            self._window_rows(site, made)
+        self._cover_rows(site, region.columns, witnesses.covers)
 
     def _site(
         self, states: Ints, capability: str | None, first: int, last: int, *, cuts: bool
@@ -174,10 +194,10 @@ class Staffing:
     def _demand_rows(self, site: SiteColumns, family: Family) -> None:
         """`n(tau) >= base + sum of surplus * literal` for every step of the family."""
         here = site.present[family.steps - site.first]
-        row, column = np.nonzero(family.surplus)
+        row, columns, surplus = family.surplus(self._draft)
         index = np.concatenate([np.arange(len(here)), row])
-        members = np.concatenate([here, family.columns[column]])
-        values = np.concatenate([np.ones(len(here)), -family.surplus[row, column]])
+        members = np.concatenate([here, columns])
+        values = np.concatenate([np.ones(len(here)), -surplus])
         self._needs.add(index, members, values, family.base)
 
     def _window_rows(self, site: SiteColumns, family: Family) -> None:
@@ -186,35 +206,46 @@ class Staffing:
         count = len(place) - 1
         if count < 1 or len(family.columns) < _SEVERAL:  # the demand itself says as much
             return
-        begun = np.maximum.accumulate(family.amount)[1:]
-        ending = np.maximum.accumulate(family.amount[::-1])[::-1][1:-1]
-        low = np.concatenate([np.repeat(place[:1], count), place[1:-1]])
-        high = np.concatenate([place[1:], np.repeat(place[-1:], count - 1)])
-        need = np.concatenate([begun, ending])
-        row, column = np.nonzero(need)
+        ends, begins = np.arange(1, count + 1), np.arange(1, count)
+        if self._lazy and len(place) > LONG:
+            ends, begins = ends[-1:], begins[:0]
+        low = np.concatenate([np.zeros_like(ends), begins])
+        high = np.concatenate([ends, np.full_like(begins, count)])
+        draft, late = self._draft, len(ends)
+        row, columns, need = family.begun.over(draft, low[:late], high[:late])
+        later, others, rest = family.ending.over(draft, low[late:], high[late:])
+        low, high = place[low], place[high]
         every = np.arange(len(low))
-        ends = [site.inside[low], site.arrived[high], site.arrived[low]]
+        three = [site.inside[low], site.arrived[high], site.arrived[low]]
         self._visits.add(
-            np.concatenate([every, every, every, row]),
-            np.concatenate([*ends, family.columns[column]]),
-            np.concatenate([np.repeat([1.0, 1.0, -1.0], len(low)), -need[row, column]]),
+            np.concatenate([every, every, every, row, later + late]),
+            np.concatenate([*three, columns, others]),
+            np.concatenate([np.repeat([1.0, 1.0, -1.0], len(low)), -need, -rest]),
             np.zeros(len(low)),
         )
 
     def _cover_rows(
-        self, site: SiteColumns, asked: Mapping[int, Mapping[int, float]], covers: Sequence[Cover]
+        self, site: SiteColumns, asked: Mapping[int, Sequence[Run]], covers: Sequence[Cover]
     ) -> None:
         """Visit cuts of shared windows: if every witness asks for agents here, some must come."""
+        edges: dict[int, tuple[_Edge, _Edge]] = {}
         for cover in covers:
-            if not all(column in asked for column in cover.columns):
-                continue
-            for edge in (min, max):  # the first, then the last step at which a witness needs agents
-                times = [edge(asked[column]) for column in cover.columns]
-                need = min(asked[c][k] for c, k in zip(cover.columns, times, strict=True))
-                self._arrive(site, (min(times), max(times)), float(need), cover.literal)
+            shared = cover.columns.tolist()
+            if id(cover.columns) not in edges:
+                runs = [asked.get(column) for column in shared]
+                edges[id(cover.columns)] = (
+                    _edge([(r[0].first, r[0].amount) if r else None for r in runs]),
+                    _edge([(r[-1].last, r[-1].amount) if r else None for r in runs]),
+                )
+            members = slice(cover.begin, cover.end)
+            # the first, then the last step at which a witness needs agents
+            for steps, amounts in edges[id(cover.columns)]:
+                if cover.begin < cover.end and amounts[members].all():
+                    window = int(steps[members].min()), int(steps[members].max())
+                    self._arrive(site, window, float(amounts[members].min()), cover.literal)
 
     def _arrive(
-        self, site: SiteColumns, window: tuple[int, int], need: float, literal: tuple[int, ...]
+        self, site: SiteColumns, window: tuple[int, int], need: float, literal: Literal
     ) -> None:
         low, high = (step - site.first for step in window)
         ends = [site.inside[low], site.arrived[high], site.arrived[low]]
@@ -225,69 +256,60 @@ class Staffing:
             np.array([0.0 if literal else need]),
         )
 
-    def _limits(self, demands: Sequence[Demand], choices: Choices) -> None:
+    def _limits(self, upper: Mapping[Place, Sequence[Lasting]], choices: Choices) -> None:
         """`n(tau) <= N - sum of (N - m_s) * literal_s`, N the most agents that can be there."""
-        grouped: dict[tuple[Site, str | None], list[Demand]] = defaultdict(list)
-        for demand in demands:
-            grouped[demand.bound.states, demand.bound.capability].append(demand)
-        for (states, capability), members in grouped.items():
+        for (states, capability), needs in upper.items():
             site = np.array(states)
             most = self._network.most(site, capability)
-            for family in self._families(members, choices, upper=most):
-                index, here, constant = self._network.present_at(site, capability, family.steps)
-                row, column = np.nonzero(family.surplus)
+            for made in self._families(_runs_of(needs, most), choices):
+                index, here, constant = self._network.present_at(site, capability, made.steps)
+                row, column, surplus = made.surplus(self._draft)
                 self._draft.rows(
                     np.concatenate([index, row]),
-                    np.concatenate([here, family.columns[column]]),
-                    np.concatenate([np.ones(len(here)), family.surplus[row, column]]),
+                    np.concatenate([here, column]),
+                    np.concatenate([np.ones(len(here)), surplus]),
                     lower=-np.inf,
-                    upper=most[family.steps] - family.base - constant,
+                    upper=most[made.steps] - made.base - constant,
                     kind="limit",
                 )
 
-    def _families(
-        self, demands: Sequence[Demand], choices: Choices, upper: Ints | None = None
-    ) -> list[Family]:
-        """Demands at one site by exclusive literals; limits count what is taken from N."""
-        base: dict[int, float] = defaultdict(float)
-        asked: dict[int, dict[int, float]] = defaultdict(dict)
-        for demand in demands:
-            amount = float(demand.bound.amount)
-            if upper is not None:
-                amount = float(upper[demand.step]) - amount
-            if amount <= 0:
-                continue
-            if not demand.literal:
-                base[demand.step] = max(base[demand.step], amount)
-            for column in demand.literal:
-                mine = asked[column]
-                mine[demand.step] = max(mine.get(demand.step, 0.0), amount)
-        groups = choices.families(asked) if self._joint else [[column] for column in asked]
-        return [_family(columns, asked, base) for columns in groups or ([[]] if base else [])]
+    def _families(self, asked: Mapping[int, Sequence[Run]], choices: Choices) -> list[Family]:
+        """Demands at one site by exclusive literals; what holds in any case goes with the first."""
+        columns = [column for column in asked if column != _ANYWAY]
+        base = asked.get(_ANYWAY, ())
+        groups = choices.families(columns) if self._joint else [[column] for column in columns]
+        if base and not groups:
+            groups = [[]]
+        return [
+            family(members, asked, base, everywhere=number == 0)
+            for number, members in enumerate(groups)
+        ]
 
 
-def _asked(demands: Sequence[Demand]) -> dict[int, dict[int, float]]:
-    """What each column asks for, by step."""
-    asked: dict[int, dict[int, float]] = defaultdict(dict)
-    for demand in demands:
-        for column in demand.literal:
-            mine = asked[column]
-            mine[demand.step] = max(mine.get(demand.step, 0.0), float(demand.bound.amount))
-    return asked
+def _edge(found: Sequence[tuple[int, float] | None]) -> _Edge:
+    """Steps and amounts as arrays; 0 agents where there is nothing."""
+    pairs = [pair or (0, 0.0) for pair in found]
+    steps, amounts = zip(*pairs, strict=True) if pairs else ((), ())
+    return np.array(steps, dtype=np.int64), np.array(amounts, dtype=np.float64)
 
 
-def _family(
-    columns: Sequence[int], asked: dict[int, dict[int, float]], base: dict[int, float]
-) -> Family:
-    steps = sorted({step for column in columns for step in asked[column]} | set(base))
-    position = {step: index for index, step in enumerate(steps)}
-    amount = np.zeros((len(steps), len(columns)))
-    for place, column in enumerate(columns):
-        for step, value in asked[column].items():
-            amount[position[step], place] = value
-    return Family(
-        steps=np.array(steps, dtype=np.int64),
-        columns=np.array(columns, dtype=np.int64),
-        amount=amount,
-        base=np.array([base.get(step, 0.0) for step in steps]),
-    )
+def _runs_of(needs: Sequence[Lasting], most: Ints | None = None) -> dict[int, list[Run]]:
+    """What each column asks for, `_ANYWAY` for what is asked under none.
+
+    With `most`, limits: what they take away from the most agents there can be at each step.
+    """
+    asked: dict[int, list[Run]] = defaultdict(list)
+    for need in needs:
+        amount = float(need.bound.amount)
+        if most is None:
+            runs = [Run(need.first, need.last, amount)]
+        else:
+            part = most[need.first : need.last + 1]
+            edges = [0, *(np.flatnonzero(np.diff(part)) + 1).tolist(), len(part)]
+            runs = [
+                Run(need.first + begin, need.first + end - 1, float(part[begin]) - amount)
+                for begin, end in pairwise(edges)
+            ]
+        for column in need.literal or (_ANYWAY,):
+            asked[column] += [run for run in runs if run.amount > 0]
+    return {column: apart(runs) for column, runs in asked.items() if runs}

@@ -20,8 +20,9 @@ import numpy as np
 
 from tsplan.encode import objectives
 from tsplan.encode.build import Encoded, Setting, reference, tight
+from tsplan.encode.ceiling import Watch
 from tsplan.encode.chains import chain_model, first_flows
-from tsplan.encode.clock import Clock
+from tsplan.encode.clock import Clock, Halted
 from tsplan.encode.constraints import resolve
 from tsplan.encode.effort import Effort
 from tsplan.encode.expressions import NO_OWN, Own
@@ -100,10 +101,16 @@ class Stages:
     _size: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), init=False)
     _notes: list[str] = field(default_factory=list, init=False)
 
+    def __post_init__(self) -> None:
+        self.setting = replace(self.setting, clock=self.clock)
+
     def run(self) -> Outcome:
         """All stages until the time is up; the best plan known is kept throughout."""
         names = self.objective
-        first = self._first_plan(linear=names[0] if names and names[0] in _LINEAR else None)
+        try:
+            first = self._first_plan(linear=names[0] if names and names[0] in _LINEAR else None)
+        except Halted as halted:
+            first = self._halted(halted)
         if self._point is None:
             return self._outcome((), infeasible=first.proven)
         reached = [
@@ -133,10 +140,19 @@ class Stages:
         """One stage; where the solver contradicts itself, the plan that is known is kept."""
         try:
             return self._stage(name, done)
+        except Halted as halted:
+            self._halted(halted)
+            return Reached(name, None, None)
         except SolverError as error:
             self._notes.append(f"{name} is not proven: {error}")
             self._stopped = self._stopped or StoppedBy.PRECISION
             return Reached(name, None, None)
+
+    def _halted(self, halted: Halted) -> Found:
+        """A search whose model was not made."""
+        self._stopped = self._stopped or halted.reason
+        self._notes += [halted.words] if halted.words else []
+        return Found(None, None, -np.inf, proven=False, stopped_by=halted.reason)
 
     def _first_plan(self, linear: str | None) -> Found:
         """Any plan; a linear first objective is minimised to its end at once."""
@@ -245,13 +261,18 @@ class Stages:
 
         `bound` is what is known of the objective that is probed.
         """
-        encoded = self._build(kept)
+        try:
+            encoded = self._build(kept)
+        except Halted as halted:
+            return self._halted(halted)
         return self._search(encoded, self._target(encoded, "travel"), name, first=True, known=bound)
 
     def _outlook(self) -> float:
         """The free bound on availability: every atom on its own, by team and travel times."""
         setting = self.setting
-        network = unroll([item.graph for item in setting.reduced], setting.horizon, Draft())
+        network = unroll(
+            [item.graph for item in setting.reduced], setting.horizon, Draft(Watch(self.clock))
+        )
         outlook = Outlook(setting.goal, network, setting.requirement(0))
         return outlook.best(setting.goal, 0)
 
@@ -332,7 +353,10 @@ class Stages:
 
     def _chained(self, encoded: Encoded, effort: Effort) -> Floats | None:
         """Flows of a plan found by way of the chained restriction, in a part of the time."""
-        restricted = self._restricted(encoded)
+        try:
+            restricted = self._restricted(encoded)
+        except Halted:  # the search hears of that by itself
+            return None
         left = self.clock.left
         budget = _CHAIN_SECONDS if left is None else min(_CHAIN_SECONDS, left / 2)
         target = self._target(restricted, "travel")

@@ -11,17 +11,26 @@ with the same agents, a little for every witness. Taken together they give two m
 
 from __future__ import annotations
 
+import itertools
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import NamedTuple
+
+import numpy as np
 
 from tsplan.encode.atoms import Site
+from tsplan.encode.family import Run
 from tsplan.encode.literals import ALWAYS, Choices
-from tsplan.encode.witness import Demand
+from tsplan.encode.witness import Lasting
 
-Needs: TypeAlias = dict[int, dict[Site, int]]
-"""By step: agents needed at each of several places that share no state."""
+
+class Needs(NamedTuple):
+    """Agents needed at the steps `first .. last` at several places without common states."""
+
+    first: int
+    last: int
+    places: Mapping[Site, int]
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,39 +41,41 @@ class Region:
     """
 
     states: Site
-    columns: Mapping[int, Mapping[int, int]]  # column -> step -> agents
-    always: Mapping[int, int]
+    columns: Mapping[int, Sequence[Run]]
+    always: Sequence[Run]
 
 
 class Together:
     """The needs of one capability by the columns that imply them."""
 
-    def __init__(self, demands: Iterable[Demand], choices: Choices) -> None:
+    def __init__(self, needs: Iterable[Lasting], choices: Choices) -> None:
         self._choices = choices
-        self._own: dict[int, list[Demand]] = defaultdict(list)
-        self._always: list[Demand] = []
-        for demand in demands:
-            if not demand.literal:
-                self._always.append(demand)
-            for column in demand.literal:
-                self._own[column].append(demand)
+        self._own: dict[int, list[Lasting]] = defaultdict(list)
+        self._always: list[Lasting] = []
+        for need in needs:
+            if need.bound.amount <= 0:
+                continue
+            if not need.literal:
+                self._always.append(need)
+            for column in need.literal:
+                self._own[column].append(need)
+        self._begins = np.array([need.first for need in self._always], dtype=np.int64)
+        self._ends = np.array([need.last for need in self._always], dtype=np.int64)
         self._base = _needs(self._always)
         self._of = {column: self._implied(column) for column in sorted(self._own)}
 
-    def _implied(self, column: int) -> Needs:
+    def _implied(self, column: int) -> list[Needs]:
         """Everything that is needed where `column` is 1, its ancestors' needs included."""
         own = list(self._own[column])
         for ancestor in self._choices.ancestors(column):
             own += self._own.get(ancestor, ())
-        steps = {demand.step for demand in own}
-        return _needs([*own, *(demand for demand in self._always if demand.step in steps)])
+        first, last = min(need.first for need in own), max(need.last for need in own)
+        near = np.flatnonzero((self._begins <= last) & (self._ends >= first)).tolist()
+        return _needs(own, [self._always[place] for place in near])
 
     def most(self) -> tuple[int, dict[int, int]]:
         """Agents needed at most at one step: in any case, and where a column is 1."""
-        always = max(_totals(self._base).values(), default=0)
-        return always, {
-            column: max(_totals(needs).values(), default=0) for column, needs in self._of.items()
-        }
+        return _most(self._base), {column: _most(needs) for column, needs in self._of.items()}
 
     def rule_out(self, team: int) -> None:
         """Refute what needs more than `team` agents at one step."""
@@ -82,9 +93,10 @@ class Together:
         for places in sorted(unions, key=sorted):
             states = tuple(sorted({state for place in places for state in place}))
             columns = {
-                column: _totals(needs, places)
+                column: runs
                 for column, needs in self._of.items()
-                if any(place in places for mine in needs.values() for place in mine)
+                for runs in [_totals(needs, places)]
+                if runs
             }
             inner = {a for column in columns for a in self._choices.ancestors(column)}
             leaves = {column: need for column, need in columns.items() if column not in inner}
@@ -92,29 +104,45 @@ class Together:
         return found
 
 
-def _needs(demands: Sequence[Demand]) -> Needs:
-    """Needs by step at places without common states; of places that overlap the neediest stays."""
-    needs: Needs = defaultdict(dict)
-    for demand in sorted(demands, key=lambda d: (-d.bound.amount, d.bound.states)):
-        places = needs[demand.step]
-        mine = set(demand.bound.states)
-        if demand.bound.amount > 0 and all(mine.isdisjoint(place) for place in places):
-            places[demand.bound.states] = demand.bound.amount
-    return {step: places for step, places in needs.items() if places}
+def _needs(own: Sequence[Lasting], besides: Sequence[Lasting] = ()) -> list[Needs]:
+    """Needs at places without common states; of places that overlap the neediest stays.
+
+    `besides` are needs that matter only at the steps of `own`.
+    """
+    ordered = sorted(
+        [(need, True) for need in own] + [(need, False) for need in besides],
+        key=lambda pair: (-pair[0].bound.amount, pair[0].bound.states),
+    )
+    edges = sorted({e for need, _ in ordered for e in (need.first, need.last + 1)})
+    found: list[Needs] = []
+    for first, after in itertools.pairwise(edges):
+        active = [pair for pair in ordered if pair[0].first <= first <= pair[0].last]
+        if not any(mine for _, mine in active):
+            continue
+        places: dict[Site, int] = {}
+        for need, _ in active:
+            if all(set(need.bound.states).isdisjoint(place) for place in places):
+                places[need.bound.states] = need.bound.amount
+        found.append(Needs(first, after - 1, places))
+    return found
 
 
-def _totals(needs: Needs, among: frozenset[Site] | None = None) -> dict[int, int]:
-    totals = {}
-    for step, places in needs.items():
-        total = sum(n for place, n in places.items() if among is None or place in among)
-        if total:
-            totals[step] = total
-    return totals
+def _most(needs: Sequence[Needs]) -> int:
+    return max((sum(need.places.values()) for need in needs), default=0)
 
 
-def _widest(needs: Needs) -> frozenset[Site]:
+def _totals(needs: Sequence[Needs], among: frozenset[Site]) -> list[Run]:
+    """What is needed at some places together, as runs in order."""
+    totals = [
+        Run(n.first, n.last, float(sum(m for place, m in n.places.items() if place in among)))
+        for n in needs
+    ]
+    return [run for run in totals if run.amount]
+
+
+def _widest(needs: Sequence[Needs]) -> frozenset[Site]:
     """The places needed at the step that needs most agents; none if that is a single place."""
     if not needs:
         return frozenset()
-    places = max(needs.values(), key=lambda places: (sum(places.values()), len(places)))
-    return frozenset(places) if len(places) > 1 else frozenset()
+    widest = max(needs, key=lambda need: (sum(need.places.values()), len(need.places)))
+    return frozenset(widest.places) if len(widest.places) > 1 else frozenset()

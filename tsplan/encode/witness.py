@@ -2,12 +2,15 @@
 
 The formula is in positive normal form and its root must hold, so only "literal = 1 implies the
 sub-formula" is needed. Nodes are visited parents first; at each node the literals under which it
-is required at each step are gathered, exclusive ones are added up, and the requirement is handed
-to its children. What arrives at the atoms is a list of demands: at this step, under this literal,
-at least (at most) so many agents here.
+is required, each over runs of steps, are gathered, exclusive ones are added up where a choice is
+made, and the requirement is handed to its children. What arrives at the atoms is a list of demands:
+from this step to that, under this literal, at least (at most) so many agents here.
 
 * and, G hand their literal down and add nothing.
 * or, F, U, R choose one witness (`Choices.choose`). Exactly one is no loss.
+* F, U required at several steps under literals that exclude each other choose one witness for all
+  of them (`Choices.relay`): eventualities in a row have a column for each step, not for each pair.
+* F of one agent somewhere needs no witness: the agent is there at the window's beginning or comes.
 * F required at several steps under one literal (F under G) shares its witnesses between the
   windows instead: each window holds at least one. A *chained* encoding asks for the fewest
   witnesses that can cover the windows, one choice each, in order and close enough together. That
@@ -16,17 +19,19 @@ at least (at most) so many agents here.
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import singledispatchmethod
 from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.encode.atoms import Bound, Requirement
+from tsplan.encode.asking import Asker, Cover, Demand, Lasting, Visit, Witnesses, sorted_out
+from tsplan.encode.atoms import Requirement
 from tsplan.encode.literals import ALWAYS, Choices, Literal, Timed
 from tsplan.encode.outlook import Outlook
+from tsplan.encode.spans import Span, joined
+from tsplan.encode.switching import release, until
 from tsplan.logic import (
     Always,
     And,
@@ -41,37 +46,24 @@ from tsplan.logic import (
 )
 from tsplan.milp.model import Draft, Ints
 
+__all__ = ["Cover", "Demand", "Lasting", "Request", "Visit", "Ways", "WitnessEncoder", "Witnesses"]
+
 Request: TypeAlias = tuple[Formula, int, Literal]
 """A formula that must hold at a step where a literal is 1."""
 
-
-@dataclass(frozen=True, slots=True)
-class Demand:
-    """`bound` must hold at `step` where `literal` is 1."""
-
-    bound: Bound
-    step: int
-    literal: Literal
+_CHAINS = 8  # chains of one eventuality; for more parents its witnesses are shared all the same
 
 
-@dataclass(frozen=True, slots=True)
-class Cover:
-    """At least one of `columns` is 1 where `literal` is 1 (an eventuality under an always)."""
+@dataclass(frozen=True)
+class Ways:
+    """How eventualities are encoded: see this module's text for each."""
 
-    columns: tuple[int, ...]
-    literal: Literal
-
-
-@dataclass(eq=False)
-class Witnesses:
-    """What a formula asks of the agents, as demands under literals."""
-
-    choices: Choices
-    demands: list[Demand] = field(default_factory=list)
-    covers: list[Cover] = field(default_factory=list)
+    share: bool = True
+    chain: bool = False
+    visits: bool = False
 
 
-class WitnessEncoder:
+class WitnessEncoder(Asker):
     """Hands requirements from the root of a formula down to its atoms."""
 
     def __init__(
@@ -79,29 +71,12 @@ class WitnessEncoder:
         draft: Draft,
         outlook: Outlook,
         requirement: Callable[[Count], Requirement],
-        *,
-        share: bool = True,
-        chain: bool = False,
+        ways: Ways = Ways(),
     ) -> None:
-        self._shares = share
-        self._chains = chain
-        self._outlook = outlook
+        super().__init__(Choices(draft), outlook)
+        self._ways = ways
         self._requirement = requirement
-        self._requests: dict[Formula, dict[int, list[Literal]]] = defaultdict(
-            lambda: defaultdict(list)
-        )
-        self.result = Witnesses(Choices(draft))
-        self._choices = self.result.choices
-
-    @property
-    def choices(self) -> Choices:
-        """The literals of this encoder, to ask for more under literals of their own."""
-        return self._choices
-
-    @property
-    def outlook(self) -> Outlook:
-        """What can hold at best."""
-        return self._outlook
+        self.result = Witnesses(self.choices)
 
     def encode(self, root: Formula) -> Witnesses:
         """Require `root` at step 0 and return the demands."""
@@ -110,184 +85,146 @@ class WitnessEncoder:
     def encode_all(self, requests: Sequence[Request]) -> Witnesses:
         """Require each formula at its step where its literal is 1, and return the demands."""
         for node, step, literal in requests:
-            self._ask(node, step, literal)
+            self.ask(node, Span(step, step, literal))
         order = list(walk_all(dict.fromkeys(node for node, _, _ in requests)))
         for node in reversed(order):
-            asked = self._requests.pop(node, None)
-            if asked is not None:
-                merged = {
-                    step: self._choices.merged(literals) for step, literals in sorted(asked.items())
-                }
-                self._pass_on(node, merged)
+            spans = self.asked(node)
+            if spans:
+                self._pass_on(node, spans)
         return self.result
 
-    def _ask(self, node: Formula, step: int, literal: Literal) -> None:
-        if self._outlook.possible(node, step):
-            self._requests[node][step].append(literal)
-        else:
-            self._choices.refute(literal, "impossible")
-
     @singledispatchmethod
-    def _pass_on(self, node: Formula, requests: Mapping[int, list[Literal]]) -> None:
+    def _pass_on(self, node: Formula, spans: list[Span]) -> None:
         raise TypeError(f"no tight encoding is registered for {type(node).__name__}")
 
     @_pass_on.register
-    def _(self, node: Constant, requests: Mapping[int, list[Literal]]) -> None:
+    def _(self, node: Constant, spans: list[Span]) -> None:
         """True asks for nothing; false was refuted when it was asked for."""
 
     @_pass_on.register
-    def _(self, node: Count, requests: Mapping[int, list[Literal]]) -> None:
+    def _(self, node: Count, spans: list[Span]) -> None:
         needed = self._requirement(node)
-        for step, literal in _each(requests):
-            if needed.every:
-                self._demand(needed.bounds, step, literal)
-            else:
-                able = [b for b in needed.bounds if self._outlook.within_reach(b, step)]
-                options = self._options(literal, [step] * len(able), "some state")
-                for bound, option in zip(able, options, strict=True):
-                    self._demand((bound,), step, option)
-
-    def _demand(self, bounds: Iterable[Bound], step: int, literal: Literal) -> None:
-        self.result.demands += [Demand(bound, step, literal) for bound in bounds]
+        if needed.every:
+            for span in spans:
+                self.result.lasting += [Lasting(bound, *span) for bound in needed.bounds]
+            return
+        for step, literal in self.each(spans):
+            able = [b for b in needed.bounds if self.outlook.within_reach(b, step)]
+            options = self.options(literal, [step] * len(able), "some state")
+            for bound, option in zip(able, options, strict=True):
+                self.result.lasting.append(Lasting(bound, step, step, option))
 
     @_pass_on.register
-    def _(self, node: And, requests: Mapping[int, list[Literal]]) -> None:
-        for step, literal in _each(requests):
+    def _(self, node: And, spans: list[Span]) -> None:
+        for span in spans:
             for child in node.children:
-                self._ask(child, step, literal)
+                self.ask(child, span)
 
     @_pass_on.register
-    def _(self, node: Always, requests: Mapping[int, list[Literal]]) -> None:
-        for step, literal in _each(requests):
-            for later in range(step + node.low, step + node.high + 1):
-                self._ask(node.child, later, literal)
+    def _(self, node: Always, spans: list[Span]) -> None:
+        for first, last, literal in spans:
+            self.ask(node.child, Span(first + node.low, last + node.high, literal))
 
     @_pass_on.register
-    def _(self, node: Or, requests: Mapping[int, list[Literal]]) -> None:
-        for step, literal in _each(requests):
-            able = [child for child in node.children if self._outlook.possible(child, step)]
-            options = self._options(literal, [step] * len(able), "or")
+    def _(self, node: Or, spans: list[Span]) -> None:
+        for step, literal in self.each(spans):
+            able = [child for child in node.children if self.outlook.possible(child, step)]
+            options = self.options(literal, [step] * len(able), "or")
             for child, option in zip(able, options, strict=True):
-                self._ask(child, step, option)
+                self.ask(child, Span(step, step, option))
 
     @_pass_on.register
-    def _(self, node: Eventually, requests: Mapping[int, list[Literal]]) -> None:
-        by_literal: dict[Literal, list[int]] = defaultdict(list)
-        for step, literal in _each(requests):
-            by_literal[literal].append(step)
-        repeated = {
-            key: steps for key, steps in by_literal.items() if self._shares and len(steps) > 1
-        }
-        if self._chains:
-            for literal, steps in repeated.items():
-                self._chain(node, literal, steps)
-        elif repeated:
-            self._share(node, repeated)
-        for literal, steps in by_literal.items():
-            for step in () if literal in repeated else steps:
-                times = self._times(node, step)
-                options = self._options(literal, times, "eventually")
-                for time, option in zip(times, options, strict=True):
-                    self._ask(node.child, time, option)
+    def _(self, node: Eventually, spans: list[Span]) -> None:
+        once, again = sorted_out(spans)
+        if self._ways.chain and len(again) <= _CHAINS:
+            for literal, runs in again.items():
+                self._chain(node, literal, runs)
+        elif (self._ways.share or self._ways.chain) and again:
+            self._share(node, [span for runs in again.values() for span in runs])
+        elif again:
+            rest = [*once, *(span for runs in again.values() for span in runs)]
+            for step, literal in self.each(rest):
+                self._witness(node.child, literal, self._times(node, step), "eventually")
+            return
+        for family in self.families(once):
+            window = np.array([(s.first + node.low, s.first + node.high) for s in family])
+            if not self._visited(node.child, family, window):
+                self._eventually(node, family, window)
 
-    def _share(self, node: Eventually, repeated: Mapping[Literal, list[int]]) -> None:
+    def _eventually(self, node: Eventually, family: Sequence[Span], window: Ints) -> None:
+        """One witness for a family of requests, each in a window of its own."""
+        possible = self.outlook.possible
+        times = [time for time in self.union(window.tolist()) if possible(node.child, time)]
+        for time, option in self.relayed(family, window, times, "eventually"):
+            self.ask(node.child, Span(time, time, option))
+
+    def _visited(self, child: Formula, family: Sequence[Span], window: Ints) -> bool:
+        """Require one agent to be somewhere in a window, if that is all that is wanted."""
+        if not self._ways.visits or not isinstance(child, Count) or (window != window[0]).any():
+            return False
+        needed = self._requirement(child)
+        if not needed.every or any(b.upper or b.amount != 1 for b in needed.bounds):
+            return False
+        if len(needed.bounds) > 1:  # at several places at the same step
+            return False
+        literal = tuple(column for span in family for column in span.literal)
+        first, last = window[0].tolist()
+        self.result.visits.append(Visit(needed.bounds[0], first, last, literal))
+        return True
+
+    def _witness(self, child: Formula, literal: Literal, times: Sequence[int], kind: str) -> None:
+        options = self.options(literal, times, kind)
+        for time, option in zip(times, options, strict=True):
+            self.ask(child, Span(time, time, option))
+
+    def _share(self, node: Eventually, spans: list[Span]) -> None:
         """Witnesses shared between windows: a free column per step at which the child may hold."""
-        windows = [
-            (literal, self._times(node, step))
-            for literal, steps in repeated.items()
-            for step in steps
+        asked = self.each(joined(spans))
+        runs = [(first + node.low, last + node.high) for first, last, _ in spans]
+        times = [t for t in self.union(runs) if self.outlook.possible(node.child, t)]
+        columns = self.choices.free(times)
+        steps = np.array([step for step, _ in asked], dtype=np.int64)
+        windows = steps + node.low, steps + node.high
+        literals = [literal for _, literal in asked]
+        self.choices.cover_windows((columns, times), windows, literals, "eventually")
+        begin = np.searchsorted(times, windows[0], side="left").tolist()
+        end = np.searchsorted(times, windows[1], side="right").tolist()
+        self.result.covers += [
+            Cover(columns, *place) for place in zip(begin, end, literals, strict=True)
         ]
-        times = sorted({time for _, window in windows for time in window})
-        column = dict(zip(times, self._choices.free(times).tolist(), strict=True))
-        for literal, window in windows:
-            members = tuple(column[time] for time in window)
-            self._choices.cover(_ints(members), literal, "eventually")
-            self.result.covers.append(Cover(members, literal))
-        for time in times:
-            self._ask(node.child, time, (column[time],))
+        for time, column in zip(times, columns.tolist(), strict=True):
+            self.ask(node.child, Span(time, time, (column,)))
 
-    def _chain(self, node: Eventually, literal: Literal, steps: Sequence[int]) -> None:
+    def _chain(self, node: Eventually, literal: Literal, runs: Sequence[Span]) -> None:
         """As few witnesses as can cover the windows of all steps, each no later than it must be."""
         length = node.high - node.low + 1
-        begin, end = min(steps) + node.low, max(steps) + node.low
+        begin = min(span.first for span in runs) + node.low
+        end = max(span.last for span in runs) + node.low
         links = -(-(end - begin + 1) // length)
         former: Timed | None = None
         for link in range(links):
             earliest = max(begin, end - (links - 1 - link) * length)
             latest = min(end + length - 1, begin + (link + 1) * length - 1)
             span = range(earliest, latest + 1)
-            times = [time for time in span if self._outlook.possible(node.child, time)]
+            times = [time for time in span if self.outlook.possible(node.child, time)]
             if not times:
-                self._choices.refute(literal, "chain")
+                self.choices.refute(literal, "chain")
                 return
-            columns = self._choices.choose(literal, times, "chain")
+            columns = self.choices.choose(literal, times, "chain")
             if former is not None:
-                self._choices.follow(former, (columns, times), length, "chain")
+                self.choices.follow(former, (columns, times), length, "chain")
             former = (columns, times)
             for time, column in zip(times, columns.tolist(), strict=True):
-                self._ask(node.child, time, (column,))
+                self.ask(node.child, Span(time, time, (column,)))
 
     def _times(self, node: Eventually, step: int) -> list[int]:
         span = range(step + node.low, step + node.high + 1)
-        return [time for time in span if self._outlook.possible(node.child, time)]
+        return [time for time in span if self.outlook.possible(node.child, time)]
 
     @_pass_on.register
-    def _(self, node: Until, requests: Mapping[int, list[Literal]]) -> None:
-        for step, literal in _each(requests):
-            times = []
-            for time in range(step, step + node.high + 1):
-                if time >= step + node.low and self._outlook.possible(node.right, time):
-                    times.append(time)
-                if not self._outlook.possible(node.left, time):
-                    break
-            options = self._options(literal, times, "until")
-            for time, option in zip(times, options, strict=True):
-                self._ask(node.right, time, option)
-            for time in range(step, max(times, default=step)):
-                later = [option for at, option in zip(times, options, strict=True) if at > time]
-                self._ask(node.left, time, _union(later))
+    def _(self, node: Until, spans: list[Span]) -> None:
+        until(self, node, spans)
 
     @_pass_on.register
-    def _(self, node: Release, requests: Mapping[int, list[Literal]]) -> None:
-        for step, literal in _each(requests):
-            first, last = step + node.low, step + node.high
-            times: list[int] = []
-            endless = True
-            for time in range(step, last):
-                if time >= first and not self._outlook.possible(node.right, time):
-                    endless = False
-                    break
-                if self._outlook.possible(node.left, time):
-                    times.append(time)
-            never = [last] if endless and self._outlook.possible(node.right, last) else []
-            options = self._options(literal, times + never, "release")
-            for time, option in zip(times, options, strict=False):
-                self._ask(node.left, time, option)
-            for time in range(first, last + 1):
-                held = [o for at, o in zip(times + never, options, strict=True) if at >= time]
-                if held:
-                    self._ask(node.right, time, _union(held))
-
-    def _options(self, literal: Literal, steps: Sequence[int], kind: str) -> list[Literal]:
-        """One literal per option, by the steps they begin; a single one needs no column."""
-        if not steps:
-            self._choices.refute(literal, kind)
-            return []
-        if len(steps) == 1:
-            return [literal]
-        return [(column,) for column in self._choices.choose(literal, steps, kind).tolist()]
-
-
-def _each(requests: Mapping[int, list[Literal]]) -> Iterable[tuple[int, Literal]]:
-    for step, literals in requests.items():
-        for literal in literals:
-            yield step, literal
-
-
-def _union(literals: Iterable[Literal]) -> Literal:
-    """The sum of options of one choice; all of them being `ALWAYS` means always."""
-    return tuple(sorted({column for literal in literals for column in literal}))
-
-
-def _ints(columns: tuple[int, ...]) -> Ints:
-    return np.array(columns, dtype=np.int64)
+    def _(self, node: Release, spans: list[Span]) -> None:
+        release(self, node, spans)

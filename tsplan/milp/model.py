@@ -7,7 +7,7 @@ modelling layers, go into any solver at once and can be sent to another process.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
@@ -108,6 +108,9 @@ class Model:
 class Draft:
     """Collects columns and rows in blocks of arrays, then becomes a `Model`.
 
+    `watch` hears, before a block is made, how many columns and entries there will be then; what it
+    raises ends the drafting.
+
     >>> draft = Draft()
     >>> x = draft.columns(2, upper=3.0, integer=True)
     >>> draft.rows([0, 0], x, [1.0, 1.0], lower=[2.0], upper=[4.0], kind="demo")
@@ -115,9 +118,11 @@ class Draft:
     Size(columns=2, integers=2, rows=1, nonzeros=2)
     """
 
-    def __init__(self) -> None:
+    def __init__(self, watch: Callable[[int, int], None] | None = None) -> None:
         self.column_count = 0
         self.row_count = 0
+        self.entry_count = 0
+        self._watch = watch
         self._lower: list[Floats] = []
         self._upper: list[Floats] = []
         self._integer: list[Bools] = []
@@ -136,7 +141,7 @@ class Draft:
     ) -> Ints:
         """Add `count` columns; return their indices. Bounds are scalars or arrays."""
         start = self.column_count
-        self.column_count += count
+        self._grow(count, 0)
         self._lower.append(np.broadcast_to(np.asarray(lower, dtype=np.float64), (count,)))
         self._upper.append(np.broadcast_to(np.asarray(upper, dtype=np.float64), (count,)))
         self._integer.append(np.full(count, integer))
@@ -159,6 +164,7 @@ class Draft:
         `lower` and `upper` are one number for all rows or one for each; two numbers make one row.
         Entries at the same place are added up.
         """
+        self._grow(0, len(np.atleast_1d(column)))
         low, high = np.asarray(lower, dtype=np.float64), np.asarray(upper, dtype=np.float64)
         count = np.broadcast(low, high).size
         rows = np.asarray(index, dtype=np.int64) + self.row_count
@@ -170,8 +176,15 @@ class Draft:
         self._tags.append(Tag(kind, self.row_count, self.row_count + count, node, step))
         self.row_count += count
 
+    def _grow(self, columns: int, entries: int) -> None:
+        self.column_count += columns
+        self.entry_count += entries
+        if self._watch is not None:
+            self._watch(self.column_count, self.entry_count)
+
     def build(self) -> Model:
         """The collected columns and rows as a model with a zero objective."""
+        self._grow(0, 0)
         rows, columns, values = (
             np.concatenate([entry[part] for entry in self._entries])
             if self._entries

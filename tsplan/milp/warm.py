@@ -13,6 +13,7 @@ import numpy.typing as npt
 from scipy import sparse
 
 from tsplan.errors import SolverError
+from tsplan.milp.attend import Attendant
 from tsplan.milp.highs import checked, load, set_option
 from tsplan.milp.hush import hushed
 from tsplan.milp.model import Floats, Ints, Model
@@ -33,6 +34,7 @@ _ENDS: dict[Ended, LPStatus] = {
     Ended.kInterrupt: "limit",
     Ended.kIterationLimit: "limit",
 }
+_LARGE = 100_000  # entries from which presolve may take seconds, in which HiGHS hears nothing
 _QUIET = 0.2  # seconds that a warm solve may take before `stop` is asked in every iteration
 _INFINITY = float("inf")
 
@@ -88,6 +90,8 @@ class WarmLP:
         self._limit = _INFINITY
         self._watched = False
         self._warm = False
+        self._large = model.size.nonzeros > _LARGE
+        self._left_running = False
         # HiGHS calls a program without columns empty, whatever its rows say
         self._offset = float(model.offset)
         self._hopeless = hopeless(model)
@@ -134,6 +138,8 @@ class WarmLP:
         Raises SolverError for an unbounded program and where HiGHS fails even from scratch.
         """
         began = time.perf_counter()
+        if self._left_running:
+            return LPResult("limit", _INFINITY, 0.0)
         if self._hopeless:
             return LPResult("infeasible", _INFINITY, 0.0)
         most = _INFINITY if cutoff is None else float(cutoff)
@@ -142,6 +148,8 @@ class WarmLP:
             self._cutoff = most
         until = _INFINITY if time_limit is None else began + max(time_limit, 0.0)
         ended = self._run(until)
+        if self._left_running:
+            return LPResult("limit", _INFINITY, time.perf_counter() - began)
         if ended == Ended.kUnboundedOrInfeasible:
             ended = self._without_presolve(until)
         if ended not in _ENDS and ended != Ended.kUnbounded:
@@ -182,11 +190,15 @@ class WarmLP:
 
     def _once(self, until: float, now: float) -> Ended:
         highs = self._highs
+        if until <= now:
+            return Ended.kTimeLimit
         # HiGHS counts the seconds of all its runs together
         limit = until if until == _INFINITY else highs.getRunTime() + max(until - now, 0.0)
         if limit != self._limit:
             checked(highs.setOptionValue("time_limit", limit), "the time limit")
             self._limit = limit
+        if self._large and not self._warm:
+            return self._apart(until)
         try:
             status = highs.run()
         except KeyboardInterrupt:
@@ -194,6 +206,20 @@ class WarmLP:
             highs.clearSolver()
             raise
         return Ended.kSolveError if status == highspy.HighsStatus.kError else highs.getModelStatus()
+
+    def _apart(self, until: float) -> Ended:
+        """Run attended by this thread, and leave it behind where it does not hear that it is over.
+
+        HiGHS looks at the time and at the callback between iterations, not while it presolves.
+        """
+        ends: list[highspy.HighsStatus] = []
+        deadline = None if until == _INFINITY else until
+        attendant = Attendant(deadline, asked=self._stop or (lambda: False))
+        if not attendant.run(lambda: ends.append(self._highs.run())):
+            self._left_running = True
+            return Ended.kTimeLimit
+        failed = ends[0] == highspy.HighsStatus.kError
+        return Ended.kSolveError if failed else self._highs.getModelStatus()
 
     def _without_presolve(self, until: float) -> Ended:
         set_option(self._highs, "presolve", "off")

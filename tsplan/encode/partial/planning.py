@@ -43,10 +43,15 @@ def is_soft(mission: Mission) -> bool:
 
 
 def prepare_soft(
-    mission: Mission, constraints: Sequence[Constraint], ideas: frozenset[Idea]
+    mission: Mission,
+    constraints: Sequence[Constraint],
+    ideas: frozenset[Idea],
+    *,
+    clock: Clock | None = None,
 ) -> Setting:
     """The setting of everything that a mission asks for or prefers."""
-    return prepare(mission, constraints, ideas, everything(demand_of(mission), wishes_of(mission)))
+    goal = everything(demand_of(mission), wishes_of(mission))
+    return prepare(mission, constraints, ideas, goal, clock=clock)
 
 
 def wishes_of(mission: Mission) -> tuple[Wish, ...]:

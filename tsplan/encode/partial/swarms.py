@@ -103,7 +103,7 @@ class SoftSwarms:
         goal = everything(demand_of(self.mission), wishes_of(self.mission))
 
         def assemble(ask: Asking) -> Encoded:
-            model = swarm_model(self.mission, Wanting(goal, ask))
+            model = swarm_model(self.mission, Wanting(goal, ask), self.clock)
             return replace(model.counted, network=model.agents)
 
         return Ground(assemble, self.mission.horizon)

@@ -16,10 +16,13 @@ import numpy as np
 from tsplan.encode.atoms import Bound
 from tsplan.encode.build import Encoded
 from tsplan.encode.capacities import capacity_rows
+from tsplan.encode.ceiling import Watch
 from tsplan.encode.classes import MapArrays, map_arrays
+from tsplan.encode.clock import Clock
+from tsplan.encode.family import Family
 from tsplan.encode.literals import Literal
 from tsplan.encode.network import ClassColumns, Network, unroll
-from tsplan.encode.staffing import Family, SiteColumns, Staffing
+from tsplan.encode.staffing import SiteColumns, Staffing
 from tsplan.encode.swarm.groups import (
     Occupancy,
     bound_groups,
@@ -83,8 +86,13 @@ class _Plot:
     draft: Draft
 
 
-def swarm_model(mission: Mission, wanting: Wanting | None = None) -> SwarmModel:
-    """Encode a mission of swarms, or what is wanted in place of its goal."""
+def swarm_model(
+    mission: Mission, wanting: Wanting | None = None, clock: Clock | None = None
+) -> SwarmModel:
+    """Encode a mission of swarms, or what is wanted in place of its goal.
+
+    Raises Halted when the clock is over, or the model would not fit in memory.
+    """
     graphs = swarm_graphs(mission)
     rules = mission.swarm
     assert rules is not None
@@ -92,7 +100,7 @@ def swarm_model(mission: Mission, wanting: Wanting | None = None) -> SwarmModel:
         mission,
         map_arrays(mission.system),
         tuple(rules.each[group.class_name] for group in mission.team),
-        Draft(),
+        Draft(Watch(clock or Clock())),
     )
     swarms = tuple(occupancy(graph, mission.horizon, plot.draft) for graph in graphs)
     _bound(plot, swarms, rules.together)
@@ -216,12 +224,12 @@ def _counted_rows(
     capacity_rows(agents, plot.arrays, plot.draft)
     smallest = min(bounds.least for bounds in plot.bounds)
     counted = [
-        demand
-        if demand.bound.upper
+        need
+        if need.bound.upper
         # whoever is at a state is a sub-swarm there
-        else replace(demand, bound=replace(demand.bound, amount=max(demand.bound.amount, smallest)))
-        for demand in witnesses.demands
-        if demand.bound.upper or demand.bound.amount > 0
+        else replace(need, bound=replace(need.bound, amount=max(need.bound.amount, smallest)))
+        for need in witnesses.lasting
+        if need.bound.upper or need.bound.amount > 0
     ]
     staffing = Staffing(agents, plot.draft)
     staffing.write(Witnesses(witnesses.choices, counted), cuts=True, together=True)

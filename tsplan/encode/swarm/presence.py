@@ -18,7 +18,7 @@ from tsplan.encode.network import ClassColumns, ClassGraph, Network
 from tsplan.encode.outlook import Outlook
 from tsplan.encode.staffing import Staffing
 from tsplan.encode.together import Together
-from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses
+from tsplan.encode.witness import Lasting, WitnessEncoder, Witnesses
 from tsplan.logic import Count, Formula
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import Mission
@@ -67,12 +67,12 @@ def witnesses_of(
     return encoder.encode(goal) if wanting is None else wanting.ask(encoder, draft, network)
 
 
-def wanted(witnesses: Witnesses) -> list[Demand]:
+def wanted(witnesses: Witnesses) -> list[Lasting]:
     """Where the formula wants agents, it wants some group."""
     return [
-        replace(demand, bound=replace(demand.bound, amount=1))
-        for demand in witnesses.demands
-        if not demand.bound.upper and demand.bound.amount > 0
+        replace(need, bound=replace(need.bound, amount=1))
+        for need in witnesses.lasting
+        if not need.bound.upper and need.bound.amount > 0
     ]
 
 
@@ -97,8 +97,8 @@ def presence_rows(groups: Network, witnesses: Witnesses, draft: Draft) -> Staffi
     staffing = Staffing(groups, draft)
     # one group may become several in a region, so its visits as a whole say nothing
     staffing.write(Witnesses(witnesses.choices, some, witnesses.covers), cuts=True, together=False)
-    for capability in {demand.bound.capability for demand in some}:
-        mine = [demand for demand in some if demand.bound.capability == capability]
+    for capability in {need.bound.capability for need in some}:
+        mine = [need for need in some if need.bound.capability == capability]
         Together(mine, witnesses.choices).rule_out(groups.agents(capability))
     return staffing
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from tsplan.encode.clock import Clock
+from tsplan.encode.clock import Clock, Halted
 from tsplan.encode.effort import Effort
 from tsplan.encode.swarm.model import SwarmModel, swarm_model
 from tsplan.encode.swarm.stages import SwarmOutcome, SwarmStages, Tell
@@ -24,6 +24,9 @@ class SwarmProblem:
 
     def solve(self, effort: Effort, clock: Clock, tell: Tell) -> SwarmOutcome:
         """Run all objectives; `tell` hears of stages, plans and bounds."""
-        with clock.timed("build"):
-            model = self.model
+        try:
+            with clock.timed("build"):
+                model = swarm_model(self.mission, clock=clock)
+        except Halted as halted:
+            return SwarmOutcome.nothing(halted)
         return SwarmStages(self.mission, model, effort, clock, tell).run()

@@ -31,7 +31,7 @@ def scout(
 
     Each point comes with its number of splits; the last ones are the better ones.
     """
-    few = tokens(mission)
+    few = tokens(mission, clock)
     fewest = few.fewest(clock.within(_SECONDS))
     bound = fewest.bound
     yield bound, None

@@ -15,7 +15,7 @@ from typing import TypeAlias
 import numpy as np
 
 from tsplan.encode.build import Encoded
-from tsplan.encode.clock import Clock
+from tsplan.encode.clock import Clock, Halted
 from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import Idea
 from tsplan.encode.network import Network
@@ -57,6 +57,12 @@ class SwarmOutcome:
     size: tuple[int, int, int, int]
     levels: tuple[Reached, ...] = ()
     notes: tuple[str, ...] = ()
+
+    @classmethod
+    def nothing(cls, halted: Halted) -> SwarmOutcome:
+        """What is known where no model was made."""
+        notes = (halted.words,) if halted.words else ()
+        return cls(None, (), False, False, halted.reason, (0, 0, 0, 0), notes=notes)
 
 
 @dataclass(frozen=True)
@@ -152,6 +158,10 @@ class SwarmStages:
         """One stage; where the solver contradicts itself, the plan that is known is kept."""
         try:
             return self._stage(name)
+        except Halted as halted:
+            self._notes += [halted.words] if halted.words else []
+            self._stopped = self._stopped or halted.reason
+            return Reached(name, None, None), False
         except SolverError as error:
             if self._point is None:
                 raise

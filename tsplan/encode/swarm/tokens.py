@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tsplan.encode.ceiling import Watch
 from tsplan.encode.classes import map_arrays
 from tsplan.encode.clock import Clock
 from tsplan.encode.network import ClassColumns, ClassGraph, laid_out
@@ -100,14 +101,15 @@ class Track(NamedTuple):
     step: Ints
 
 
-def tokens(mission: Mission) -> Tokens:
-    """The model of tokens of a mission of swarms."""
-    draft = Draft()
+def tokens(mission: Mission, clock: Clock | None = None) -> Tokens:
+    """The model of tokens of a mission of swarms; raises Halted when the clock is over."""
+    clock = clock or Clock()
+    draft = Draft(Watch(clock))
     most = most_groups(mission)
     graphs = swarm_graphs(mission)
     entered, reduced, added = [], [], []
     for number, graph in enumerate(graphs):
-        short = _shortened(graph, _relevant(mission, number), mission.horizon)
+        short = _shortened(graph, _relevant(mission, number), mission.horizon, clock)
         columns = laid_out(short.graph, mission.horizon, draft, upper=INFINITY)
         added.append(_flow(columns, mission.horizon, draft))
         entered.append(columns)
@@ -131,9 +133,10 @@ def tokens(mission: Mission) -> Tokens:
     )
 
 
-def _shortened(graph: ClassGraph, relevant: Bools, horizon: int) -> Reduced:
+def _shortened(graph: ClassGraph, relevant: Bools, horizon: int, clock: Clock) -> Reduced:
     """The quickest ways between some states; upper bounds on counts are not looked at."""
-    return reduce(graph, Interest(relevant, np.zeros_like(relevant)), horizon) or whole(graph)
+    interest = Interest(relevant, np.zeros_like(relevant))
+    return reduce(graph, interest, horizon, clock) or whole(graph)
 
 
 def _relevant(mission: Mission, number: int) -> Bools:
