@@ -97,7 +97,7 @@ def test_orders_are_read(order):
         ("must: F[0,4] C", "must: F[0,4] D", ["m:13:16:", "label 'D'"]),
         ('sum(A) >= 1"', 'sum(D) >= 1"', ["m:15:41:", "label 'D'"]),
         ('"G[0,4] sum(B) >= 1"', '"G[0,4 sum(B) >= 1"', ["m:17:"]),
-        ("weight: 2", "weight: 0", ["m:15:", "more than 0"]),
+        ("weight: 2", "weight: 0", ["m:15:", "at least 1e-09"]),
         ("weight: 2", "weigth: 2", ["unknown key 'weigth'", "'weight'"]),
         ("level: 1", "level: -1", ["at least 0"]),
         ("partial: true", "partial: 1", ["true or false"]),

@@ -14,7 +14,7 @@ import tsplan.swarming
 from tsplan.cli import main
 from tsplan.encode.stages import Reached
 from tsplan.errors import MissionError, SolverError, TsplanError
-from tsplan.events import Bound, Incumbent, Stage
+from tsplan.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
 
@@ -122,7 +122,8 @@ def test_events_tell_of_plans_on_the_way(monkeypatch):
         return isinstance(event, Bound)
 
     tsplan.plan(mission(), on_event=listen)
-    assert [type(event) for event in heard] == [Stage, Incumbent, Bound]
+    assert [type(event) for event in heard] == [Stage, Incumbent, Bound, Stage]
+    assert heard[-1].name == FINISHING
     plan = heard[1].plan()
     assert plan.verified
     assert plan.moves == {"swarm": MOVES}

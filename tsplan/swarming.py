@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from tsplan.encode.clock import Clock
 from tsplan.encode.effort import Effort
 from tsplan.encode.partial.planning import is_soft
 from tsplan.encode.partial.swarms import SoftSwarms
 from tsplan.encode.swarm.problem import SwarmProblem
+from tsplan.encode.swarm.worth import SwarmFlows
 from tsplan.mission import Mission
-from tsplan.results import Move
 from tsplan.results.assigning import agents_of
 from tsplan.running import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
-
-SwarmFlows = Mapping[str, tuple[Move, ...]]
 
 MOST_AGENTS = 1000
 """Agents up to which every one gets a path; for more, `tsplan.assign` makes them."""

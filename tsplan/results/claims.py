@@ -33,7 +33,8 @@ def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str
     """Objectives of a plan that is called optimal and does not say what proves them."""
     for item in plan.objective if plan.status is Status.OPTIMAL else ():
         actual = values.get(item.name, math.inf)
-        if item.bound is None and math.isfinite(actual):
+        by_depth = item.name == "satisfaction" and _settled_by_depth(plan)
+        if item.bound is None and math.isfinite(actual) and not by_depth:
             yield f"{item.name} is called optimal at {shown(actual)}, and no bound proves it"
 
 
@@ -60,3 +61,9 @@ def shown(value: Fraction | float, infinite: str = "unbounded") -> str:
     if math.isfinite(value):
         return digits(value)
     return infinite if value > 0 else "impossible"
+
+
+def _settled_by_depth(plan: Plan) -> bool:
+    """Whether a satisfaction is proven depth by depth, in place of a bound on the whole."""
+    depths = () if plan.satisfaction is None else plan.satisfaction.depths
+    return bool(depths) and all(item.bound == item.value for item in depths)

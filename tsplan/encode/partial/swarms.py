@@ -33,7 +33,8 @@ from tsplan.encode.stages import Point, Reached
 from tsplan.encode.swarm.model import swarm_model
 from tsplan.encode.swarm.presence import Wanting
 from tsplan.encode.swarm.problem import SwarmProblem
-from tsplan.encode.swarm.stages import SwarmFlows, SwarmOutcome, Tell, flows_of
+from tsplan.encode.swarm.stages import SwarmOutcome, Tell
+from tsplan.encode.swarm.worth import SwarmFlows, flows_of
 from tsplan.logic import Formula
 from tsplan.mission import Mission
 

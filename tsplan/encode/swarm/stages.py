@@ -7,7 +7,7 @@ counted into its groups. Where they cannot, the counted model decides.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TypeAlias
@@ -18,22 +18,21 @@ from tsplan.encode.build import Encoded
 from tsplan.encode.clock import Clock, Halted
 from tsplan.encode.effort import Effort
 from tsplan.encode.ideas import Idea
-from tsplan.encode.network import Network
 from tsplan.encode.search import Found, Reporter, Search
 from tsplan.encode.stages import Reached
-from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, late, target
-from tsplan.encode.swarm.model import SwarmModel, moves_of
+from tsplan.encode.swarm.goals import OF_GROUPS, VECTORS, target
+from tsplan.encode.swarm.kept import Kept
+from tsplan.encode.swarm.model import SwarmModel
 from tsplan.encode.swarm.scouting import scout
 from tsplan.encode.swarm.shares import even_shares, sizes, with_smallest
+from tsplan.encode.swarm.worth import SwarmFlows, flows_of, last_move, minimised, worth
 from tsplan.encode.target import Target
 from tsplan.errors import SolverError
 from tsplan.milp.confirm import tried
-from tsplan.milp.model import INFINITY, Floats, Model
+from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Options, StoppedBy
 from tsplan.mission import Mission
-from tsplan.results import Move
 
-SwarmFlows: TypeAlias = Mapping[str, tuple[Move, ...]]
 Tell: TypeAlias = Callable[[str, "SwarmFlows | None", "float | None", "float | None"], None]
 
 _COUNTING = 10.0  # seconds for counting agents into known groups
@@ -66,19 +65,6 @@ class SwarmOutcome:
 
 
 @dataclass(frozen=True)
-class _Kept:
-    """What earlier stages reached and later ones must not lose."""
-
-    rows: tuple[tuple[str, float], ...] = ()
-    makespan: int | None = None
-
-    @property
-    def of_groups(self) -> bool:
-        """Whether it says nothing about sizes."""
-        return all(name in OF_GROUPS for name, _ in self.rows)
-
-
-@dataclass(frozen=True)
 class _Ask:
     """What one search is for: the least value of an objective, or its `first` plan.
 
@@ -86,7 +72,7 @@ class _Ask:
     """
 
     name: str
-    kept: _Kept
+    kept: Kept
     first: bool = False
     stage: str = ""
 
@@ -106,7 +92,7 @@ class SwarmStages:
     clock: Clock
     tell: Tell
     _point: Floats | None = field(default=None, init=False)
-    _kept: _Kept = field(default=_Kept(), init=False)
+    _kept: Kept = field(default=Kept(), init=False)
     _stopped: StoppedBy | None = field(default=None, init=False)
     _notes: list[str] = field(default_factory=list, init=False)
 
@@ -132,7 +118,9 @@ class SwarmStages:
             point = self._point = self._evened(self._point)
             flows = self._flows(point)
             # even shares may be better in what was not proven
-            reached = tuple(replace(item, value=self._worth(item.name, point)) for item in reached)
+            reached = tuple(
+                replace(item, value=worth(self.model, item.name, point)) for item in reached
+            )
         proven = flows is not None and all(item.proven for item in reached)
         stopped = None
         if not proven and not infeasible:
@@ -146,13 +134,6 @@ class SwarmStages:
             (size.columns, size.integers, size.rows, size.nonzeros),
             notes=tuple(self._notes),
         )
-
-    def _worth(self, name: str, point: Floats) -> float:
-        """An objective's value in its own unit."""
-        if name == "makespan":
-            return float(self._last_move(point))
-        value = self._value(name, point)
-        return 0.0 - value if name == "balance" else value
 
     def _guarded(self, name: str) -> tuple[Reached, bool]:
         """One stage; where the solver contradicts itself, the plan that is known is kept."""
@@ -191,7 +172,7 @@ class SwarmStages:
         name, kept = ask.name, ask.kept
         self.tell(ask.told, None, None, None)
         bound = -np.inf
-        if name == "splits" and kept == _Kept():
+        if name == "splits" and kept == Kept():
             bound = self._scouted(first=ask.first)
             known = np.inf if self._point is None else self._value(name, self._point)
             if known <= bound or (ask.first and self._point is not None):
@@ -255,7 +236,7 @@ class SwarmStages:
         """Keep a point of the counted model, and tell of it and of a bound in the own unit."""
         if point is not None:
             self._point = point
-        best = None if self._point is None else self._worth(name, self._point)
+        best = None if self._point is None else worth(self.model, name, self._point)
         if point is not None or bound is not None:
             self.tell(name, None if point is None else self._flows(point), best, bound)
 
@@ -289,14 +270,14 @@ class SwarmStages:
 
     def _makespan(self) -> Reached:
         assert self._point is not None
-        low, high = 0, self._last_move(self._point)
+        low, high = 0, last_move(self.model, self._point)
         while low < high and not self.clock.over:
             probe = (low + high) // 2
             kept = replace(self._kept, makespan=probe)
             before = self._point
             found = self._search(_Ask("splits", kept, first=True, stage="makespan"))
             if found.values is not None:
-                high = min(probe, self._last_move(self._point))
+                high = min(probe, last_move(self.model, self._point))
             elif found.proven:
                 low = probe + 1
             else:
@@ -309,28 +290,8 @@ class SwarmStages:
 
     # --- models and points ---------------------------------------------------------------------
 
-    def _narrowed(self, encoded: Encoded, kept: _Kept) -> Encoded:
-        """A model within what earlier stages reached."""
-        model = encoded.model
-        if kept.makespan is not None:
-            upper = model.upper.copy()
-            for swarm in self.model.swarms:
-                upper[late(swarm, kept.makespan)] = 0.0
-            model = model.with_bounds(model.lower, upper)
-        for name, value in kept.rows:
-            if name == "balance":
-                model = self._at_least(model, -value)
-                continue
-            aim = target(self.model, name, model.size.columns)
-            model = aim.kept(model, value, f"kept {name}")
-        return replace(encoded, model=model)
-
-    def _at_least(self, model: Model, size: float) -> Model:
-        """The model in which every sub-swarm has at least `size` agents, by a fixed column."""
-        wide = with_smallest(model, sizes(self.model), size)
-        lower = wide.lower.copy()
-        lower[-1] = size
-        return wide.with_bounds(lower, wide.upper)
+    def _narrowed(self, encoded: Encoded, kept: Kept) -> Encoded:
+        return kept.narrow(self.model, encoded)
 
     def _start(self, encoded: Encoded) -> Floats | None:
         """The present point cut or filled up to a model, where it is one of its points."""
@@ -344,7 +305,7 @@ class SwarmStages:
         point = np.clip(point[:count], encoded.model.lower, encoded.model.upper)
         return point if encoded.model.violation(point) < _FEASIBLE else None
 
-    def _counted(self, values: Floats, kept: _Kept) -> Floats | None:
+    def _counted(self, values: Floats, kept: Kept) -> Floats | None:
         """Agents counted into the groups of a point of the occupied model, if they can be."""
         encoded = self._narrowed(self.model.counted, kept)
         columns = self.model.counted.indicators
@@ -354,7 +315,7 @@ class SwarmStages:
         vector = VECTORS["travel"](self.model, model.size.columns)
         return self._solve(model.with_objective(vector))
 
-    def _shortened(self, kept: _Kept) -> None:
+    def _shortened(self, kept: Kept) -> None:
         """A better point to begin with: where groups move little, agents travel little."""
         encoded = self._narrowed(self.model.occupied, kept)
         aim = target(self.model, "moves", encoded.model.size.columns)
@@ -401,39 +362,7 @@ class SwarmStages:
     # --- reading points ------------------------------------------------------------------------
 
     def _value(self, name: str, point: Floats) -> float:
-        """An objective's value, as it is minimised."""
-        if name == "balance":
-            found = sizes(self.model)
-            size = found.base.copy()
-            np.add.at(size, found.index, np.round(point[found.flow]))
-            held = np.round(point[found.group]) > 0
-            return -float(size[held].min(initial=INFINITY))
-        return float(np.round(VECTORS[name](self.model, len(point)) @ point))
-
-    def _last_move(self, point: Floats) -> int:
-        last = 0
-        for swarm in self.model.swarms:
-            edge, step, column = swarm.entered.unrolled()
-            graph = swarm.entered.graph
-            made = (point[column] > 0.5) & ~graph.wait[edge]  # noqa: PLR2004 - a 0/1 column
-            last = max(last, int((step + graph.duration[edge])[made].max(initial=0)))
-        return last
+        return minimised(self.model, name, point)
 
     def _flows(self, point: Floats) -> SwarmFlows:
-        """The moves of every swarm in a point."""
         return flows_of(self.mission, self.model.agents, point)
-
-
-def flows_of(mission: Mission, agents: Network, point: Floats) -> SwarmFlows:
-    """The moves of every swarm in a point of a counted model with the flows `agents`."""
-    names = tuple(mission.system.states)
-    found = {}
-    for group, moves in zip(mission.team, moves_of(agents, point), strict=True):
-        listed = (
-            Move(when, names[source], names[target], number)
-            for source, target, when, number in zip(
-                *(column.tolist() for column in moves), strict=True
-            )
-        )
-        found[group.class_name] = tuple(sorted(listed))
-    return found
