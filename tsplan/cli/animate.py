@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, mission_for, refuse_place
-from tsplan.cli.pictures import own_backend
+from tsplan.cli.inputs import files_of, fitted, refuse_place
+from tsplan.cli.output import remark
 from tsplan.results.planfile import load_plan
 from tsplan.viewer.animation import Pace, animate
 
@@ -16,10 +16,8 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the moving picture."""
-    plan = load_plan(asked.plan)
-    mission = mission_for(asked.plan, plan, asked.mission)
+    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
     pace = Pace.of(plan.horizon, asked.fps, asked.seconds_per_step, asked.size)
     refuse_place(asked.output, "the moving picture", [asked.plan, *files_of(mission)])
-    with own_backend("Agg"):
-        animate(mission, plan, asked.output, pace)
+    animate(mission, plan, asked.output, pace, remark)
     return Exit.DONE

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_and_plan
 from tsplan.cli.output import say
+from tsplan.errors import clipped
 from tsplan.results.checking import check
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ def run(asked: argparse.Namespace) -> Exit:
     mission, plan = mission_and_plan(asked.mission, asked.plan)
     report = check(mission, plan)
     for finding in report.findings:
-        say(f"{asked.plan}: {finding.message}")
+        say(f"{asked.plan}: {clipped(finding.message)}")
     if not report.ok:
         return Exit.REFUSED
     if not asked.quiet:

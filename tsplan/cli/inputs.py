@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tsplan.cli.output import remark
-from tsplan.errors import Finding, InputError, PlanError, nearest
+from tsplan.errors import Finding, InputError, PlanError, nearest, told
 from tsplan.mission import load_mission
-from tsplan.results.fitting import refuse_misfit, refuse_pathless
+from tsplan.results.fitting import refuse_impossible, refuse_pathless, with_groups
 from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
@@ -45,23 +45,25 @@ def mission_and_plan(mission_path: Path, plan_path: Path) -> tuple[Mission, Plan
 
 def warn(findings: Iterable[Finding]) -> None:
     """Write findings that do not stop the work, one a line."""
-    for finding in findings:
-        marked = replace(finding, message=f"warning: {finding.message}")
-        remark(" ".join(str(marked).splitlines()))
+    marked = [replace(item, message=f"warning: {item.message}") for item in findings]
+    for line in told(marked):
+        remark(" ".join(line.splitlines()))
 
 
-def mission_for(path: Path, plan: Plan, given: Path | None) -> Mission:
-    """The mission of a plan file: the one that is given, or the one found beside the plan.
+def fitted(path: Path, plan: Plan, given: Path | None) -> tuple[Plan, Mission]:
+    """A plan, complete, and its mission: the one that is given, or the one found beside the plan.
 
-    Raises PlanError if there is none, or if the plan has no paths or is of another mission.
+    Raises PlanError if there is none, or if the plan has no paths, impossible ones, or those of
+    another mission.
     """
     refuse_pathless(plan, str(path))
     mission = mission_of(given) if given is not None else mission_beside(path, plan)
     if mission is None:
         what = f"the mission of the plan ('{plan.mission.name}') is in no YAML file beside it"
         raise PlanError([Finding(what, "name its file with --mission MISSION", str(path))])
-    refuse_misfit(plan, mission, str(path))
-    return mission
+    plan = with_groups(plan, mission)
+    refuse_impossible(plan, mission, str(path))
+    return plan, mission
 
 
 def mission_beside(path: Path, plan: Plan) -> Mission | None:
@@ -84,18 +86,27 @@ def refuse_place(path: Path | None, what: str, inputs: Iterable[Path | None] = (
     """
     if path is None:
         return
+    try:
+        why = _unwritable(path, inputs)
+    except (OSError, ValueError) as error:  # a folder on the way that nobody may look into
+        why = (error.strerror if isinstance(error, OSError) else None) or str(error)
+    if why is not None:
+        words = f"cannot write {what}: {why}"
+        raise InputError([Finding(words, "choose another file", str(path))])
+
+
+def _unwritable(path: Path, inputs: Iterable[Path | None]) -> str | None:
+    """Why a file cannot be written, as far as is seen before; None if nothing speaks against it."""
     folder = path.resolve().parent
     if path.is_dir():
-        why = "this is a directory"
-    elif not folder.is_dir():
-        why = "its directory does not exist"
-    elif not os.access(path if path.exists() else folder, os.W_OK):
-        why = "no permission"
-    elif any(_same(path, other) for other in inputs):
-        why = "this file is read by the same command"
-    else:
-        return
-    raise InputError([Finding(f"cannot write {what}: {why}", "choose another file", str(path))])
+        return "this is a directory"
+    if not folder.is_dir():
+        return "its directory does not exist"
+    if not os.access(path if path.exists() else folder, os.W_OK):
+        return "no permission"
+    if any(_same(path, other) for other in inputs):
+        return "this file is read by the same command"
+    return None
 
 
 def _same(path: Path, other: Path | None) -> bool:

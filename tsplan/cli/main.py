@@ -39,10 +39,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _answer(error: BaseException) -> tuple[Exit, list[str]]:
     """The exit code and the lines that say what went wrong."""
     from tsplan.cli.output import OutputError  # noqa: PLC0415  (after the help)
-    from tsplan.errors import InputError, TsplanError  # noqa: PLC0415  (after the help)
+    from tsplan.errors import InputError, TsplanError, told  # noqa: PLC0415  (after the help)
 
     if isinstance(error, InputError):
-        return Exit.BAD_INPUT, [" ".join(str(finding).splitlines()) for finding in error.findings]
+        return Exit.BAD_INPUT, [" ".join(line.splitlines()) for line in told(error.findings)]
     known: tuple[tuple[type[BaseException], Exit, str], ...] = (
         (TsplanError, Exit.FAILED, str(error)),
         (KeyboardInterrupt, Exit.INTERRUPTED, "interrupted"),

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, mission_beside, mission_for, mission_of, refuse_place
-from tsplan.cli.output import say
+from tsplan.cli.inputs import files_of, fitted, mission_beside, mission_of, refuse_place
+from tsplan.cli.output import remark, say
 from tsplan.cli.pictures import own_backend
 from tsplan.errors import Finding, InputError
 from tsplan.results.evidence import explain_preferred
-from tsplan.results.fitting import refuse_misfit, refuse_pathless
+from tsplan.results.fitting import refuse_pathless
 from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ def run(asked: argparse.Namespace) -> Exit:
     if reasons is not None:
         say(reasons)
     elif asked.output is None:
-        with own_backend(None):
+        with own_backend():
             plt = _window()
             _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
             plt.show()
@@ -42,8 +42,7 @@ def _save(asked: argparse.Namespace) -> None:
 
     kind_of(asked.output)
     _refuse_inputs(asked, None)
-    with own_backend("Agg"):
-        save(_draw(asked, None), asked.output)
+    save(_draw(asked, None), asked.output, tell=remark)
 
 
 def _refuse_inputs(asked: argparse.Namespace, mission: Mission | None) -> None:
@@ -57,8 +56,7 @@ def _reasons(asked: argparse.Namespace) -> str:
     if not _is_plan(asked.file):
         what = "--why is about a plan, and this is none"
         raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(asked.file))])
-    plan = load_plan(asked.file)
-    mission = mission_for(asked.file, plan, asked.mission)
+    plan, mission = fitted(asked.file, load_plan(asked.file), asked.mission)
     trees = [str(plan.explain(mission))]
     for name, tree in explain_preferred(plan, mission).items():
         trees.append(f"preferred: {name}\n{tree}")
@@ -81,10 +79,10 @@ def _draw(asked: argparse.Namespace, figure: Any) -> Any:
     if _is_plan(asked.file):
         return _draw_plan(asked, figure, ax)
     from tsplan.document import read_document  # noqa: PLC0415  (plans do not need it)
+    from tsplan.document.kinds import MISSION, kind_of_data  # noqa: PLC0415  (as above)
     from tsplan.draw.map import draw_map, draw_mission  # noqa: PLC0415  (as above)
 
-    data = read_document(asked.file).data
-    if isinstance(data, dict) and ("spec" in data or "format" in data):
+    if kind_of_data(read_document(asked.file).data) == MISSION:
         drawn = mission_of(asked.file)
         _refuse_inputs(asked, drawn)
         return draw_mission(drawn, ax)[0]
@@ -100,14 +98,11 @@ def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
 
     plan = load_plan(asked.file)
     refuse_pathless(plan, str(asked.file))
-    if asked.view in (None, "timeline") and asked.mission is None:
-        mission = mission_beside(asked.file, plan)
-    else:
-        mission = mission_for(asked.file, plan, asked.mission)
-    _refuse_inputs(asked, mission)
-    if mission is None:
+    alone = asked.view in (None, "timeline") and asked.mission is None
+    if alone and mission_beside(asked.file, plan) is None:
         return draw_timeline(plan, None, ax)[0]
-    refuse_misfit(plan, mission, str(asked.file))
+    plan, mission = fitted(asked.file, plan, asked.mission)
+    _refuse_inputs(asked, mission)
     view = asked.view or PAGE
     if view != PAGE:
         return draw_view(plan, mission, view, ax)[0]
@@ -118,10 +113,6 @@ def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
 
 def _is_plan(path: Path) -> bool:
     """Whether a file is JSON, which maps and missions are not."""
-    if path.suffix.lower() == ".json":
-        return True
-    try:
-        with path.open(encoding="utf-8", errors="replace") as stream:
-            return '"tsplan-plan/' in stream.read(1000)
-    except OSError:
-        return False  # the reader of missions says what is wrong
+    from tsplan.document.files import beginning  # noqa: PLC0415  (as above)
+
+    return '"tsplan-plan/' in beginning(path, 1000) or path.suffix.lower() == ".json"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, mission_for, refuse_place
+from tsplan.cli.inputs import files_of, fitted, refuse_place
 from tsplan.cli.output import say
 from tsplan.results.planfile import load_plan
 from tsplan.viewer.opening import open_page, write_page
@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the page; without a file to write it to, also open it."""
-    plan = load_plan(asked.plan)
-    mission = mission_for(asked.plan, plan, asked.mission)
+    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
     refuse_place(asked.output, "the page", [asked.plan, *files_of(mission)])
     path = write_page(mission, plan, asked.output)
     if asked.output is None:

@@ -18,6 +18,7 @@ from tsplan.explanation.oracle import EnoughError, Oracle
 from tsplan.explanation.several import Several
 from tsplan.explanation.surroundings import EdgeTime
 from tsplan.limits import refuse_options
+from tsplan.milp.hush import audible, hushed_alone
 from tsplan.running import on_interrupt
 
 if TYPE_CHECKING:
@@ -64,8 +65,9 @@ def explain(
     """
     refuse_options(time_limit=time_limit)
     limit = mission.solver.time_limit if time_limit is None else time_limit
-    run = _Run(mission, limit, solver, on_stage or (lambda _: None), on_found or (lambda _: None))
-    with on_interrupt(run.stop):
+    hear = (audible(on_stage or (lambda _: None)), audible(on_found or (lambda _: None)))
+    run = _Run(mission, limit, solver, *hear)
+    with on_interrupt(run.stop), hushed_alone():
         return run.explanation(conflicts, slack=slack)
 
 

@@ -6,6 +6,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.data import Conflict, Cut, Explanation, Fact, Part, Status
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -39,7 +40,7 @@ _STAGES = {
 def print_explanation(explanation: Explanation, mission: Mission, console: Console) -> None:
     """Print everything that an explanation says."""
     for line in lines_of(explanation, mission, console.width):
-        console.out(line, highlight=False)
+        console.out(visible(line, "\n"), highlight=False)
     if explanation.changes:
         console.out("\nchanges after which there is a plan:", highlight=False)
         with console.capture() as text:
@@ -147,6 +148,7 @@ class _Source:
 
 def _changes(explanation: Explanation) -> Table:
     from rich.table import Table  # noqa: PLC0415  (slow to import)
+    from rich.text import Text  # noqa: PLC0415
 
     table = Table(box=None, pad_edge=False, show_edge=False, padding=(0, 1))
     table.add_column("fix", justify="right")
@@ -155,5 +157,6 @@ def _changes(explanation: Explanation) -> Table:
     table.add_column("least")
     for number, change in enumerate(explanation.changes, start=1):
         sure = "proven" if change.proven else "not proven"
-        table.add_row(str(number), change.text, str(change.amount), sure)
+        cells = (str(number), visible(change.text), str(change.amount), sure)
+        table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
     return table

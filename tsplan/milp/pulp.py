@@ -23,9 +23,10 @@ import numpy as np
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
 from tsplan.milp.answer import Ending, Question, Verdict
 from tsplan.milp.attend import Attendant, Patience
+from tsplan.milp.hush import hushed
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.offspring import Offspring
-from tsplan.milp.pulp_words import UnclearError, load, told
+from tsplan.milp.pulp_words import UnclearError, load, pulp_module, told
 from tsplan.milp.solution import Options, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
 
@@ -36,7 +37,7 @@ _LEAST_GAP = (
     1e-9  # some backends take a gap of 0 for none given, and have a larger one of their own
 )
 _SLACK = 0.25  # seconds after its time limit until a backend is interrupted from outside
-_PATIENCE = Patience(time_limit=1.0, interrupt=5.0)  # then it has to write its point
+_PATIENCE = Patience(time_limit=1.0, interrupt=3.0)  # then it has to write its point
 _MOST = 0.9  # of a time limit, after which it is what stopped a backend that does not say
 _CBC = frozenset({"PULP_CBC_CMD", "COIN_CMD"})
 
@@ -262,17 +263,15 @@ class _Solve:
 
 def backends() -> list[str]:
     """PuLP's names of the solvers it can use here."""
-    import pulp  # noqa: PLC0415 - never imported unasked
-
-    with warnings.catch_warnings():
+    pulp = pulp_module()
+    with warnings.catch_warnings(), hushed():  # some load their solver or start its licence
         warnings.simplefilter("ignore", DeprecationWarning)
         return [name for name in pulp.listSolvers(onlyAvailable=True) if name not in _UNFIT]
 
 
 def _backend(name: str, arguments: dict[str, object]) -> Any:
-    import pulp  # noqa: PLC0415 - never imported unasked
-
-    with warnings.catch_warnings():
+    pulp = pulp_module()
+    with warnings.catch_warnings(), hushed():
         # PuLP 3 warns of the end of the CBC it brings along, whoever asked for it
         warnings.simplefilter("ignore", DeprecationWarning)
         try:

@@ -13,6 +13,7 @@ import numpy as np
 
 from tsplan.errors import SolverError
 from tsplan.milp.answer import Ending, Verdict
+from tsplan.milp.hush import hushed
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import StoppedBy
 
@@ -24,10 +25,16 @@ class UnclearError(SolverError):
     """The solver says neither that the model is infeasible nor that it is unbounded, but either."""
 
 
+def pulp_module() -> Any:
+    """The module pulp, loaded without a word of its own or of the solvers it loads."""
+    with hushed():
+        import pulp  # noqa: PLC0415 - never imported unasked
+    return pulp
+
+
 def load(model: Model) -> tuple[Any, list[Any]]:
     """The model as a `pulp.LpProblem`, and its variables in the order of the columns."""
-    import pulp  # noqa: PLC0415 - never imported unasked
-
+    pulp = pulp_module()
     expression = getattr(pulp.LpAffineExpression, "from_list", pulp.LpAffineExpression)
     problem = pulp.LpProblem("tsplan", pulp.LpMinimize)
     kinds = (pulp.LpContinuous, pulp.LpInteger)
