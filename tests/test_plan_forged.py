@@ -5,12 +5,13 @@ from __future__ import annotations
 import copy
 import json
 import random
+from contextlib import suppress
 
 import pytest
 
 import tsplan
 from tsplan.cli import main
-from tsplan.errors import PlanError
+from tsplan.errors import PlanError, TsplanError
 from tsplan.mission import load_mission
 from tsplan.results.planfile import load_plan
 
@@ -119,13 +120,19 @@ def change(around, key, chance):
         value[chance.choice(WORDS)] = value.pop(chance.choice(list(value)))
 
 
-def judge(folder, seed, capsys, *, pictures):
-    """Run every command on a forged plan."""
+def forged_file(folder, seed):
+    """Name of a mission and the text of a forged plan of it."""
     chance = random.Random(seed)
     name = chance.choice(list(MISSIONS))
     data = forged(json.loads((folder / f"{name}.json").read_text()), chance)
+    return name, json.dumps(data)
+
+
+def judge(folder, seed, capsys, *, pictures):
+    """Run every command on a forged plan."""
+    name, text = forged_file(folder, seed)
     mission, plan = str(folder / f"{name}.yaml"), folder / "plan.json"
-    plan.write_text(json.dumps(data))
+    plan.write_text(text)
     commands = [
         ["check", mission, str(plan)],
         ["show", str(plan), "--why", "--mission", mission],
@@ -151,6 +158,46 @@ def test_forged_plans_end_in_findings_or_a_verdict(folder, seed, capsys):
 @pytest.mark.parametrize("seed", range(1000, 4000))
 def test_many_forged_plans_end_in_findings_or_a_verdict(folder, seed, capsys):
     judge(folder, seed, capsys, pictures=seed % 5 == 0)
+
+
+def ask_in_python(folder, seed):
+    """Everything that is made of a plan in Python: it ends, or in an error of the package."""
+    name, text = forged_file(folder, seed)
+    try:
+        plan = tsplan.Plan.from_json(text)
+    except PlanError:
+        return
+    mission = load_mission(folder / f"{name}.yaml")
+    for ask in (
+        lambda: tsplan.check(mission, plan),
+        lambda: tsplan.assign(mission, plan),
+        lambda: tsplan.simulate(mission, plan, runs=2),
+        lambda: str(plan.explain(mission)),
+        lambda: plan.requirements(mission),
+        lambda: (plan.states, plan.counts(), plan.state_at(1), plan.shares),
+        plan._repr_html_,
+        plan.to_json,
+    ):
+        with suppress(TsplanError):
+            ask()
+
+
+@pytest.mark.parametrize("seed", range(100, 200))
+def test_forged_plans_end_in_errors_of_the_package_in_python(folder, seed):
+    ask_in_python(folder, seed)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(4000, 7000))
+def test_many_forged_plans_end_in_errors_of_the_package_in_python(folder, seed):
+    ask_in_python(folder, seed)
+
+
+def test_moves_that_are_impossible_cannot_be_assigned(folder):
+    path = changed(folder, "swarm", moves={"u": [[0, "a", "zz", 8]], "v": []}, groups=None)
+    mission = load_mission(folder / "swarm.yaml")
+    with pytest.raises(PlanError, match="u goes from a to zz at step 0"):
+        tsplan.assign(mission, load_plan(path))
 
 
 def changed(folder, name, **parts):

@@ -40,6 +40,7 @@ def told(formula):
         ("!a b", "YAML takes '!a' for a tag"),
         ("! 'a'", "YAML takes '!' for a tag"),
         ("[b, ! a]", "m:6:16: YAML takes '!' for a tag"),
+        ("! [a, b]", "m:6:12: YAML takes '!' for a tag"),
         ("&a b", "YAML takes '&a' for an anchor, and only 'b' is left"),
         ("&a & b", "YAML takes '&' at the beginning"),
         ("* a", "YAML takes '*' at the beginning"),

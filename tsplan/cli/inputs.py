@@ -68,11 +68,13 @@ def fitted(path: Path, plan: Plan, given: Path | None) -> tuple[Plan, Mission]:
 
 def mission_beside(path: Path, plan: Plan) -> Mission | None:
     """The mission of a plan, found by its digest among the YAML files beside it."""
-    from tsplan.document import read_document  # noqa: PLC0415  (commands without plans)
+    from tsplan.document.document import LARGEST_FILE  # noqa: PLC0415  (commands without plans)
+    from tsplan.document.files import read_text  # noqa: PLC0415  (as above)
+    from tsplan.mission.data import digest_of  # noqa: PLC0415  (as above)
 
     for other in sorted([*path.parent.glob("*.yaml"), *path.parent.glob("*.yml")]):
         try:
-            if read_document(other).digest == plan.mission.sha256:
+            if digest_of(read_text(other, most=LARGEST_FILE)) == plan.mission.sha256:
                 return load_mission(other)
         except InputError:
             continue

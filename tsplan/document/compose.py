@@ -161,7 +161,9 @@ class Composer:
         if len(self._stack) >= DEEPEST:
             raise self._stop(*TOO_DEEP, mark)
         line, column = mark.line + 1, mark.column + 1
-        if tag is not None and tag not in _COLLECTIONS:
+        if tag == "!" and self.what == "formula":
+            self._tagged(tag, "", line, column)
+        elif tag is not None and tag not in _COLLECTIONS:
             self._unknown_tag(tag, line, column)
         value: Any = {} if mapping else []
         node = Node(value, line, column, mark.index, mark.index, tag)

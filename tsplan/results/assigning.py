@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tsplan.errors import Finding, PlanError
+from tsplan.limits import refuse_options
 from tsplan.results.checking import certify
 from tsplan.results.flows import ClassFlow, decompose
+from tsplan.results.swarmcheck import read_moves
 
 if TYPE_CHECKING:
     from tsplan.mission import Agent, Mission
@@ -23,12 +25,16 @@ def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
     """The plan of a swarm mission with a path for every agent, judged by the independent check.
 
     The paths together make exactly the plan's moves. They are the same for equal plans and seeds;
-    another seed gives them to other agents. Raises PlanError for a plan without moves and
-    SolverError if the check refuses the plan.
+    another seed gives them to other agents. Raises PlanError for a plan without moves or with
+    moves that the mission does not allow, and SolverError if the check refuses the plan.
     """
     if not plan.moves:
         what = "the plan has no moves of swarms to make paths of"
         raise PlanError([Finding(what, "plan a mission with a swarm")])
+    refuse_options(seed=seed)
+    _, problems = read_moves(mission, plan.moves)
+    if problems:
+        raise PlanError(Finding(words, "name the mission that was planned") for words in problems)
     return certify(mission, replace(plan, agents=agents_of(mission, plan.moves, seed)))
 
 

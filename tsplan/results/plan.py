@@ -232,9 +232,10 @@ class Plan:
     @cached_property
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""
+        seen = {stay[2] for bundle in self.bundles for stay in bundle.stays}
         if self.by_groups:
-            return tuple(sorted({group.state for group in self.groups if group.state is not None}))
-        return tuple(sorted({stay[2] for bundle in self.bundles for stay in bundle.stays}))
+            seen.update(group.state for group in self.groups if group.state is not None)
+        return tuple(sorted(seen))
 
     def state_at(self, step: int) -> dict[str, str | None]:
         """The state of every agent at `step` by its id; None for agents that are travelling.

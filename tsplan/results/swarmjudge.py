@@ -134,8 +134,11 @@ def groups_of_traffic(traffic: Sequence[Traffic], horizon: int) -> tuple[SubSwar
 
 def _misnamed(groups: Sequence[SubSwarm], table: Sequence[Sequence[Spot]]) -> Iterator[str]:
     """Steps at which the plan's sub-swarms are not those that the check counts."""
-    for step, row in enumerate(table if groups else ()):
-        named = {_spot(group) for group in groups if group.first <= step <= group.last}
+    at: list[set[Spot]] = [set() for _ in table]
+    for group in groups:
+        for step in range(group.first, min(group.last + 1, len(table))):
+            at[step].add(_spot(group))
+    for step, (row, named) in enumerate(zip(table, at, strict=True) if groups else ()):
         for spot in sorted(named - set(row)):
             yield (
                 f"the plan names a sub-swarm of {spot.size} agents of {spot.swarm} {spot.place} at "
