@@ -41,14 +41,15 @@ class Clock:
     @property
     def over(self) -> bool:
         """Whether the time is up or the run was asked to stop."""
-        return self.stop() or (self.limit is not None and self.elapsed >= self.limit)
+        return self.stopped_by is not None
 
     @property
     def stopped_by(self) -> StoppedBy | None:
         """What has ended the run, None while it goes on."""
         if self.stop():
             return StoppedBy.INTERRUPT
-        return StoppedBy.TIME_LIMIT if self.over else None
+        late = self.limit is not None and self.elapsed >= self.limit
+        return StoppedBy.TIME_LIMIT if late else None
 
     def check(self) -> None:
         """Raise Halted if the clock is over."""
