@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from tsplan.encode.clock import Clock
 from tsplan.encode.constraints import worth
 from tsplan.encode.effort import Effort
@@ -83,12 +85,18 @@ class TeamRun(Run[Point]):
     def ways(self, found: Point) -> Ways:
         """One path per agent, in the order of the team."""
         setting = self._problem.setting
-        paths: dict[str, AgentPlan] = {}
+        mission = self._mission
+        begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
+        agents: list[AgentPlan | None] = [None] * mission.size
         for item, moves in moves_of(setting, found.encoded, found.values, reduced=found.tight):
             flow = class_flow(setting, item, moves)
             made = decompose(flow, setting.horizon, self._settings.seed)
-            paths.update((agent.id, agent) for agent in made)
-        return Ways(agents=tuple(paths[agent.id] for agent in self._mission.agents))
+            taken = 0
+            for group in item.groups:
+                count = mission.team[group].count
+                agents[begins[group] : begins[group] + count] = made[taken : taken + count]
+                taken += count
+        return Ways(agents=tuple(agent for agent in agents if agent is not None))
 
     def _certified(self, made: Plan) -> Plan:
         """The plan after the check of the mission and of the user's own constraints."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import signal
 import threading
 import time
@@ -152,10 +153,10 @@ class Run(ABC, Generic[FoundT]):
             seed=settings.seed,
             log=None if settings.log is None else audible(settings.log),
         )
-        return self._finished(
-            self._searched(effort),
-            SolverUse(chosen.name, availability.version or "", self._options()),
-        )
+        used = SolverUse(chosen.name, availability.version or "", self._options())
+        result = self._searched(effort)
+        with _uncollected():
+            return self._finished(result, used)
 
     def _searched(self, effort: Effort) -> Result[FoundT]:
         """What the search finds; where it was halted, the last that was heard of."""
@@ -306,6 +307,18 @@ class _Asked:
         signal.signal(signal.SIGINT, self.former)
         if isinstance(self.former, _Asked):
             self.former(number, frame)
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Without the garbage collector: of millions of paths that stay it would search all, often."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
 
 
 @contextmanager

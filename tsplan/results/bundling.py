@@ -16,11 +16,24 @@ def bundles(agents: Iterable[AgentPlan]) -> tuple[Bundle, ...]:
     """
     shared: dict[tuple[str, frozenset[str], int, str | None], list[int]] = {}
     samples: list[AgentPlan] = []
+    last: AgentPlan | None = None
+    members: list[int] | None = None
     for place, agent in enumerate(agents):
+        if (
+            members is not None
+            and last is not None
+            and agent.stays is last.stays
+            and agent.capabilities is last.capabilities
+            and agent.heading is last.heading
+            and agent.class_name is last.class_name
+        ):
+            members.append(place)  # neighbours share a path most often
+            continue
+        last = agent
         key = (agent.class_name, agent.capabilities, id(agent.stays), agent.heading)
         members = shared.get(key)
         if members is None:
-            shared[key] = [place]
+            shared[key] = members = [place]
             samples.append(agent)
         else:
             members.append(place)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from tsplan.errors import Finding, SolverError
-from tsplan.mission.data import Mission
+from tsplan.mission.data import Agent, Mission
 from tsplan.results.claims import false_objectives, shown, unproven
 from tsplan.results.judging import (
     completed,
@@ -29,7 +29,7 @@ from tsplan.results.judging import (
 from tsplan.results.legs import Leg, read_path
 from tsplan.results.measures import MEASURES
 from tsplan.results.occupancy import interval_counts, state_counts
-from tsplan.results.plan import Bundle, ObjectiveValue, Plan
+from tsplan.results.plan import AgentPlan, Bundle, ObjectiveValue, Plan
 from tsplan.results.summary import infinite_word
 from tsplan.results.swarmjudge import Verdict, judged_swarms, swarm_completed, swarm_facts
 
@@ -233,6 +233,8 @@ def _horizon(mission: Mission, plan: Plan) -> list[Finding]:
 
 def _team(mission: Mission, plan: Plan) -> list[Finding]:
     """Whether the agents of the plan are exactly those of the mission, where they start."""
+    if len(plan.agents) == mission.size and all(map(_same, plan.agents, mission.agents)):
+        return []
     findings = []
     seen: set[str] = set()
     team = {agent.id: agent for agent in mission.agents}
@@ -258,6 +260,17 @@ def _team(mission: Mission, plan: Plan) -> list[Finding]:
     if len(seen) < len(team):
         findings += [_finding(f"agent {name} has no path") for name in team if name not in seen]
     return findings
+
+
+def _same(planned: AgentPlan, agent: Agent) -> bool:
+    """Whether an agent of a plan is the one of the mission, where it starts."""
+    name, class_name, capabilities, start = agent
+    return (
+        planned.id == name
+        and planned.class_name == class_name
+        and planned.capabilities == capabilities
+        and (not planned.stays or planned.stays[0][2] == start)
+    )
 
 
 def _journeys(mission: Mission, plan: Plan) -> tuple[Journeys, list[Finding]]:

@@ -8,6 +8,7 @@ nonzero entries and not on the number of agents.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from dataclasses import dataclass
 from itertools import islice
 from random import Random
@@ -24,15 +25,6 @@ if TYPE_CHECKING:
     from tsplan.milp.model import Ints
 
 
-class Member(NamedTuple):
-    """One agent before it has a path."""
-
-    id: str
-    class_name: str
-    capabilities: frozenset[str]
-    start: str
-
-
 class FlowEdge(NamedTuple):
     """An edge of the map and the steps it takes the class to travel it."""
 
@@ -45,8 +37,9 @@ class FlowEdge(NamedTuple):
 class ClassFlow:
     """The flow of one class of interchangeable agents.
 
-    `edge`, `step` and `count` are arrays of equal length: `count[i]` agents enter
-    `edges[edge[i]]` at step `step[i]`. Only entries that are not zero need to be there.
+    `members` have an id, a class, capabilities and a start. `edge`, `step` and `count` are arrays
+    of equal length: `count[i]` agents enter `edges[edge[i]]` at step `step[i]`. Only entries that
+    are not zero need to be there.
     """
 
     members: Sequence[tuple[str, str, frozenset[str], str]]
@@ -74,10 +67,9 @@ def decompose(flow: ClassFlow, horizon: int, seed: int | None = None) -> tuple[A
     start and mixes which arrivals take which departure. Raises TsplanError for a flow that
     loses or creates agents.
     """
-    members = [Member(*member) for member in flow.members]
-    waiting: dict[str, list[int]] = {}
-    for place, member in enumerate(members):
-        waiting.setdefault(member.start, []).append(place)
+    waiting: dict[str, list[int]] = defaultdict(list)
+    for place, (_, _, _, start) in enumerate(flow.members):
+        waiting[start].append(place)
     if seed is not None:
         random = Random(seed)  # noqa: S311  (reproducible choice, not a secret)
         for places in waiting.values():
@@ -88,14 +80,18 @@ def decompose(flow: ClassFlow, horizon: int, seed: int | None = None) -> tuple[A
     for state, places in waiting.items():
         rest = len(places) - shares[state][0].agents
         shares[state] += network.paths(state, rest)
-    given: dict[int, _Path] = {}
+    given: list[tuple[tuple[Stay, ...], str | None]] = [((), None)] * len(flow.members)
     for state, places in waiting.items():
         line = iter(places)
-        for path in shares[state]:
-            given.update((place, path) for place in islice(line, path.agents))
+        for stays, heading, agents in shares[state]:
+            way = stays, heading
+            for place in islice(line, agents):
+                given[place] = way
     return tuple(
-        AgentPlan(member.id, member.class_name, member.capabilities, path.stays, path.heading)
-        for member, path in ((member, given[place]) for place, member in enumerate(members))
+        AgentPlan(name, class_name, capabilities, stays, heading)
+        for (name, class_name, capabilities, _), (stays, heading) in zip(
+            flow.members, given, strict=True
+        )
     )
 
 
