@@ -1,6 +1,6 @@
 """Models that do not fit the machine's memory are refused before they are made.
 
-What a column and an entry cost was measured (docs/benchmarks.md): the drafted arrays, the model,
+What a column and an entry cost was measured (docs/encoding.md): the drafted arrays, the model,
 and what HiGHS holds while it solves the first linear program.
 """
 
