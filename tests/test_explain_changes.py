@@ -10,10 +10,16 @@ import tsplan
 from tests.explaining import check_change, check_explanation, plain
 from tests.random_tasks import random_tasks
 from tests.test_explain_conflicts import ROW, row
-from tsplan.explanation import Change, explain
-from tsplan.explanation.changes import Least, least
+from tsplan.encode.clock import Clock
+from tsplan.encode.problem import Problem
+from tsplan.explanation import Change, explain, oracle
+from tsplan.explanation.changes import Least, Repairs, least
+from tsplan.explanation.conflicts import Finder
+from tsplan.explanation.facts import View
+from tsplan.explanation.several import Several
 from tsplan.mission import Group, Mission
-from tsplan.ts import TransitionSystem
+from tsplan.results import Plan
+from tsplan.ts import Edge, State, TransitionSystem
 
 
 def changes(mission: Mission) -> dict[str, Change]:
@@ -180,3 +186,41 @@ def test_a_class_that_cannot_be_somewhere_is_not_added_there() -> None:
     found = changes(mission)
     assert any("class b" in text for text in found)
     assert not any("class a" in text for text in found)
+
+
+def test_deadlines_of_short_missions_are_first_moved_a_little(monkeypatch) -> None:
+    asked: list[int] = []
+
+    def plan(problem: Mission | Problem, **options: object) -> Plan:
+        asked.append((problem.mission if isinstance(problem, Problem) else problem).horizon)
+        return tsplan.plan(problem, **options)
+
+    monkeypatch.setattr(oracle, "plan", plan)
+    made = explain(row("F[0,2] sum(C) >= 2 && F[0,1] sum(B) >= 3 && G[0,3] max(B) <= 1"))
+    (change,) = made.changes
+    assert change.text == (
+        "lower the need at 'B' from 3 to 1 agent in F[0,1] sum(B) >= 3; and extend the deadline 2 "
+        "to 4 (2 steps later) in F[0,2] sum(C) >= 2"
+    )
+    assert max(asked) == 3 + 8  # a proof over a long horizon takes its time
+
+
+def test_deadlines_that_must_move_far_do() -> None:
+    edges = [*(Edge(name, name) for name in "pqr"), Edge("p", "q", 20), Edge("q", "r", 2)]
+    states = [State(name, labels={name.upper()}) for name in "pqr"]
+    mission = Mission.of(
+        map=TransitionSystem.build(states, edges),
+        team=[Group.of("a", {"p": 2}, ["see"])],
+        formula="F[0,3] sum(R) >= 2 && F[0,3] sum(Q) >= 2",
+        language="mtl",
+    )
+    asked = oracle.Oracle(mission, Clock())
+    finder = Finder(asked)
+    core = finder.within(finder.everything)
+    assert core is not None
+    repairs = Repairs(asked, finder.everything, [core.elements])
+    several = Several(View.of(mission), asked, repairs)
+    assert several._gathered(core.elements, ["extend_deadline"], 8) == []
+    far = several._gathered(core.elements, ["extend_deadline"], None)
+    assert [dimension.kind for dimension, _ in far] == ["extend_deadline", "extend_deadline"]
+    assert several._ways(core.elements)

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from tsplan.explanation.data import ChangeKind
     from tsplan.mission import Mission
 
-_LONGEST = 60  # steps by which a deadline of a short mission is extended at most
+MOST_STEPS = 60
+"""Steps by which a deadline of a short mission is extended at most."""
 
 
 class Dimension(Protocol):
@@ -73,7 +74,7 @@ class Deadline:
         node = node_at(mission.formula, leaf.way)
         if not isinstance(node, Eventually | Until):
             return None
-        return cls(Leaf(leaf.way), was, max(mission.horizon, _LONGEST))
+        return cls(Leaf(leaf.way), was, max(mission.horizon, MOST_STEPS))
 
     def applied(self, mission: Mission, amount: int) -> Mission:
         """The mission with the later deadline."""

@@ -4,7 +4,8 @@ Conflicts are resolved one after the other, each by one or two ways to change th
 there is a plan. What is not needed of these ways is left out again, then each goes back as far as
 it can. Last, for as long as `QUESTIONS` and a few seconds allow, smaller totals are tried.
 
-Most ways make a mission the easier the further they go, so they go as far as they can at first.
+Most ways make a mission the easier the further they go, so they go as far as they can at first; but
+deadlines of short missions go only as far as the missions are long, as long as that will do.
 More agents may be in the way of limits: no more are added than resolve a conflict, and where they
 lead nowhere the ways without them are tried.
 """
@@ -19,6 +20,7 @@ from tsplan.errors import MissionError
 from tsplan.explanation.candidates import candidates
 from tsplan.explanation.changes import ORDER, Repairs, applied, least
 from tsplan.explanation.conflicts import Finder
+from tsplan.explanation.dimensions import MOST_STEPS
 from tsplan.explanation.facts import View
 from tsplan.explanation.relaxing import bounded_above, relaxed
 
@@ -35,6 +37,7 @@ QUESTIONS = 40
 """Missions that are planned at most in the search for a smaller total."""
 
 _PER_CONFLICT = 2
+_NEAR = 8  # steps by which deadlines of short missions are moved at first
 _MOST_ADDED = 64
 _SEARCHED = 6  # ways over which the least total is looked for
 
@@ -51,9 +54,7 @@ class Several:
 
     def change(self, conflict: frozenset[Element]) -> Change | None:
         """A change that resolves a conflict and all others; None if none is found in time."""
-        ways = self._gathered(conflict, ORDER)
-        if not ways:
-            ways = self._gathered(conflict, [kind for kind in ORDER if kind != "add_agents"])
+        ways = self._ways(conflict)
         small = self._lowered(self._needed(ways)) if ways else None
         if small is None:
             return None
@@ -65,12 +66,27 @@ class Several:
         best = self.repairs.several(found[:_SEARCHED], total, QUESTIONS)
         return best or self.repairs.made(small)
 
-    def _gathered(self, conflict: frozenset[Element], kinds: Sequence[ChangeKind]) -> list[Step]:
+    def _ways(self, conflict: frozenset[Element]) -> list[Step]:
+        """Ways that together lead to a plan: first with near deadlines, which are proven sooner."""
+        fewer = [kind for kind in ORDER if kind != "add_agents"]
+        near = max(_NEAR, self.view.mission.horizon)
+        for farthest in (near, None):
+            for kinds in (ORDER, fewer):
+                ways = self._gathered(conflict, kinds, farthest)
+                if ways or self.oracle.refuses():
+                    return ways
+            if near >= MOST_STEPS:
+                break  # no deadline goes any farther
+        return []
+
+    def _gathered(
+        self, conflict: frozenset[Element], kinds: Sequence[ChangeKind], farthest: int | None
+    ) -> list[Step]:
         """Ways of some kinds that together lead to a plan; nothing if none are found."""
         chosen: list[Step] = []
         core = conflict
         while len(chosen) < MOST_WAYS and not self.oracle.refuses():
-            new = self._resolving(core, chosen, kinds)
+            new = self._resolving(core, chosen, (kinds, farthest))
             if not new:
                 return []
             chosen += new
@@ -85,9 +101,16 @@ class Several:
         return []
 
     def _resolving(
-        self, core: frozenset[Element], chosen: Sequence[Step], kinds: Sequence[ChangeKind]
+        self,
+        core: frozenset[Element],
+        chosen: Sequence[Step],
+        which: tuple[Sequence[ChangeKind], int | None],
     ) -> list[Step]:
-        """One or two further ways, of different kinds, each of which resolves a conflict."""
+        """One or two further ways, of different kinds, each of which resolves a conflict.
+
+        They are of some kinds, with deadlines moved by so many steps at most.
+        """
+        kinds, farthest = which
         entries = len(self.view.mission.team)
         known = {item for item in core if item.kind not in ("team", "start")}
         known |= {item for item in core - known if item.key[0] < entries}
@@ -101,7 +124,7 @@ class Several:
             dimension = candidate.dimension
             if dimension in taken or dimension.kind in {item.kind for item, _ in found}:
                 continue
-            step = self._step(dimension, core, chosen)
+            step = self._step(dimension, core, chosen, farthest)
             if step is not None:
                 found.append(step)
                 if len(found) == _PER_CONFLICT:
@@ -109,7 +132,11 @@ class Several:
         return found
 
     def _step(
-        self, dimension: Dimension, core: frozenset[Element], chosen: Sequence[Step]
+        self,
+        dimension: Dimension,
+        core: frozenset[Element],
+        chosen: Sequence[Step],
+        farthest: int | None,
     ) -> Step | None:
         """A change along one dimension that resolves a conflict."""
         if dimension.kind == "add_agents":
@@ -119,6 +146,8 @@ class Several:
             )
             return None if few is None else (dimension, few.amount)
         amount = dimension.most
+        if dimension.kind == "extend_deadline" and farthest is not None:
+            amount = min(amount, farthest)
         while amount and self._changed([*chosen, (dimension, amount)]) is None:
             amount //= 2  # less may fit together
         step = (dimension, amount)
