@@ -56,6 +56,9 @@ def loud(tmp_path):
     library.mkdir()
     (library / "highspy.py").write_text(LOUD)
     (tmp_path / "mission.yaml").write_text(MISSION)
+    # no fact of it forbids a plan, so that the solver is asked
+    both = MISSION.replace("F[4,6] sum(A) >= 2", "G[1,5] sum(A) >= 2")
+    (tmp_path / "impossible.yaml").write_text(both)
 
     def run(*arguments):
         path = os.pathsep.join([str(library), ROOT])
@@ -107,7 +110,8 @@ if {threads}:
     threading.Thread(target=threading.Event().wait, daemon=True).start()
 print("before")
 print(tsplan.plan(mission, on_event=heard).status)
-tsplan.explain(mission)
+impossible = tsplan.load_mission("impossible.yaml")
+print(tsplan.explain(impossible, on_stage=heard).status)
 print("after")
 """
 
@@ -116,8 +120,8 @@ print("after")
 def test_in_process_only_the_users_own_words_are_seen(loud):
     done = loud("-c", USER.format(threads=False))
     lines = done.stdout.splitlines()
-    assert (lines[0], lines[-2], lines[-1]) == ("before", "optimal", "after")
-    assert set(lines[1:-2]) == {"heard"}
+    assert (lines[0], lines[-2], lines[-1]) == ("before", "explained", "after")
+    assert set(lines[1:-2]) == {"heard", "optimal"}
     assert done.stderr == ""
 
 
