@@ -77,7 +77,7 @@ def test_stops_in_a_row_cost_so_much_for_each_step_of_each(number: int) -> None:
     found = size(stops(number, 20))
     steps = number * number * 20  # each stop may be made at any step up to its last
     assert found.columns <= 10 * steps
-    assert found.nonzeros <= 45 * steps
+    assert found.nonzeros <= 60 * steps
 
 
 def test_a_long_window_costs_a_few_entries_a_step() -> None:
@@ -181,3 +181,23 @@ def test_short_forms_agree_with_the_reference_on_many(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(600, 1000))
 def test_nested_formulas_agree_with_the_reference_on_many(seed: int) -> None:
     agree(seed)
+
+
+def test_the_way_between_two_stops_is_known_before_any_flow() -> None:
+    """B is three steps from A: one cart cannot be there sooner, of two the other can."""
+    formula = "F[0,9] (A && F[1,9] (B && F[1,9] C))"
+    alone = one_cart(formula)
+    kinds = {tag.kind for tag in tight(prepare(alone)).model.tags}
+    assert "precedence" in kinds
+    two = Mission.of(
+        map=hub(), team=[Group.of("cart", {"atA": 2}, {"cart"})], formula=formula, language="mtl"
+    )
+    kinds = {tag.kind for tag in tight(prepare(two)).model.tags}
+    assert "precedence" not in kinds
+
+
+def test_a_second_stop_that_may_come_first_is_not_spaced_out() -> None:
+    """What the first witness needs lies five steps later, so the agent may be at B before."""
+    formula = "F[0,3] F[0,1] (G[6,6] A && F[1,2] (B && F[1,9] C))"
+    mission = one_cart(formula)
+    assert plan(mission).status == plan(mission, encoding="reference").status

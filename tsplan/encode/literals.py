@@ -9,6 +9,7 @@ stands for "always". Which columns exclude each other is told by their ancestry
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -36,6 +37,16 @@ class Relay(NamedTuple):
     times: Ints
 
 
+@dataclass(frozen=True, eq=False)
+class Relayed:
+    """A relay that was made: its columns, and the running totals of both sides."""
+
+    waiting: Relay
+    columns: Ints
+    own: RunningSums
+    theirs: RunningSums
+
+
 class Choices:
     """Makes indicator columns in a draft and remembers their ancestry."""
 
@@ -47,6 +58,7 @@ class Choices:
         self.columns: list[int] = []
         self.steps: list[int] = []
         self.groups: list[Ints] = []
+        self.relays: list[Relayed] = []
         self.refuted = False
 
     def choose(self, parent: Literal, steps: Sequence[int], kind: str) -> Ints:
@@ -98,14 +110,24 @@ class Choices:
         own = RunningSums(waiting.times, columns, ones[: len(columns)])
         place = np.arange(len(waiting.columns))
         theirs = RunningSums(place, waiting.columns, ones[: len(place)])
-        begun = np.searchsorted(waiting.low, waiting.times, side="right")
-        # of rows about the same parents the last says most; about all, the choice says it already
-        last = np.append(begun[1:] > begun[:-1], True) & (begun < len(place))
-        self._ahead(theirs, begun[last] - 1, own, waiting.times[last], kind)
+        relayed = Relayed(waiting, columns, own, theirs)
+        self.relays.append(relayed)
+        self._not_before(relayed, waiting.low, kind)
         done = np.searchsorted(waiting.times, waiting.high, side="right")
         last = np.append(done[1:] > done[:-1], True) & (done < len(columns))
         self._ahead(own, waiting.high[last], theirs, place[last], kind)
         return columns
+
+    def not_before(self, relayed: Relayed, low: Ints) -> None:
+        """The windows of a relay begin no sooner than `low` says, which does not go back either."""
+        self._not_before(relayed, low, "precedence")
+
+    def _not_before(self, relayed: Relayed, low: Ints, kind: str) -> None:
+        times = relayed.waiting.times
+        begun = np.searchsorted(low, times, side="right")
+        # of rows about the same parents the last says most; about all, the choice says it already
+        last = np.append(begun[1:] > begun[:-1], True) & (begun < len(low))
+        self._ahead(relayed.theirs, begun[last] - 1, relayed.own, times[last], kind)
 
     def _ahead(
         self, more: RunningSums, until: Ints, less: RunningSums, to: Ints, kind: str
