@@ -1,5 +1,6 @@
 """The project's own maps and missions: they are what they say, and plans for them are right."""
 
+import contextlib
 import json
 import os
 import subprocess
@@ -132,22 +133,20 @@ def run(arguments, folder, stderr):
         )
         return done.returncode, done.stdout, done.stderr
     ours, theirs = os.openpty()
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=theirs, cwd=folder, env=environment
-    ) as process:
+    seen = b""
+    place = folder / "stdout"  # a pipe would fill while only the terminal is read
+    with (
+        place.open("wb") as stdout,
+        subprocess.Popen(
+            command, stdout=stdout, stderr=theirs, cwd=folder, env=environment
+        ) as process,
+    ):
         os.close(theirs)
-        seen = b""
-        while True:
-            try:
-                part = os.read(ours, 65536)
-            except OSError:  # the other end is gone
-                break
-            if not part:
-                break
-            seen += part
-        out = process.stdout.read().decode()
+        with contextlib.suppress(OSError):  # raised where the other end is gone
+            while part := os.read(ours, 65536):
+                seen += part
     os.close(ours)
-    return process.returncode, out, seen.decode()
+    return process.returncode, place.read_text(encoding="utf-8"), seen.decode()
 
 
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs terminals made by programs")
