@@ -36,8 +36,9 @@ _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begi
 _LONG = 2.0  # seconds at the root after which a second dive is worth its while
 _REST = 0.5  # of what the tree has gained may be left for it to go on
 _SMALL = 50_000  # nonzeros up to which a model counts as small
-_FEW = 50  # linear programs that the tree solves there before the general solver's turn
-_SPRINT = 0.3  # seconds that such a turn takes at most, if what went before took less than a third
+_FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many, or one for each
+# so many nonzeros: larger programs take longer, but their trees are more often done soon
+_SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
 _FORGIVEN = 1e-6  # by which a point may violate a row of numbers that are not whole
 
 
@@ -80,7 +81,6 @@ class Search:
         self._bound = -np.inf
         self._refuted = encoded.refuted
         self._first = False
-        self._sprinted = False
         self._lp: WarmLP | None = None
         self._wholes = Wholes(encoded, target, effort, clock)
         self._began = clock.elapsed
@@ -100,7 +100,6 @@ class Search:
                 self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
                 self._lp = None
-        self._sprint()
         if not self._done and not self._clock.over:
             self._by_solver(self._clock)
         return self._found()
@@ -276,14 +275,29 @@ class Search:
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
         tree = Tree(lp, witnessing, self._target, root)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
-        if self._model.matrix.nnz <= _SMALL:
-            # on small models the general solver may be much faster: it gets its turn early
-            self._climb(tree, budget, most=_FEW)
-            self._sprint()
+        self._take_turns(tree, budget / 2)
         if not self._done:
             grown = self._climb(tree, budget)
             if not self._done and self._nearly(grown, root.objective):
                 self._climb(tree, budget)
+
+    def _take_turns(self, tree: Tree, seconds: float) -> None:
+        """Let the tree and the general solver search in turn while the model is small.
+
+        Either may be many times faster than the other. Each turn of the solver is as long as all
+        that went before, and each of the tree four times its last one, so that neither costs more
+        than about the time that the other takes.
+        """
+        most = max(_FEW, self._model.matrix.nnz // _EACH)
+        while self._model.matrix.nnz <= _SMALL and not self._clock.over:
+            self._climb(tree, seconds, most)
+            spent = self._clock.elapsed - self._began
+            if self._done or spent > seconds:
+                return
+            self._by_solver(self._clock.within(max(spent, _SPRINT)))
+            if self._done:
+                return
+            most *= 4
 
     def _climb(self, tree: Tree, seconds: float, most: float = np.inf) -> Grown:
         """Let the tree search for so many seconds or programs, and take in what it finds."""
@@ -294,8 +308,10 @@ class Search:
             self._refuted = True
             return grown
         self._raise_bound(grown.bound)
-        if grown.values is not None:
+        if grown.values is not None and grown.done:
             self._whole(grown.values)
+        elif grown.values is not None:
+            self._keep(grown.values)
         return grown
 
     def _nearly(self, grown: Grown, root: float) -> bool:
@@ -329,14 +345,6 @@ class Search:
 
     # --- the solver's side -------------------------------------------------------------------
 
-    def _sprint(self) -> None:
-        """Give the general solver a short turn on a small model, once."""
-        if self._done or self._sprinted or self._model.matrix.nnz > _SMALL:
-            return
-        self._sprinted = True
-        spent = self._clock.elapsed - self._began
-        self._by_solver(self._clock.within(max(_SPRINT, 3 * spent)))
-
     def _by_solver(self, clock: Clock) -> None:
         """The general MIP solver: continuous flows first, then whole agents if need be."""
         model = self._model
@@ -345,8 +353,10 @@ class Search:
             loose[self._encoded.flows] = False
             relaxed = model.with_integrality(loose)
             solution = self._ask(relaxed, clock)
-            if solution.values is not None:
+            if solution.values is not None and solution.status is Status.OPTIMAL:
                 self._whole(solution.values)
+            elif solution.values is not None:
+                self._keep(solution.values)
             if self._done or clock.over:
                 return
         self._ask(model, clock)
