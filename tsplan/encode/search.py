@@ -38,6 +38,7 @@ _REST = 0.5  # of what the tree has gained may be left for it to go on
 _SMALL = 50_000  # nonzeros up to which a model counts as small
 _FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many, or one for each
 # so many nonzeros: larger programs take longer, but their trees are more often done soon
+_TURNS = 1.0  # seconds after which the tree searches alone
 _SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
 _FORGIVEN = 1e-6  # by which a point may violate a row of numbers that are not whole
 
@@ -275,7 +276,7 @@ class Search:
         witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
         tree = Tree(lp, witnessing, self._target, root)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
-        self._take_turns(tree, budget / 2)
+        self._take_turns(tree, _TURNS)
         if not self._done:
             grown = self._climb(tree, budget)
             if not self._done and self._nearly(grown, root.objective):
