@@ -19,7 +19,7 @@ from tsplan.encode.family import Family
 from tsplan.encode.ideas import ALL_IDEAS, Idea
 from tsplan.encode.network import Network, unroll
 from tsplan.encode.outlook import Outlook
-from tsplan.encode.precedence import space_out
+from tsplan.encode.precedence import legs_of, route_rows
 from tsplan.encode.reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.staffing import SiteColumns, Staffing
@@ -201,7 +201,9 @@ def assembled(setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS)
     encoder = WitnessEncoder(draft, outlook, read, ways)
     witnesses = ask(encoder, draft, network)
     if Idea.TOGETHER in setting.ideas:
-        space_out(witnesses, network)
+        legs = legs_of(witnesses, network)
+        if "travel" in setting.mission.objective:
+            route_rows(legs, network, draft)
     joint, lazy = Idea.FAMILIES in setting.ideas, Idea.LAZY in setting.ideas
     staffing = Staffing(network, draft, joint=joint, lazy=lazy)
     staffing.write(

@@ -66,6 +66,7 @@ class Tree:
         self._fixed: Fixed = {}
         self._values: Floats | None = None
         self._value = np.inf
+        self._leaf = np.inf  # the least program of a node whose witnesses were whole
         self._order = count(1)
         self._heap = [_Node(root.objective, 0, {})]
         self._deep: list[_Node] = []
@@ -107,7 +108,8 @@ class Tree:
                 heapq.heappush(heap, child)
         self._move_to({})
         left = [node.bound for node in (*heap, *deep) if self._promising(node.bound)]
-        return Grown(self._values, min([self._cutoff, *left]), done=not left)
+        bound = min([self._cutoff, self._leaf, *left])
+        return Grown(self._values, bound, done=not left)
 
     @property
     def _cutoff(self) -> float:
@@ -125,8 +127,11 @@ class Tree:
         assert values is not None
         open_ = fractional(values, self._witnessing.indicators)
         if not len(open_):
+            self._leaf = min(self._leaf, result.objective)
             # parts of agents may be better than whole ones: only the next whole value is at stake
-            self._values, self._value = values, self._target.proven(result.objective)
+            value = self._target.proven(result.objective)
+            if self._values is None or value < self._value:
+                self._values, self._value = values, min(value, self._value)
             return []
         group = self._widest(values)
         if group is None:
