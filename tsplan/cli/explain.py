@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, mission_of, refuse_place, refuse_solver
+from tsplan.cli.inputs import mission_to_solve
 from tsplan.cli.output import ERR, console, remark, say_json
 from tsplan.cli.running import Requests
-from tsplan.cli.timing import reading_limit, rest
+from tsplan.cli.timing import rest
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.data import Cut, Explanation, Status
 from tsplan.explanation.report import print_explanation
@@ -32,13 +31,7 @@ def run(asked: argparse.Namespace) -> Exit:
     """Explain the mission; write a changed one where that is asked for."""
     if (asked.fix is None) != (asked.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
-    refuse_place(asked.output, "the mission", [asked.mission])
-    began = time.perf_counter()
-    with reading_limit(asked.time_limit):
-        mission = mission_of(asked.mission)
-    loaded = time.perf_counter() - began
-    refuse_place(asked.output, "the mission", files_of(mission))
-    refuse_solver(asked.solver or mission.solver.name or "highs")
+    mission, loaded = mission_to_solve(asked, "the mission")
     requests = Requests(what=b"what is known")
     with requests.heard():
         found = _explained(mission, asked, loaded, requests)

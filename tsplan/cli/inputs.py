@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import os
+import time
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tsplan.cli.output import remark
+from tsplan.cli.timing import reading_limit
 from tsplan.errors import Finding, InputError, PlanError, nearest, told
 from tsplan.mission import load_mission
 from tsplan.results.fitting import refuse_impossible, refuse_pathless, with_groups
 from tsplan.results.planfile import load_plan
 
 if TYPE_CHECKING:
+    import argparse
     from collections.abc import Iterable
 
     from tsplan.mission import Mission
@@ -25,6 +28,21 @@ def mission_of(path: Path) -> Mission:
     mission = load_mission(path)
     warn(mission.warnings)
     return mission
+
+
+def mission_to_solve(asked: argparse.Namespace, what: str) -> tuple[Mission, float]:
+    """The mission of a command that solves and may write `what`, and the seconds it took to read.
+
+    Reading has to keep the time limit; the solver and the place to write to are looked at as well.
+    """
+    refuse_place(asked.output, what, [asked.mission])
+    began = time.perf_counter()
+    with reading_limit(asked.time_limit):
+        mission = mission_of(asked.mission)
+    loaded = time.perf_counter() - began
+    refuse_place(asked.output, what, files_of(mission))
+    refuse_solver(asked.solver or mission.solver.name or "highs")
+    return mission, loaded
 
 
 def mission_and_plan(mission_path: Path, plan_path: Path) -> tuple[Mission, Plan]:

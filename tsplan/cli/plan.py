@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, mission_of, refuse_place, refuse_solver
+from tsplan.cli.inputs import mission_to_solve
 from tsplan.cli.output import console, remark, say_json
-from tsplan.cli.timing import reading_limit, rest
+from tsplan.cli.timing import rest
 from tsplan.errors import InputError, SolverError
 from tsplan.milp.guard import may_have_children
 from tsplan.milp.leash import USUAL
@@ -37,13 +36,7 @@ def run(asked: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
     from tsplan.cli.running import Requests  # noqa: PLC0415  (needs what help does not)
 
-    refuse_place(asked.output, "the plan", [asked.mission])
-    began = time.perf_counter()
-    with reading_limit(asked.time_limit):
-        mission = mission_of(asked.mission)
-    loaded = time.perf_counter() - began
-    refuse_place(asked.output, "the plan", files_of(mission))
-    refuse_solver(asked.solver or mission.solver.name or "highs")
+    mission, loaded = mission_to_solve(asked, "the plan")
     requests = Requests(quiet=asked.quiet)
     with requests.heard():
         plan = _timed(_planned(asked, mission, requests, loaded), mission, loaded)
