@@ -188,7 +188,9 @@ def test_solvers_agree_on_random_models(any_solver: Solver, highs: Solver, seed:
     expected, found = highs.solve(model, Options()), any_solver.solve(model, Options())
     assert found.status == expected.status
     if expected.objective is not None:
-        assert found.objective == pytest.approx(expected.objective, abs=1e-6)
+        # columns that are not whole may use a solver's tolerance of 1e-6, each for what it is worth
+        slack = 1e-6 * max(1.0, float(np.abs(model.objective).sum()))
+        assert found.objective == pytest.approx(expected.objective, abs=slack)
         assert model.violation(found.values) <= 1e-5
 
 

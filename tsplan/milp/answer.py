@@ -146,6 +146,7 @@ class Question:
         bound = said.bound
         if bound is None and said.verdict is Verdict.SOLVED and self.options.gap <= 0:
             bound = objective if said.values is None else self.objective(said.values)
+            bound = objective if abs(objective - bound) <= self._nothing(objective) else bound
         if bound is None or bound > objective + self._nothing(objective):
             return None
         return min(bound, objective)
