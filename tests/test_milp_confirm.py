@@ -14,7 +14,11 @@ from scipy import sparse
 
 import tsplan
 from tests.random_missions import random_mission
-from tsplan.encode import search
+from tsplan.encode import objectives, search
+from tsplan.encode.build import prepare, tight
+from tsplan.encode.clock import Clock
+from tsplan.encode.effort import Effort
+from tsplan.encode.target import Target
 from tsplan.errors import SolverError
 from tsplan.milp.answer import Ending, Question, Verdict
 from tsplan.milp.confirm import confirmed
@@ -180,6 +184,22 @@ def test_infeasible_is_said_twice() -> None:
     liar = Liar({})
     assert confirmed(liar, model, Options()).status is Status.INFEASIBLE
     assert len(liar.runs) == 2
+
+
+@pytest.mark.parametrize("step", [1.0, 0.0])
+def test_a_bound_that_a_plan_refutes_is_no_proof(step: float) -> None:
+    mission = random_mission(3)
+    encoded = tight(prepare(mission))
+    target = Target(objectives.travel(encoded.network, encoded.model.size.columns), step=step)
+    effort = Effort(Highs())
+    known = search.Search(encoded, target, effort, Clock(), lambda *_: None).minimise()
+    assert known.proven
+    fresh = search.Search(encoded, target, effort, Clock(), lambda *_: None)
+    fresh._accept(known.values)
+    fresh._raise_bound(known.objective + 5.0)
+    assert not fresh._closed
+    fresh._raise_bound(known.objective + 1e-9)  # rounding is no contradiction
+    assert fresh._closed
 
 
 def test_a_first_point_is_enough() -> None:

@@ -147,7 +147,7 @@ class Search:
             return
         if self._model.violation(values) > _FORGIVEN:
             return
-        if self._target.better(value, self._bound):
+        if self._target.refutes(value, self._bound):
             raise SolverError(
                 f"a plan of value {digits(value)} is better than the bound {digits(self._bound)} "
                 "that was proven: the solver's arithmetic fails on this mission"
@@ -156,9 +156,12 @@ class Search:
         self._report(values, value, self._bound if np.isfinite(self._bound) else None)
 
     def _raise_bound(self, bound: float) -> None:
-        """Take in what a linear program or a solver says, as far as it can be believed."""
+        """Take in what a linear program or a solver says, as far as it can be believed.
+
+        A bound that the known point refutes says nothing.
+        """
         proven = self._target.proven(bound)
-        if proven > self._bound:
+        if proven > self._bound and not self._target.refutes(self._value, proven):
             self._bound = min(proven, self._value)
             self._report(None, None if self._values is None else self._value, self._bound)
 

@@ -116,6 +116,10 @@ class Target:
         """Whether a bound proves a value; floats count as equal within 1e-6 of their size."""
         return bound >= value - self._slack(value)
 
+    def refutes(self, value: float, bound: float) -> bool:
+        """Whether a point of this value shows that the bound is wrong."""
+        return value < bound - self._slack(value)
+
     @property
     def absolute_gap(self) -> float:
         """The gap at which a solver may end: no plan lies in between."""
