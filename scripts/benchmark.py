@@ -27,10 +27,10 @@ import families
 import numpy as np
 
 import tsplan
-from tsplan.encode.build import prepare, tight
-from tsplan.encode.ideas import Idea
-from tsplan.events import Bound, Event, Incumbent
-from tsplan.results import Plan
+from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.options import Idea
+from tsplan.plans.plan import Plan
+from tsplan.run.events import Bound, Event, Incumbent
 
 
 @dataclass(frozen=True)

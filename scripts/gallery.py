@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Any
 
 import tsplan
-from tsplan.draw.save import save
+from tsplan.draw.picture_files import save
 from tsplan.draw.views import draw_page
-from tsplan.results import Plan, Status
-from tsplan.results.summary import names, objective_line, outcome
+from tsplan.plans.plan import Plan, Status
+from tsplan.plans.summary import names, objective_line, outcome
 
 ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENTS = ROOT / "environments"

@@ -19,7 +19,7 @@ import families
 
 import tsplan
 from tsplan import Mission
-from tsplan.explanation.facts import View, find_facts
+from tsplan.explanation.whynot.facts import View, find_facts
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,12 @@ from dataclasses import replace
 import tsplan
 from tests.test_swarm_brute import best
 from tsplan import Mission
-from tsplan.encode.problem import Problem, Tuning
 from tsplan.errors import MissionError
 from tsplan.explanation import Change, Conflict, Element, Explanation, explain
-from tsplan.explanation.changes import applied
-from tsplan.explanation.elements import formula_groups, named_facts
-from tsplan.explanation.relaxing import relaxed
+from tsplan.explanation.whynot.changes import applied
+from tsplan.explanation.whynot.elements import formula_groups, named_facts
+from tsplan.explanation.whynot.relaxing import relaxed
+from tsplan.run.problem import Problem, Tuning
 
 REFERENCE = Tuning.named("reference", ())
 

@@ -14,7 +14,7 @@ import pytest
 import tsplan
 from tests.random_missions import random_mission
 from tsplan import Mission
-from tsplan.logic.evaluate import CountTrace, robustness
+from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.mission import Agent
 
 MOST_JOINT_PLANS = 3000

@@ -160,7 +160,7 @@ def test_an_internal_error_is_one_line(folder, capsys, monkeypatch):
     def broken(*_):
         raise ZeroDivisionError("two\nlines")
 
-    monkeypatch.setattr("tsplan.cli.lint.lint", broken)
+    monkeypatch.setattr("tsplan.cli.lint_command.lint", broken)
     assert main(["lint", "map.yaml"]) == 5
     err = capsys.readouterr().err
     assert err.count("\n") == 1

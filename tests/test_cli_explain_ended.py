@@ -9,9 +9,10 @@ import time
 
 import pytest
 
-from tsplan.cli import explain, main
-from tsplan.explanation.data import Explanation, Fact, Status
-from tsplan.milp.leash import Patience
+from tsplan.cli import explain_command as explain
+from tsplan.cli import main
+from tsplan.explanation.explanation import Explanation, Fact, Status
+from tsplan.milp.grace_period import Patience
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs forks and signals")
 

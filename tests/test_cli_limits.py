@@ -17,9 +17,9 @@ import pytest
 
 import tsplan
 from tsplan.cli import main
-from tsplan.cli.running import Forward
-from tsplan.events import FINISHING, Bound, Incumbent, Stage
-from tsplan.milp.leash import Patience
+from tsplan.milp.grace_period import Patience
+from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
+from tsplan.run.isolate import Forward
 
 ROOT = str(Path(tsplan.__file__).parents[1])
 MISSION = """\
@@ -39,7 +39,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     # tests need not wait as long as people
     short = Patience(grace=0.2, finishing=0.5, settling=0.2, poll=0.02)
-    monkeypatch.setattr("tsplan.cli.plan.USUAL", short)
+    monkeypatch.setattr("tsplan.cli.plan_command.USUAL", short)
     return tmp_path
 
 
@@ -56,7 +56,7 @@ def planning(monkeypatch, then):
         forward(Incumbent("travel", 4.0, 2.0, 0.1, lambda: best))
         return then()
 
-    monkeypatch.setattr("tsplan.planner.plan", plan)
+    monkeypatch.setattr("tsplan.run.planner.plan", plan)
 
 
 def end(number):
@@ -86,7 +86,7 @@ def test_a_stopped_child_is_ended_and_its_best_plan_kept(folder, capsys, monkeyp
 
 @linux
 def test_a_stopped_child_without_a_plan_is_no_plan_found(folder, capsys, monkeypatch):
-    monkeypatch.setattr("tsplan.planner.plan", lambda *_, **__: end(signal.SIGSTOP))
+    monkeypatch.setattr("tsplan.run.planner.plan", lambda *_, **__: end(signal.SIGSTOP))
     code, plan = planned("--time-limit", "0.1", "--quiet")
     assert (code, plan["status"], plan["stopped_by"]) == (4, "no_plan_found", "time_limit")
     assert "there is no plan" in capsys.readouterr().err
@@ -150,7 +150,7 @@ def test_ctrl_c_while_the_plan_is_written_loses_nothing(folder, capsys, monkeypa
         os.kill(os.getpid(), signal.SIGINT)
         honest(plan, path)
 
-    monkeypatch.setattr("tsplan.cli.plan.save_plan", interrupted)
+    monkeypatch.setattr("tsplan.cli.plan_command.save_plan", interrupted)
     code, plan = planned()
     assert (code, plan["status"]) == (0, "optimal")
 
@@ -180,7 +180,7 @@ def test_a_wish_to_stop_is_no_time_limit(folder, limit):
 
 
 def test_memory_that_runs_out_in_process_leaves_the_best_plan(folder, monkeypatch):
-    from tsplan.planner import TeamRun  # noqa: PLC0415 - loads a solver
+    from tsplan.run.planner import TeamRun  # noqa: PLC0415 - loads a solver
 
     honest = TeamRun.search
 
@@ -199,8 +199,8 @@ def test_memory_that_runs_out_in_process_leaves_the_best_plan(folder, monkeypatc
 
 
 def test_events_and_plans_never_carry_what_is_infinite(folder):
-    from tsplan.planner import TeamRun  # noqa: PLC0415 - loads a solver
-    from tsplan.running import Settings  # noqa: PLC0415
+    from tsplan.run.planner import TeamRun  # noqa: PLC0415 - loads a solver
+    from tsplan.run.run import Settings  # noqa: PLC0415
 
     heard = []
     mission = tsplan.load_mission("mission.yaml")
@@ -223,7 +223,7 @@ def slow_reading(path):
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs the system's timer")
 def test_the_limit_holds_while_the_mission_is_read(folder, capsys, monkeypatch):
     monkeypatch.setattr("tsplan.cli.inputs.load_mission", slow_reading)
-    monkeypatch.setattr("tsplan.cli.timing._READING", 0.0)
+    monkeypatch.setattr("tsplan.cli.time_limit._READING", 0.0)
     for command in ("plan", "explain"):
         assert main([command, "mission.yaml", "--time-limit", "0.2"]) == 4
         assert capsys.readouterr().err == "the time limit was reached while the mission was read\n"
@@ -232,7 +232,7 @@ def test_the_limit_holds_while_the_mission_is_read(folder, capsys, monkeypatch):
 
 BACKGROUND = """
 import os, signal, sys
-import tsplan.cli.running as running, tsplan.planner as planner
+import tsplan.run.isolate as running, tsplan.run.planner as planner
 from tsplan.cli import main
 
 for name in sys.argv[1:]:

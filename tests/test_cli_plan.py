@@ -16,7 +16,8 @@ import pytest
 import tsplan
 from tsplan.cli import main
 from tsplan.cli.progress import Progress
-from tsplan.events import Bound, Incumbent, Stage
+from tsplan.plans.plan import MissionRef
+from tsplan.run.events import Bound, Incumbent, Stage
 
 MAP = "waiting: true\nstates: {p: {labels: [A]}, q: {labels: [B]}}\nedges: [[p, q, 1], [q, p, 1]]\n"
 MISSION = """\
@@ -118,7 +119,7 @@ def test_a_crash_is_retried_and_said(folder, capsys, monkeypatch):
             crash()
         return honest(mission, **options)
 
-    monkeypatch.setattr("tsplan.planner.plan", crashing)
+    monkeypatch.setattr("tsplan.run.planner.plan", crashing)
     assert main(["plan", "mission.yaml", "--time-limit", "20"]) == 0
     out, err = capsys.readouterr()
     assert "SIGSEGV" in err
@@ -128,7 +129,7 @@ def test_a_crash_is_retried_and_said(folder, capsys, monkeypatch):
 
 @linux
 def test_two_crashes_are_a_failure_in_words(folder, capsys, monkeypatch):
-    monkeypatch.setattr("tsplan.planner.plan", lambda *_, **__: crash())
+    monkeypatch.setattr("tsplan.run.planner.plan", lambda *_, **__: crash())
     assert main(["plan", "mission.yaml"]) == 5
     out, err = capsys.readouterr()
     assert out == ""
@@ -149,7 +150,7 @@ def test_errors_in_the_child_arrive_whole(folder, capsys, monkeypatch, error, ou
     def failing(*_, **__):
         raise error
 
-    monkeypatch.setattr("tsplan.planner.plan", failing)
+    monkeypatch.setattr("tsplan.run.planner.plan", failing)
     code, words = outcome
     assert main(["plan", "mission.yaml"]) == code
     err = capsys.readouterr().err
@@ -160,11 +161,11 @@ def test_errors_in_the_child_arrive_whole(folder, capsys, monkeypatch, error, ou
 @linux
 def test_an_unchecked_plan_is_not_shown(folder, capsys, monkeypatch):
     def careless(mission, **options):
-        ref = tsplan.results.MissionRef("m", "")
+        ref = MissionRef("m", "")
         paths = (tsplan.AgentPlan("a-1", "a", frozenset(), ((0, 6, "p"),)),)
         return tsplan.Plan("optimal", ref, 6, agents=paths)
 
-    monkeypatch.setattr("tsplan.planner.plan", careless)
+    monkeypatch.setattr("tsplan.run.planner.plan", careless)
     assert main(["plan", "mission.yaml", "-o", "plan.json"]) == 5
     assert not (folder / "plan.json").exists()
     assert "not shown" in capsys.readouterr().err
@@ -172,10 +173,10 @@ def test_an_unchecked_plan_is_not_shown(folder, capsys, monkeypatch):
 
 SLOW = """
 import sys, time
-import tsplan.planner
+import tsplan.run.planner
 from tsplan.cli import main
-from tsplan.events import Stage
-from tsplan.results import MissionRef, Plan
+from tsplan.run.events import Stage
+from tsplan.plans.plan import MissionRef, Plan
 
 def slow(mission, *, on_event, **options):
     told = False
@@ -190,7 +191,7 @@ def slow(mission, *, on_event, **options):
                 continue
             return Plan("no_plan_found", MissionRef("m", ""), 6, stopped_by="interrupt")
 
-tsplan.planner.plan = slow
+tsplan.run.planner.plan = slow
 sys.exit(main(["plan", "mission.yaml"]))
 """
 

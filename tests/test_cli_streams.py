@@ -13,7 +13,7 @@ import pytest
 import tsplan
 from tsplan.cli import main
 from tsplan.cli.progress import Progress
-from tsplan.events import Bound, Incumbent, Stage
+from tsplan.run.events import Bound, Incumbent, Stage
 
 ROOT = str(Path(tsplan.__file__).parents[1])
 MISSION = """\
@@ -147,7 +147,7 @@ def test_a_plan_that_cannot_be_written_is_shown_all_the_same(folder, capsys, mon
     def refused(*_):
         raise tsplan.PlanError([tsplan.Finding("cannot write: it is full", "", "plan.json")])
 
-    monkeypatch.setattr("tsplan.cli.plan.save_plan", refused)
+    monkeypatch.setattr("tsplan.cli.plan_command.save_plan", refused)
     assert main(["plan", "mission.yaml", "-o", "plan.json", "--json"]) == 2
     out, err = capsys.readouterr()
     assert json.loads(out)["status"] == "optimal"

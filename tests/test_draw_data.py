@@ -16,7 +16,7 @@ from tsplan.draw.colours import NAMED, colour_of, ink_on, lightness, mixed, rgb
 from tsplan.draw.layout import MOST_SPRINGS, centroid, places, spacing
 from tsplan.draw.palette import HATCHES, HUES, PLAIN, TRAVEL, Palette, paints
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.build import grid
+from tsplan.ts.builders import grid
 
 
 def bare(system):
@@ -27,8 +27,9 @@ def bare(system):
 
 def test_nothing_here_needs_matplotlib():
     code = (
-        "import sys, tsplan, tsplan.draw.layout, tsplan.draw.palette, tsplan.results.evidence,"
-        "tsplan.results.requirements; print('matplotlib' in sys.modules)"
+        "import sys, tsplan, tsplan.draw.layout, tsplan.draw.palette, "
+        "tsplan.explanation.why.witness_tree,"
+        "tsplan.explanation.why.requirements; print('matplotlib' in sys.modules)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout == "False\n"

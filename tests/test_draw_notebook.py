@@ -15,9 +15,9 @@ from tsplan.draw import svg
 from tsplan.draw.notebook import MOST_NODES, MOST_ROWS, MOST_STATES, formula_svg, plan_html
 from tsplan.draw.palette import Palette
 from tsplan.logic import parse
-from tsplan.results import AgentPlan, MissionRef, ObjectiveValue, Plan
+from tsplan.plans.plan import AgentPlan, MissionRef, ObjectiveValue, Plan
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.build import grid
+from tsplan.ts.builders import grid
 from tsplan.words import visible
 
 NAMESPACE = "{http://www.w3.org/2000/svg}"
@@ -167,7 +167,7 @@ def test_notebooks_need_no_matplotlib():
     code = (
         "import sys\n"
         "sys.modules['matplotlib'] = None\n"
-        "from tsplan.ts.build import grid\n"
+        "from tsplan.ts.builders import grid\n"
         "from tsplan.logic import parse\n"
         "assert grid(2, 2)._repr_svg_().startswith('<svg')\n"
         "assert parse('a')._repr_svg_().startswith('<svg')\n"

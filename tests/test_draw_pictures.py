@@ -15,21 +15,21 @@ from tests.walks import walking, wandering
 from tsplan import Mission, load_map, load_mission
 from tsplan.draw.canvas import text_size
 from tsplan.draw.layout import places
-from tsplan.draw.library import PlotUnavailableError
 from tsplan.draw.map import duration_words, usual_duration
+from tsplan.draw.matplotlib_loading import PlotUnavailableError
 from tsplan.draw.palette import PLAIN, TRAVEL, Palette
-from tsplan.draw.paths import MOST_PATHS, strands_of
-from tsplan.draw.requirements import MOST_ROWS, shown_rows
-from tsplan.draw.save import save
-from tsplan.draw.swarm import bands_of, draw_flows, flows_of, row_order
+from tsplan.draw.path_map import MOST_PATHS, strands_of
+from tsplan.draw.picture_files import save
+from tsplan.draw.requirement_chart import MOST_ROWS, shown_rows
+from tsplan.draw.swarm_bands import bands_of, draw_flows, flows_of, row_order
 from tsplan.draw.timeline import MOST_AGENTS, draw_timeline, keys_of, rows_of
 from tsplan.draw.timeline import MOST_PATHS as MOST_TIMELINES
 from tsplan.draw.views import VIEWS, draw_page, draw_view
 from tsplan.errors import InputError, PlanError
 from tsplan.mission import Group
-from tsplan.results import AgentPlan, MissionRef, Plan
+from tsplan.plans.plan import AgentPlan, MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.build import grid
+from tsplan.ts.builders import grid
 
 matplotlib = pytest.importorskip("matplotlib")
 colors = pytest.importorskip("matplotlib.colors")
@@ -493,7 +493,7 @@ def settings():  # reading the backend would choose one
 before = settings()
 from tests.test_draw_pictures import yard
 from tsplan.draw.views import draw_page
-from tsplan.draw.save import content
+from tsplan.draw.picture_files import content
 mission, plan = yard()
 figure, _ = draw_page(plan, mission)
 content(figure, "png", 50)

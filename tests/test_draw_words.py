@@ -14,11 +14,11 @@ from pathlib import Path
 import pytest
 
 from tsplan.cli import main
-from tsplan.draw.library import MissingLettersWarning
-from tsplan.draw.save import content, save
+from tsplan.draw.matplotlib_loading import MissingLettersWarning
+from tsplan.draw.picture_files import content, save
 from tsplan.draw.starts import three_digits
 from tsplan.mission import Group, Mission
-from tsplan.results import AgentPlan, MissionRef, Plan
+from tsplan.plans.plan import AgentPlan, MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer import page
 from tsplan.viewer.animation import Pace, animate
@@ -167,8 +167,8 @@ def test_the_page_shows_what_cannot_be_seen() -> None:
 def test_the_backend_of_the_environment_is_none_of_ours(backend: str, tmp_path) -> None:
     code = (
         "import sys\n"
-        "from tsplan.ts.build import grid\n"
-        "from tsplan.draw.save import save\n"
+        "from tsplan.ts.builders import grid\n"
+        "from tsplan.draw.picture_files import save\n"
         f"save(grid(2, 2).plot()[0], {str(tmp_path / 'p.png')!r})\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
         "import os, matplotlib\n"
@@ -187,12 +187,12 @@ sys.modules["matplotlib"] = None
 from tests.test_draw_words import mission, plan
 from pathlib import Path
 from tsplan.cli import main
-from tsplan.draw.library import PlotUnavailableError
+from tsplan.draw.matplotlib_loading import PlotUnavailableError
 from tsplan.draw.starts import draw_starts, class_entries
 from tsplan.draw.palette import Palette
 from tsplan.viewer.animation import animate
 from tsplan.draw.views import draw_page
-from tsplan.results import save_plan
+from tsplan.plans.plan_file import save_plan
 chosen = mission(["a", "b"])
 made = plan(chosen)
 def tried(said, make):

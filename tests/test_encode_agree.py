@@ -6,8 +6,8 @@ import pytest
 
 import tsplan
 from tests.random_missions import random_mission
-from tsplan.encode.ideas import Idea
-from tsplan.results import Plan
+from tsplan.encode.options import Idea
+from tsplan.plans.plan import Plan
 
 SHORT = range(60)
 LONG = range(60, 2060)

@@ -8,8 +8,19 @@ from collections.abc import Callable
 import pytest
 
 from tsplan import Mission, plan
-from tsplan.encode import family, spans, sums, switching
-from tsplan.encode.build import prepare, tight
+from tsplan.encode import (
+    demand_runs as family,
+)
+from tsplan.encode import (
+    running_sums as sums,
+)
+from tsplan.encode import (
+    step_runs as spans,
+)
+from tsplan.encode import (
+    until_release as switching,
+)
+from tsplan.encode.assemble import prepare, tight
 from tsplan.milp.model import Size
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem

@@ -9,19 +9,20 @@ import numpy as np
 import pytest
 
 from tsplan import Mission, plan
-from tsplan.encode import ceiling, shortcuts
-from tsplan.encode.build import Setting, prepare, reference, tight
-from tsplan.encode.ceiling import Watch, free_memory
-from tsplan.encode.clock import Clock, Halted
-from tsplan.encode.network import ClassGraph
+from tsplan.encode import memory as ceiling
+from tsplan.encode import shortcuts
+from tsplan.encode.assemble import Setting, prepare, reference, tight
+from tsplan.encode.flow_network import ClassGraph
+from tsplan.encode.groups.swarm_model import swarm_model
+from tsplan.encode.memory import Watch, free_memory
 from tsplan.encode.shortcuts import Kept
-from tsplan.encode.swarm.model import swarm_model
-from tsplan.events import Incumbent
 from tsplan.milp.model import Draft
 from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Group
+from tsplan.run.events import Incumbent
+from tsplan.search.clock import Clock, Halted
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.build import grid
+from tsplan.ts.builders import grid
 
 
 def team(objective: tuple[str, ...] = ("travel",)) -> Mission:

@@ -11,8 +11,8 @@ import tsplan
 from tests.test_encode_agree import answer
 from tsplan import Mission
 from tsplan.encode import objectives
-from tsplan.encode.build import prepare, tight
-from tsplan.milp.warm import WarmLP
+from tsplan.encode.assemble import prepare, tight
+from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem
 

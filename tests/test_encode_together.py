@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from tsplan import Mission, plan
-from tsplan.encode.build import Encoded, prepare, tight
-from tsplan.encode.ideas import ALL_IDEAS, Idea
+from tsplan.encode.assemble import Encoded, prepare, tight
 from tsplan.encode.objectives import travel
-from tsplan.milp.warm import WarmLP
+from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem
 

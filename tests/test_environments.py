@@ -11,9 +11,9 @@ import pytest
 
 import tsplan
 from tsplan.mission import load_mission
-from tsplan.ts.lint import lint
-from tsplan.ts.paths import reachable
-from tsplan.ts.read import load_map
+from tsplan.ts.io.map_files import load_map
+from tsplan.ts.map_lint import lint
+from tsplan.ts.reachability import reachable
 
 FOLDER = Path(__file__).parents[1] / "environments"
 MAPS = sorted(path.stem for path in FOLDER.glob("*.yaml") if "_" not in path.stem)

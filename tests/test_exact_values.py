@@ -16,10 +16,11 @@ import tsplan
 from tests.random_missions import random_mission
 from tests.test_swarm_brute import random_swarms
 from tsplan import Mission
+from tsplan.checking.plan_check import check
 from tsplan.errors import MissionError
 from tsplan.mission import Group
-from tsplan.mission.data import SENSES
-from tsplan.results import Plan, check
+from tsplan.mission.mission import SENSES
+from tsplan.plans.plan import Plan
 from tsplan.ts import TransitionSystem
 
 TEAM = ("availability", "travel", "cost", "makespan", "agents")

@@ -10,15 +10,16 @@ import tsplan
 from tests.explaining import check_change, check_explanation, plain
 from tests.random_tasks import random_tasks
 from tests.test_explain_conflicts import ROW, row
-from tsplan.encode.clock import Clock
-from tsplan.encode.problem import Problem
-from tsplan.explanation import Change, explain, oracle
-from tsplan.explanation.changes import Least, Repairs, least
-from tsplan.explanation.conflicts import Finder
-from tsplan.explanation.facts import View
-from tsplan.explanation.several import Several
+from tsplan.explanation import Change, explain
+from tsplan.explanation.whynot import oracle
+from tsplan.explanation.whynot.changes import Least, Repairs, least
+from tsplan.explanation.whynot.conflicts import Finder
+from tsplan.explanation.whynot.facts import View
+from tsplan.explanation.whynot.joint_repair import Several
 from tsplan.mission import Group, Mission
-from tsplan.results import Plan
+from tsplan.plans.plan import Plan
+from tsplan.run.problem import Problem
+from tsplan.search.clock import Clock
 from tsplan.ts import Edge, State, TransitionSystem
 
 

@@ -12,7 +12,7 @@ from tests.random_missions import random_mission
 from tests.random_tasks import random_tasks
 from tests.test_swarm_brute import random_swarms
 from tsplan.explanation import Element, explain
-from tsplan.explanation.relaxing import relaxed
+from tsplan.explanation.whynot.relaxing import relaxed
 from tsplan.mission import Group, Mission
 from tsplan.ts import Edge, State, TransitionSystem
 

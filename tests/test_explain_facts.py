@@ -15,7 +15,7 @@ from tests.random_tasks import random_tasks
 from tests.test_explain_conflicts import ROW, row
 from tests.test_swarm_brute import random_swarms
 from tsplan.explanation import Fact
-from tsplan.explanation.facts import View, find_facts
+from tsplan.explanation.whynot.facts import View, find_facts
 from tsplan.mission import Group, Mission
 from tsplan.ts import TransitionSystem
 

@@ -12,12 +12,13 @@ from rich.console import Console
 
 import tsplan
 from tests.test_explain_conflicts import row
-from tsplan.explanation import Conflict, Explanation, explain, facts, oracle
-from tsplan.explanation.facts import View, facts_of
-from tsplan.explanation.oracle import EnoughError
+from tsplan.explanation import Conflict, Explanation, explain
 from tsplan.explanation.report import print_explanation
-from tsplan.results import Plan, StoppedBy
-from tsplan.running import on_interrupt
+from tsplan.explanation.whynot import facts, oracle
+from tsplan.explanation.whynot.facts import View, facts_of
+from tsplan.explanation.whynot.oracle import EnoughError
+from tsplan.plans.plan import Plan, StoppedBy
+from tsplan.run.run import on_interrupt
 
 MISSION = row("F[0,2] sum(C) >= 1 && F[0,4] sum(C) >= 3 && G[0,4] max(B) <= 1")
 

@@ -11,9 +11,9 @@ import tsplan
 from tests.explaining import plain
 from tests.random_tasks import random_tasks
 from tsplan.explanation import explain
-from tsplan.explanation.rewriting import rewritten
+from tsplan.explanation.whynot.rewriting import rewritten
 from tsplan.mission import Mission, SwarmBounds, load_mission, mission_from_text
-from tsplan.results import Plan
+from tsplan.plans.plan import Plan
 
 FOLDER = Path(__file__).parents[1] / "environments"
 INFEASIBLE = (

@@ -11,7 +11,7 @@ from tests.explaining import plain
 from tests.random_tasks import random_tasks
 from tests.test_explain_conflicts import ROW, row
 from tsplan.explanation import explain
-from tsplan.explanation.tightness import tightened
+from tsplan.explanation.why.tightness import tightened
 from tsplan.logic import Eventually
 from tsplan.mission import Mission
 

@@ -12,10 +12,10 @@ from tests.explaining import check_explanation
 from tests.random_missions import random_mission
 from tsplan.cli import main
 from tsplan.explanation import explain
-from tsplan.explanation.facts import View, find_facts
+from tsplan.explanation.whynot.facts import View, find_facts
 from tsplan.mission import Group, Mission
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.lint import lint
+from tsplan.ts.map_lint import lint
 from tsplan.ts.waits import longest_ways
 
 CHAIN = TransitionSystem.build(

@@ -11,8 +11,8 @@ import time
 
 import pytest
 
-from tsplan.milp.guard import CrashError, LateError, OutOfMemoryError, run_guarded
-from tsplan.milp.leash import Leash, Patience
+from tsplan.milp.child_process import CrashError, LateError, OutOfMemoryError, run_guarded
+from tsplan.milp.grace_period import Leash, Patience
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs processes made by fork")
 

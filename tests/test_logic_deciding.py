@@ -7,8 +7,8 @@ from formulas import count_trace, formulas, judged, quick, seeds
 from hypothesis import given
 
 from tsplan.logic import TRUE, And, Count, CountTrace, holds, horizon, parse, walk
-from tsplan.logic.deciding import decided_at, earliness
-from tsplan.viewer.asking import START, atoms
+from tsplan.logic.decision_time import decided_at, earliness
+from tsplan.viewer.obligations import START, atoms
 
 
 def spliced(known, other, step):

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from tsplan import logic
 from tsplan.logic import TRUE, Count, Eventually, Limit, Task, parse, parse_with_places
-from tsplan.logic.reading import streams
+from tsplan.logic.parser import token_streams as streams
 
 SYNONYMS = [
     ("a & b", "a && b"),

@@ -66,14 +66,15 @@ def missing(operation):
 
 def test_the_operations_are_found():
     assert {name.split(".")[0] for name in operations()} == {
-        "evaluate",
+        "catl",
+        "causes",
+        "evaluation",
         "fraction",
-        "naming",
-        "normal",
-        "printing",
-        "simplifying",
-        "timing",
-        "translation",
+        "normal_form",
+        "simplification",
+        "symbols",
+        "text",
+        "time_horizon",
     }
 
 

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from scipy import sparse
 
 from tsplan.errors import SolverError
-from tsplan.milp.answer import Ending, Question, Verdict
 from tsplan.milp.model import Model
 from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy, settled
+from tsplan.milp.verdict import Ending, Question, Verdict
 
 REASONS = [StoppedBy.TIME_LIMIT, StoppedBy.INTERRUPT, StoppedBy.MEMORY]
 

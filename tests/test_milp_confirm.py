@@ -14,18 +14,19 @@ from scipy import sparse
 
 import tsplan
 from tests.random_missions import random_mission
-from tsplan.encode import objectives, search
-from tsplan.encode.build import prepare, tight
-from tsplan.encode.clock import Clock
-from tsplan.encode.effort import Effort
-from tsplan.encode.target import Target
+from tsplan.encode import objectives
+from tsplan.encode.assemble import prepare, tight
 from tsplan.errors import SolverError
-from tsplan.milp.answer import Ending, Question, Verdict
-from tsplan.milp.confirm import confirmed
+from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs
 from tsplan.milp.model import Model
 from tsplan.milp.solution import Options, Solution, Status, StoppedBy
 from tsplan.milp.solver import installed, solver
+from tsplan.milp.verdict import Ending, Question, Verdict
+from tsplan.search import search
+from tsplan.search.clock import Clock
+from tsplan.search.effort import Effort
+from tsplan.search.target import Target
 
 ONCE_WRONG = sorted((Path(__file__).parent / "models").glob("*.json"))
 

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from tsplan.errors import SolverError, SolverUnavailableError
-from tsplan.milp.answer import Ending, Question, Verdict
+from tsplan.milp.descendants import Offspring
 from tsplan.milp.model import Model
-from tsplan.milp.offspring import Offspring
-from tsplan.milp.pulp_words import UnclearError, told
+from tsplan.milp.pulp_terms import UnclearError, told
 from tsplan.milp.solution import Options, StoppedBy
+from tsplan.milp.verdict import Ending, Question, Verdict
 
 
 @pytest.mark.parametrize(

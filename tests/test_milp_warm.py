@@ -10,8 +10,8 @@ from scipy import sparse
 from scipy.optimize import linprog
 
 from tsplan.errors import SolverError
+from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Model
-from tsplan.milp.warm import WarmLP
 
 INF = np.inf
 

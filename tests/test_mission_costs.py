@@ -9,7 +9,7 @@ import pytest
 import tsplan
 from tsplan.errors import MapError, MissionError
 from tsplan.mission import Group, load_mission
-from tsplan.mission.reading import mission_from_text
+from tsplan.mission.read import mission_from_text
 from tsplan.ts import Edge, State, TransitionSystem
 
 TEXT = """\

@@ -14,10 +14,10 @@ import tsplan
 from tests.test_brute_force import Path, paths, within_capacity
 from tsplan.encode.expressions import Constraint, Expression
 from tsplan.errors import InputError, MissionError, SolverError
-from tsplan.events import Incumbent
 from tsplan.exact import digits
 from tsplan.mission import Group
-from tsplan.results import AgentPlan, MissionRef, Plan
+from tsplan.plans.plan import AgentPlan, MissionRef, Plan
+from tsplan.run.events import Incumbent
 from tsplan.ts import Edge, State, TransitionSystem
 
 HORIZON = 4
@@ -222,7 +222,7 @@ def test_values_of_floats_that_cannot_be_told_apart_say_so(problem) -> None:
 
 def test_a_plan_that_breaks_an_own_constraint_is_refused(problem, monkeypatch) -> None:
     problem.add(problem.count("end", step=4) >= 1, "somebody there")
-    monkeypatch.setattr("tsplan.encode.build.constraint_rows", lambda *_: None)
+    monkeypatch.setattr("tsplan.encode.assemble.constraint_rows", lambda *_: None)
     with pytest.raises(SolverError, match=r"'somebody there' asks for count\('end', step=4\) >= 1"):
         tsplan.plan(problem)
 

@@ -15,11 +15,11 @@ import tsplan
 from tests.random_missions import random_mission, random_text
 from tests.test_brute_force import Path, paths, small_enough, trace, within_capacity
 from tsplan import Mission
+from tsplan.checking.plan_check import check
 from tsplan.logic import CountTrace, holds, horizon, parse
 from tsplan.logic.fraction import fraction, tree_of
-from tsplan.logic.fulfilment import levels
+from tsplan.logic.witness_steps import levels
 from tsplan.mission import Preference
-from tsplan.results import check
 
 ORDERS = ("weighted", "hierarchical", "depth")
 

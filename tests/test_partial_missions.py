@@ -10,14 +10,16 @@ from pathlib import Path
 import pytest
 
 import tsplan
+from tsplan.checking.plan_check import certify, check
 from tsplan.cli import main
 from tsplan.errors import MissionError, PlanError, SolverError
 from tsplan.explanation import explain
 from tsplan.logic import parse
 from tsplan.mission import Group, Mission, Preference, mission_from_text
-from tsplan.results import Plan, certify, check, load_plan
-from tsplan.results.satisfaction import Depth
-from tsplan.results.summary import satisfaction_lines
+from tsplan.plans.plan import Plan
+from tsplan.plans.plan_file import load_plan
+from tsplan.plans.satisfaction import Depth
+from tsplan.plans.summary import satisfaction_lines
 from tsplan.ts import Edge, State, TransitionSystem
 
 TEXT = """\

@@ -15,12 +15,13 @@ from tests.random_missions import LABELS, random_text
 from tests.test_brute_force import trace
 from tests.test_swarm_brute import dividing_text, possible, random_swarms
 from tsplan import Mission
+from tsplan.checking.plan_check import check
 from tsplan.logic import CountTrace, holds, horizon, parse
 from tsplan.logic.fraction import shares
-from tsplan.logic.fulfilment import levels
+from tsplan.logic.witness_steps import levels
 from tsplan.mission import Preference
-from tsplan.results import Plan, check
-from tsplan.results.summary import satisfaction_lines
+from tsplan.plans.plan import Plan
+from tsplan.plans.summary import satisfaction_lines
 from tsplan.ts import Edge, State, TransitionSystem
 
 ORDERS = ("weighted", "hierarchical", "depth")

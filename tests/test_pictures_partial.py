@@ -11,11 +11,11 @@ from tsplan import Mission, load_mission, plan, save_plan
 from tsplan.cli import main
 from tsplan.draw.palette import BAD, GOOD
 from tsplan.mission import Group
-from tsplan.results import AgentPlan, MissionRef, Plan
+from tsplan.plans.plan import AgentPlan, MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.viewer.data import page_data
-from tsplan.viewer.movers import movers
-from tsplan.viewer.parts import formula_parts
+from tsplan.viewer.formula_rows import formula_parts
+from tsplan.viewer.page_data import page_data
+from tsplan.viewer.tracks import movers
 
 ENVIRONMENTS = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(ENVIRONMENTS.glob("*_*.yaml"))

@@ -13,7 +13,7 @@ import tsplan
 from tsplan.cli import main
 from tsplan.errors import PlanError, TsplanError
 from tsplan.mission import load_mission
-from tsplan.results.planfile import load_plan
+from tsplan.plans.plan_file import load_plan
 
 MAP = """\
 map:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 import tsplan
-from tsplan.encode.problem import Problem, Tuning
 from tsplan.errors import MissionError
-from tsplan.events import Incumbent, Stage
 from tsplan.mission import Group
+from tsplan.run.events import Incumbent, Stage
+from tsplan.run.problem import Problem, Tuning
 from tsplan.ts import Edge, State, TransitionSystem
 
 

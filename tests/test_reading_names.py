@@ -10,11 +10,12 @@ import tsplan
 from tsplan import Edge, Group, Mission, State, TransitionSystem, parse
 from tsplan.cli import main
 from tsplan.errors import MapError, MissionError
-from tsplan.logic import Count, evaluate
+from tsplan.logic import Count
+from tsplan.logic import evaluation as evaluate
 from tsplan.logic.traces import CountTrace, SignalTrace
 from tsplan.mission import load_mission, mission_from_text
-from tsplan.results.planfile import load_plan
-from tsplan.ts.read import load_map
+from tsplan.plans.plan_file import load_plan
+from tsplan.ts.io.map_files import load_map
 
 ONE, TWO = "caf\u00e9", "cafe\u0301"
 MISSION = """\

@@ -10,8 +10,8 @@ from tsplan.document import parse_document, read_document
 from tsplan.document.kinds import kind_of_bytes, kind_of_data, kind_of_text
 from tsplan.errors import InputError, MapError, MissionError, PlanError
 from tsplan.mission import load_mission, mission_from_text
-from tsplan.results.planfile import load_plan
-from tsplan.ts.read import load_map, map_from_document
+from tsplan.plans.plan_file import load_plan
+from tsplan.ts.io.map_files import load_map, map_from_document
 
 MISSION = """\
 format: tsplan-mission/1

@@ -10,19 +10,19 @@ import pytest
 from tests.random_missions import LABELS, random_map, random_text
 from tests.test_logic_registrations import node_classes
 from tsplan import Mission
+from tsplan.checking.count_traces import count_trace
+from tsplan.checking.plan_check import formula_robustness
+from tsplan.checking.traffic import counted
 from tsplan.errors import PlanError
+from tsplan.explanation.why.requirements import requirements, runs
+from tsplan.explanation.why.witness_tree import Presence, explain
 from tsplan.logic import horizon, parse, robustness
 from tsplan.logic.atoms import Count
-from tsplan.logic.evaluate import margins
+from tsplan.logic.causes import reason, settled, spans, windows
+from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, Release, Until
 from tsplan.mission import Group
-from tsplan.results import AgentPlan, MissionRef, Plan
-from tsplan.results.checking import formula_robustness
-from tsplan.results.counting import count_trace
-from tsplan.results.evidence import Presence, explain
-from tsplan.results.occupancy import counted
-from tsplan.results.reasons import reason, settled, spans, windows
-from tsplan.results.requirements import requirements, runs
+from tsplan.plans.plan import AgentPlan, MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 
 NAMES = ("home", "east", "west", "hill")

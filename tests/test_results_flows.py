@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tsplan.errors import TsplanError
-from tsplan.results.flows import ClassFlow, decompose
+from tsplan.plans.decomposition import ClassFlow, decompose
 
 ABLE = frozenset({"see"})
 

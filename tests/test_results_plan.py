@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tsplan.errors import PlanError
-from tsplan.results import (
+from tsplan.plans.plan import (
     AgentPlan,
     MissionRef,
     ModelSize,
@@ -21,9 +21,8 @@ from tsplan.results import (
     Status,
     StoppedBy,
     Timings,
-    load_plan,
-    save_plan,
 )
+from tsplan.plans.plan_file import load_plan, save_plan
 
 REF = MissionRef("farm", "0" * 64)
 SEE = frozenset({"see"})

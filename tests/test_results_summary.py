@@ -10,9 +10,9 @@ import pytest
 from rich.console import Console
 
 from tsplan.draw.canvas import figure_class
-from tsplan.draw.library import PlotUnavailableError
-from tsplan.results import AgentPlan, MissionRef, ObjectiveValue, Plan, SolverUse, Timings
-from tsplan.results.summary import MOST_PATHS, names, objective_line, outcome, print_summary
+from tsplan.draw.matplotlib_loading import PlotUnavailableError
+from tsplan.plans.plan import AgentPlan, MissionRef, ObjectiveValue, Plan, SolverUse, Timings
+from tsplan.plans.summary import MOST_PATHS, names, objective_line, outcome, print_summary
 
 
 def printed(plan, width=100):

@@ -10,9 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_results_swarms import VALUES
 
+from tsplan.checking.plan_check import certify, check
 from tsplan.mission import Mission
-from tsplan.results import MissionRef, Move, ObjectiveValue, Plan, assign, certify, check
-from tsplan.results.moves import merges
+from tsplan.plans.assignment import assign
+from tsplan.plans.moves import Move, merges
+from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 
 # waiting at c takes two steps at a time

@@ -10,11 +10,15 @@ import pytest
 from rich.console import Console
 from test_results_swarms import MOVES, SYSTEM, mission, plan
 
+from tsplan.checking.plan_check import certify, check
 from tsplan.errors import PlanError
 from tsplan.mission import Mission
-from tsplan.results import Move, Plan, assign, certify, check, load_plan, save_plan
-from tsplan.results.summary import print_summary
-from tsplan.results.timeline import timeline
+from tsplan.plans.assignment import assign
+from tsplan.plans.moves import Move
+from tsplan.plans.plan import Plan
+from tsplan.plans.plan_file import load_plan, save_plan
+from tsplan.plans.split_history import timeline
+from tsplan.plans.summary import print_summary
 
 
 def changed(change, made=None):

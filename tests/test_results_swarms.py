@@ -7,21 +7,13 @@ from fractions import Fraction
 
 import pytest
 
+from tsplan.checking.plan_check import certify, check, objective_values
 from tsplan.errors import InputError, PlanError, SolverError
 from tsplan.mission import Mission
-from tsplan.results import (
-    MissionRef,
-    Move,
-    ObjectiveValue,
-    Plan,
-    SubSwarm,
-    assign,
-    certify,
-    check,
-    objective_values,
-)
-from tsplan.results.groups import subswarms
-from tsplan.results.moves import merges, shares, splits
+from tsplan.plans.assignment import assign
+from tsplan.plans.moves import Move, merges, shares, splits
+from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
+from tsplan.plans.subswarms import SubSwarm, subswarms
 from tsplan.ts import Edge, State, TransitionSystem
 
 # p -> q takes 3 steps, p -> r and r -> q one; only at p and q agents can wait

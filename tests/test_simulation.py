@@ -11,11 +11,13 @@ from hypothesis import strategies as st
 from scipy.stats import binom
 
 import tsplan
+from tsplan.checking.plan_check import certify
 from tsplan.errors import MissionError, PlanError
 from tsplan.mission import Mission
-from tsplan.results import MissionRef, Move, Plan, certify
-from tsplan.results.headroom import margin_for, shortfall
-from tsplan.results.simulation import Frequency, simulate
+from tsplan.plans.moves import Move
+from tsplan.plans.plan import MissionRef, Plan
+from tsplan.protocol.margin_size import margin_for, shortfall
+from tsplan.protocol.simulation import Frequency, simulate
 from tsplan.ts import Edge, State, TransitionSystem
 
 # from p one way leads over one edge to q, another takes two steps to r
@@ -100,7 +102,7 @@ def test_equal_seeds_give_equal_answers_and_sizes_do_not_matter():
 def test_batches_are_independent(monkeypatch):
     given = mission("F[0,4] sum(Q) >= 55%")
     made = plan(given, 55)
-    monkeypatch.setattr("tsplan.results.simulation._ENTRIES", 3 * 5 * 2 * 700)
+    monkeypatch.setattr("tsplan.protocol.simulation._ENTRIES", 3 * 5 * 2 * 700)
     found = simulate(given, made, runs=10_000, seed=7)
     assert found.formula.runs == 10_000
     assert found.formula.rate == pytest.approx(binom.sf(54, 100, 0.55), abs=0.02)

@@ -11,11 +11,11 @@ import pytest
 import tsplan
 from tests.random_missions import random_mission
 from tsplan import Mission
-from tsplan.events import Event, Incumbent, Stage
+from tsplan.checking.plan_check import check, objective_values
 from tsplan.mission import load_mission
-from tsplan.mission.data import SENSES
-from tsplan.results import Plan, check
-from tsplan.results.checking import objective_values
+from tsplan.mission.mission import SENSES
+from tsplan.plans.plan import Plan
+from tsplan.run.events import Event, Incumbent, Stage
 
 FOLDER = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(path.stem for path in FOLDER.glob("*_*.yaml"))

@@ -14,14 +14,14 @@ import pytest
 from tests.random_missions import LABELS, random_map, random_text
 from tests.test_brute_force import Path, paths, trace, within_capacity
 from tsplan import Mission
-from tsplan.encode.clock import Clock
-from tsplan.encode.effort import Effort
-from tsplan.encode.swarm.problem import SwarmProblem
-from tsplan.encode.swarm.stages import SwarmOutcome
+from tsplan.encode.groups.swarm_problem import SwarmProblem
+from tsplan.encode.groups.swarm_stages import SwarmOutcome
 from tsplan.errors import MissionError
 from tsplan.logic import horizon, parse
-from tsplan.logic.evaluate import robustness
+from tsplan.logic.evaluation import robustness
 from tsplan.milp.solver import solver
+from tsplan.search.clock import Clock
+from tsplan.search.effort import Effort
 
 MOST_JOINT_PLANS = 3000
 SENSE = {"splits": 1, "travel": 1, "moves": 1, "makespan": 1, "balance": -1}

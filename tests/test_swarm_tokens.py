@@ -9,14 +9,14 @@ import pytest
 
 from tests.test_swarm_brute import best, solved
 from tsplan import Mission
-from tsplan.encode.clock import Clock
-from tsplan.encode.swarm.goals import VECTORS
-from tsplan.encode.swarm.model import swarm_model
-from tsplan.encode.swarm.scouting import scout
-from tsplan.encode.swarm.tokens import tokens
+from tsplan.encode.groups.group_objectives import VECTORS
+from tsplan.encode.groups.guided_restriction import scout
+from tsplan.encode.groups.swarm_model import swarm_model
+from tsplan.encode.groups.token_flow import tokens
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import solver
+from tsplan.search.clock import Clock
 from tsplan.ts import Edge, State, TransitionSystem
 
 

@@ -10,13 +10,13 @@ import pytest
 from test_results_swarms import MOVES, SYSTEM, VALUES, mission
 
 import tsplan
-import tsplan.swarming
+import tsplan.run.swarming
 from tsplan.cli import main
-from tsplan.encode.stages import Reached
 from tsplan.errors import MissionError, SolverError, TsplanError
-from tsplan.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
+from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
+from tsplan.search.lexicographic import Reached
 
 MAP = """\
 name: lane
@@ -57,7 +57,7 @@ def answers(monkeypatch, told=(), **changes):
             answer["stop"] = clock.over
             return SimpleNamespace(**answer)
 
-    monkeypatch.setattr(tsplan.swarming, "SwarmProblem", Answering)
+    monkeypatch.setattr(tsplan.run.swarming, "SwarmProblem", Answering)
     return answer
 
 
@@ -76,7 +76,7 @@ def test_an_answer_becomes_a_verified_plan(monkeypatch):
 
 def test_many_agents_get_no_paths_of_their_own(monkeypatch):
     answers(monkeypatch, reached=())
-    monkeypatch.setattr(tsplan.swarming, "MOST_AGENTS", 11)
+    monkeypatch.setattr(tsplan.run.swarming, "MOST_AGENTS", 11)
     given = mission(objective=[])
     plan = tsplan.plan(given)
     assert plan.agents == ()
@@ -100,7 +100,7 @@ def test_a_wrong_answer_is_never_shown(monkeypatch):
     answers(monkeypatch, flows={"swarm": MOVES[:-1]})
     with pytest.raises(TsplanError, match="not conserved"):  # already on the way to paths
         tsplan.plan(mission())
-    monkeypatch.setattr(tsplan.swarming, "MOST_AGENTS", 0)
+    monkeypatch.setattr(tsplan.run.swarming, "MOST_AGENTS", 0)
     with pytest.raises(SolverError, match="does not stand up to the check"):
         tsplan.plan(mission())
     answers(monkeypatch, reached=(Reached("splits", 1, 1),))

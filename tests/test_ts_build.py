@@ -8,7 +8,7 @@ import pytest
 
 from tsplan.errors import MapError
 from tsplan.ts import ByClass, Edge
-from tsplan.ts.build import cell_name, from_networkx, grid
+from tsplan.ts.builders import cell_name, from_networkx, grid
 
 
 def test_a_grid_connects_neighbours_and_waits():

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.build import grid
-from tsplan.ts.paths import reachable, shortest_durations
+from tsplan.ts.builders import grid
+from tsplan.ts.reachability import reachable, shortest_durations
 
 STATES = [State("a"), State("b"), State("c", needs={"fly"}), State("d")]
 EDGES = [

@@ -4,10 +4,10 @@ import pytest
 
 from tsplan.errors import MapError
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.build import grid
-from tsplan.ts.lint import lint
-from tsplan.ts.paths import shortest_durations
+from tsplan.ts.builders import grid
+from tsplan.ts.map_lint import lint
 from tsplan.ts.product import product, unit_steps
+from tsplan.ts.reachability import shortest_durations
 
 LINE = TransitionSystem.build(
     [State("a", "x", needs="fly"), State("b")], [Edge("a", "b"), Edge("b", "b")], "line"

@@ -5,7 +5,7 @@ import pytest
 from tsplan.document import parse_document
 from tsplan.errors import InputError, MapError
 from tsplan.ts import ByClass, Edge, State
-from tsplan.ts.read import load_map, map_from_document
+from tsplan.ts.io.map_files import load_map, map_from_document
 
 
 def read(text):

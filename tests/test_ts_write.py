@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 from test_ts_read import FARM, ROBOT, read
 
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.build import grid
-from tsplan.ts.emit import flow
-from tsplan.ts.read import load_map
-from tsplan.ts.write import lomap_to_yaml, map_to_yaml, save_map
+from tsplan.ts.builders import grid
+from tsplan.ts.io.flow_style import flow
+from tsplan.ts.io.map_files import load_map
+from tsplan.ts.io.map_writer import lomap_to_yaml, map_to_yaml, save_map
 
 NUMBERS = st.floats(-1e6, 1e6)
 POINTS = st.tuples(NUMBERS, NUMBERS)

@@ -13,11 +13,11 @@ from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
 from tsplan.cli import main
 from tsplan.errors import InputError
-from tsplan.results.planfile import save_plan
+from tsplan.plans.plan_file import save_plan
 from tsplan.viewer.animation import FfmpegUnavailableError, Pace, animate, gif
-from tsplan.viewer.crowd import Ground, picture
-from tsplan.viewer.data import class_colors
-from tsplan.viewer.movers import movers
+from tsplan.viewer.markers import Ground, picture
+from tsplan.viewer.page_data import class_colors
+from tsplan.viewer.tracks import movers
 
 Image = pytest.importorskip("PIL.Image", reason="needs Pillow, which comes with matplotlib")
 pytest.importorskip("matplotlib", reason="needs matplotlib: pip install 'tsplan[plot]'")

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
 import tsplan
-from tsplan.results.plan import Plan, Status
+from tsplan.plans.plan import Plan, Status
 from tsplan.viewer import page
-from tsplan.viewer.data import page_data
-from tsplan.viewer.movers import movers
-from tsplan.viewer.parts import formula_parts
+from tsplan.viewer.formula_rows import formula_parts
+from tsplan.viewer.page_data import page_data
+from tsplan.viewer.tracks import movers
 from tsplan.viewer.webpage import embedded
 from tsplan.words import visible
 

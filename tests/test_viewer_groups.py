@@ -7,7 +7,7 @@ from collections import Counter, defaultdict
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tsplan.viewer.groups import lanes
+from tsplan.viewer.lanes import lanes
 
 STATES = ("p", "q", "r")
 

@@ -12,7 +12,7 @@ from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer import page
-from tsplan.viewer.data import page_data
+from tsplan.viewer.page_data import page_data
 from tsplan.words import visible
 
 pytestmark = pytest.mark.skipif(

@@ -6,12 +6,14 @@ import json
 
 import pytest
 
+from tsplan.checking.plan_check import certify
 from tsplan.errors import PlanError
 from tsplan.mission import Mission
-from tsplan.results import MissionRef, Move, Plan, certify
+from tsplan.plans.moves import Move
+from tsplan.plans.plan import MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.viewer.data import page_data
-from tsplan.viewer.movers import movers
+from tsplan.viewer.page_data import page_data
+from tsplan.viewer.tracks import movers
 
 SYSTEM = TransitionSystem.build(
     [State("home", frozenset({"home"})), State("reef", frozenset({"reef"}))],

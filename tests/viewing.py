@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 import tsplan
-from tsplan.results.plan import AgentPlan, MissionRef, Plan, Status, StoppedBy
+from tsplan.plans.plan import AgentPlan, MissionRef, Plan, Status, StoppedBy
 from tsplan.ts import Edge, State
 
 HOSTILE = (

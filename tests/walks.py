@@ -6,7 +6,7 @@ from random import Random
 
 from tsplan import Mission
 from tsplan.mission import Group
-from tsplan.results import AgentPlan, MissionRef, Plan
+from tsplan.plans.plan import AgentPlan, MissionRef, Plan
 
 
 def walk(mission, agent, random):

@@ -15,7 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from tsplan.encode.problem import Problem
+    from tsplan.checking.plan_check import check
     from tsplan.errors import (
         Finding,
         FormulaError,
@@ -28,18 +28,23 @@ if TYPE_CHECKING:
         TsplanError,
     )
     from tsplan.explanation import Explanation
-    from tsplan.explanation.explaining import explain
+    from tsplan.explanation.whynot.explaining import explain
     from tsplan.logic import parse
     from tsplan.mission import Group, Mission, SolverChoice, load_mission
-    from tsplan.planner import plan
-    from tsplan.results import AgentPlan, Move, Plan, SubSwarm, assign, check, load_plan, save_plan
-    from tsplan.results.headroom import margin_for
-    from tsplan.results.simulation import Simulation, simulate
+    from tsplan.plans.assignment import assign
+    from tsplan.plans.moves import Move
+    from tsplan.plans.plan import AgentPlan, Plan
+    from tsplan.plans.plan_file import load_plan, save_plan
+    from tsplan.plans.subswarms import SubSwarm
+    from tsplan.protocol.margin_size import margin_for
+    from tsplan.protocol.simulation import Simulation, simulate
+    from tsplan.run.planner import plan
+    from tsplan.run.problem import Problem
     from tsplan.ts import Edge, State, TransitionSystem
-    from tsplan.ts.read import load_map
+    from tsplan.ts.io.map_files import load_map
 
 _HOMES = {
-    "tsplan.encode.problem": ("Problem",),
+    "tsplan.run.problem": ("Problem",),
     "tsplan.errors": (
         "Finding",
         "FormulaError",
@@ -52,24 +57,20 @@ _HOMES = {
         "TsplanError",
     ),
     "tsplan.explanation": ("Explanation",),
-    "tsplan.explanation.explaining": ("explain",),
+    "tsplan.explanation.whynot.explaining": ("explain",),
     "tsplan.logic": ("parse",),
     "tsplan.mission": ("Group", "Mission", "SolverChoice", "load_mission"),
-    "tsplan.planner": ("plan",),
-    "tsplan.results": (
-        "AgentPlan",
-        "Move",
-        "Plan",
-        "SubSwarm",
-        "assign",
-        "check",
-        "load_plan",
-        "save_plan",
-    ),
-    "tsplan.results.headroom": ("margin_for",),
-    "tsplan.results.simulation": ("Simulation", "simulate"),
+    "tsplan.run.planner": ("plan",),
+    "tsplan.plans.assignment": ("assign",),
+    "tsplan.plans.moves": ("Move",),
+    "tsplan.plans.plan": ("AgentPlan", "Plan"),
+    "tsplan.plans.plan_file": ("load_plan", "save_plan"),
+    "tsplan.plans.subswarms": ("SubSwarm",),
+    "tsplan.checking.plan_check": ("check",),
+    "tsplan.protocol.margin_size": ("margin_for",),
+    "tsplan.protocol.simulation": ("Simulation", "simulate"),
     "tsplan.ts": ("Edge", "State", "TransitionSystem"),
-    "tsplan.ts.read": ("load_map",),
+    "tsplan.ts.io.map_files": ("load_map",),
 }
 _HOME = {name: module for module, names in _HOMES.items() for name in names}
 

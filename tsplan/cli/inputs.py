@@ -8,19 +8,19 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tsplan.checking.fitting import refuse_impossible, refuse_pathless, with_groups
 from tsplan.cli.output import remark
-from tsplan.cli.timing import reading_limit
+from tsplan.cli.time_limit import reading_limit
 from tsplan.errors import Finding, InputError, PlanError, nearest, told
 from tsplan.mission import load_mission
-from tsplan.results.fitting import refuse_impossible, refuse_pathless, with_groups
-from tsplan.results.planfile import load_plan
+from tsplan.plans.plan_file import load_plan
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterable
 
     from tsplan.mission import Mission
-    from tsplan.results.plan import Plan
+    from tsplan.plans.plan import Plan
 
 
 def mission_of(path: Path) -> Mission:
@@ -88,7 +88,7 @@ def mission_beside(path: Path, plan: Plan) -> Mission | None:
     """The mission of a plan, found by its digest among the YAML files beside it."""
     from tsplan.document.document import LARGEST_FILE  # noqa: PLC0415  (commands without plans)
     from tsplan.document.files import read_text  # noqa: PLC0415  (as above)
-    from tsplan.mission.data import digest_of  # noqa: PLC0415  (as above)
+    from tsplan.mission.mission import digest_of  # noqa: PLC0415  (as above)
 
     for other in sorted([*path.parent.glob("*.yaml"), *path.parent.glob("*.yml")]):
         try:

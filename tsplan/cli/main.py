@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit, parser
-from tsplan.cli.timing import TimeUpError
+from tsplan.cli.time_limit import TimeUpError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,7 +24,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except SystemExit as stop:  # argparse has said what is wrong
             code = Exit(int(stop.code or 0))
         else:
-            command = import_module(f"tsplan.cli.{asked.command}")
+            command = import_module(f"tsplan.cli.{asked.command}_command")
             code = command.run(asked)
         output.OUT.flush()
     except (Exception, KeyboardInterrupt, TimeUpError) as error:  # noqa: BLE001  (no traceback)

@@ -7,7 +7,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Self
 
 from tsplan.cli.output import ERR, remark
-from tsplan.events import Bound, Event, Incumbent, Stage
+from tsplan.run.events import Bound, Event, Incumbent, Stage
 from tsplan.words import number, visible
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from tsplan.document.document import Document, Path, parse_document, read_document
 
 if TYPE_CHECKING:
-    from tsplan.document.schema import validated
+    from tsplan.document.validation import validated
 
 __all__ = ["Document", "Path", "parse_document", "read_document", "validated"]
 
@@ -20,7 +20,7 @@ __all__ = ["Document", "Path", "parse_document", "read_document", "validated"]
 def __getattr__(name: str) -> object:
     """Load `validated` on first use: pydantic is slow to import and not always needed."""
     if name == "validated":
-        from tsplan.document.schema import validated  # noqa: PLC0415
+        from tsplan.document.validation import validated  # noqa: PLC0415
 
         return validated
     raise AttributeError(f"module 'tsplan.document' has no attribute '{name}'")

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from tsplan.draw.library import lacking, library
+from tsplan.draw.matplotlib_loading import lacking, library
 from tsplan.words import visible
 
 if TYPE_CHECKING:

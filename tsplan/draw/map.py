@@ -25,16 +25,16 @@ from tsplan.draw.canvas import (
     set_title,
 )
 from tsplan.draw.layout import Places, places, spacing
-from tsplan.draw.library import library
+from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Palette
-from tsplan.draw.room import Box, Frame, Point, Room, frame_of
-from tsplan.draw.signs import Sign, signs
+from tsplan.draw.state_labels import Sign, signs
+from tsplan.draw.text_placement import Box, Frame, Point, Room, frame_of
 from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.ts import TransitionSystem
-    from tsplan.ts.parts import Duration
+    from tsplan.ts.edges import Duration
 
 WIDTH = 7.0
 """Inches across the page of a map without its legend."""

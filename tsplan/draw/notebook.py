@@ -9,13 +9,13 @@ from tsplan.draw import svg
 from tsplan.draw.layout import Places, places
 from tsplan.draw.palette import HUES, Paint, Palette
 from tsplan.draw.timeline import Row, keys_of, rows_of, ways
-from tsplan.results.evidencetext import operator_text
-from tsplan.results.summary import infinite_word, names, objective_line, outcome
+from tsplan.explanation.why.witness_text import operator_text
+from tsplan.plans.summary import infinite_word, names, objective_line, outcome
 from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.logic.nodes import Formula
-    from tsplan.results.plan import Plan
+    from tsplan.plans.plan import Plan
     from tsplan.ts import TransitionSystem
 
 MOST_STATES = 3000

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from tsplan.draw.canvas import DARK, SMALL, WHITE, Entry
-from tsplan.draw.library import library
 from tsplan.draw.map import Scene
+from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Paint, Palette
-from tsplan.draw.room import Box, Point
+from tsplan.draw.text_placement import Box, Point
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission

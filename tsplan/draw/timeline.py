@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from tsplan.checking.fitting import refuse_misfit, refuse_pathless
+from tsplan.checking.traffic import state_counts
 from tsplan.draw.canvas import (
     DARK,
     LINE,
@@ -31,17 +33,15 @@ from tsplan.draw.canvas import (
     shortened,
     text_size,
 )
-from tsplan.draw.library import library
+from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
 from tsplan.errors import Finding, PlanError
-from tsplan.results.fitting import refuse_misfit, refuse_pathless
-from tsplan.results.occupancy import state_counts
-from tsplan.results.summary import names
+from tsplan.plans.summary import names
 from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.results.plan import Bundle, Plan
+    from tsplan.plans.plan import Bundle, Plan
 
 MOST_AGENTS = 24
 """Agents up to which each has a row of its own."""

@@ -6,21 +6,21 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import Picture, new_figure
 from tsplan.draw.map import draw_mission
 from tsplan.draw.map import height_of as map_height
-from tsplan.draw.paths import draw_paths
-from tsplan.draw.requirements import draw_requirements
-from tsplan.draw.requirements import height_of as chart_height
-from tsplan.draw.swarm import FLOW_HEIGHT, draw_swarm
+from tsplan.draw.path_map import draw_paths
+from tsplan.draw.requirement_chart import draw_requirements
+from tsplan.draw.requirement_chart import height_of as chart_height
+from tsplan.draw.swarm_bands import FLOW_HEIGHT, draw_swarm
 from tsplan.draw.timeline import draw_timeline
 from tsplan.draw.timeline import height_of as timeline_height
 from tsplan.errors import Finding, InputError, nearest
-from tsplan.results.fitting import refuse_misfit
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.results.plan import Plan
+    from tsplan.plans.plan import Plan
 
 View: TypeAlias = "Callable[[Plan, Mission, Any], Picture]"
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tsplan.encode.classes import MapArrays
-from tsplan.encode.network import Network
+from tsplan.encode.agent_classes import MapArrays
+from tsplan.encode.flow_network import Network
 from tsplan.milp.model import Draft, Ints
 
 

@@ -1,7 +1,7 @@
 """Objectives that are linear in the flows: one coefficient per column.
 
 `travel`, `cost` and `agents` are minimised as they stand; `makespan` and `availability` are
-searched level by level (see `tsplan.encode.stages`), since each of their levels is a model of its
+searched level by level (see `search.lexicographic`), since each of their levels is a model of its
 own.
 """
 
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tsplan.encode.network import ClassColumns, Network
+from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.milp.model import Draft, Floats, Ints
 
 

@@ -16,10 +16,10 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from tsplan.encode.asking import Lasting, Witnesses
-from tsplan.encode.atoms import Bound
-from tsplan.encode.literals import Relay, Relayed
-from tsplan.encode.network import ClassGraph, Network
+from tsplan.encode.count_atoms import Bound
+from tsplan.encode.encoder_rules import Lasting, Witnesses
+from tsplan.encode.flow_network import ClassGraph, Network
+from tsplan.encode.selection import Relay, Relayed
 from tsplan.milp.model import Draft, Ints
 
 

@@ -13,8 +13,8 @@ from functools import singledispatchmethod
 
 import numpy as np
 
-from tsplan.encode.atoms import Bound, Requirement
-from tsplan.encode.network import Network
+from tsplan.encode.count_atoms import Bound, Requirement
+from tsplan.encode.flow_network import Network
 from tsplan.logic import (
     Always,
     And,

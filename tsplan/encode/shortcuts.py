@@ -23,9 +23,9 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from tsplan.encode.clock import Clock
-from tsplan.encode.network import ClassGraph
+from tsplan.encode.flow_network import ClassGraph
 from tsplan.milp.model import Bools, Ints
+from tsplan.search.clock import Clock
 
 _CROWDED = 40  # states for each goal below which searches nearby are faster than compiled code
 

@@ -26,12 +26,20 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.encode.asking import Asker, Cover, Demand, Lasting, Visit, Witnesses, sorted_out
-from tsplan.encode.atoms import Requirement
-from tsplan.encode.literals import ALWAYS, Choices, Literal, Timed
-from tsplan.encode.outlook import Outlook
-from tsplan.encode.spans import Span, joined
-from tsplan.encode.switching import release, until
+from tsplan.encode.count_atoms import Requirement
+from tsplan.encode.encoder_rules import (
+    Asker,
+    Cover,
+    Demand,
+    Lasting,
+    Visit,
+    Witnesses,
+    sorted_out,
+)
+from tsplan.encode.robustness_bound import Outlook
+from tsplan.encode.selection import ALWAYS, Choices, Literal, Timed
+from tsplan.encode.step_runs import Span, joined
+from tsplan.encode.until_release import release, until
 from tsplan.logic import (
     Always,
     And,

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.data import (
+from tsplan.explanation.explanation import (
     Change,
     Conflict,
     Element,
@@ -30,7 +30,7 @@ from tsplan.explanation.data import (
 )
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explaining import explain
+    from tsplan.explanation.whynot.explaining import explain
 
 __all__ = [
     "Change",
@@ -49,6 +49,6 @@ def __getattr__(name: str) -> object:
     """Load `explain` when it is first used: it loads a solver."""
     if name != "explain":
         raise AttributeError(f"module 'tsplan.explanation' has no attribute '{name}'")
-    from tsplan.explanation.explaining import explain  # noqa: PLC0415  (that is the purpose)
+    from tsplan.explanation.whynot.explaining import explain  # noqa: PLC0415  (that is the purpose)
 
     return explain

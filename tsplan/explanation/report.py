@@ -5,7 +5,7 @@ from __future__ import annotations
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.data import Conflict, Cut, Explanation, Fact, Part, Status
+from tsplan.explanation.explanation import Conflict, Cut, Explanation, Fact, Part, Status
 from tsplan.words import visible
 
 if TYPE_CHECKING:

@@ -24,7 +24,8 @@ from tsplan.logic.atoms import (
     linear,
     task,
 )
-from tsplan.logic.naming import capabilities, labels, variables
+from tsplan.logic.catl import resolve_percent, translate
+from tsplan.logic.margin import tighten
 from tsplan.logic.nodes import (
     FALSE,
     TRUE,
@@ -46,16 +47,15 @@ from tsplan.logic.nodes import (
     conjunction,
     disjunction,
 )
-from tsplan.logic.normal import negation, positive
+from tsplan.logic.normal_form import negation, positive
 from tsplan.logic.parsing import LANGUAGES, Language, parse, parse_with_places
-from tsplan.logic.simplifying import simplify
-from tsplan.logic.tightening import tighten
-from tsplan.logic.timing import horizon
-from tsplan.logic.translation import resolve_percent, translate
-from tsplan.logic.walking import fold, substitute, walk, walk_all
+from tsplan.logic.simplification import simplify
+from tsplan.logic.symbols import capabilities, labels, variables
+from tsplan.logic.time_horizon import horizon
+from tsplan.logic.traversal import fold, substitute, walk, walk_all
 
 if TYPE_CHECKING:
-    from tsplan.logic.evaluate import CountTrace, SignalTrace, holds, robustness
+    from tsplan.logic.evaluation import CountTrace, SignalTrace, holds, robustness
 
 __all__ = [
     "FALSE",
@@ -121,7 +121,7 @@ _EVALUATION = frozenset({"CountTrace", "SignalTrace", "holds", "robustness"})
 def __getattr__(name: str) -> Any:
     """Import what needs NumPy only when it is asked for."""
     if name in _EVALUATION:
-        from tsplan.logic import evaluate  # noqa: PLC0415  (that is the purpose)
+        from tsplan.logic import evaluation as evaluate  # noqa: PLC0415  (that is the purpose)
 
         return getattr(evaluate, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

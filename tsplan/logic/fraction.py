@@ -23,7 +23,8 @@ from math import inf, lcm
 from typing import NamedTuple, TypeAlias
 
 from tsplan.logic.atoms import OPPOSITE, Count, Limit, Linear, Task
-from tsplan.logic.evaluate import holds, robustness
+from tsplan.logic.catl import TaskInterval, translate
+from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.nodes import (
     Always,
     And,
@@ -38,10 +39,9 @@ from tsplan.logic.nodes import (
     Until,
     disjunction,
 )
-from tsplan.logic.normal import Polarity, normal
+from tsplan.logic.normal_form import Polarity, normal
 from tsplan.logic.traces import Trace
-from tsplan.logic.translation import TaskInterval, translate
-from tsplan.logic.walking import fold
+from tsplan.logic.traversal import fold
 
 
 class Share(NamedTuple):

@@ -96,12 +96,12 @@ class Formula(metaclass=Interned):
         raise TypeError("a formula is neither true nor false by itself; use &, |, ~ to combine it")
 
     def __str__(self) -> str:
-        from tsplan.logic.printing import text_of  # noqa: PLC0415  (printing knows all the nodes)
+        from tsplan.logic.text import text_of  # noqa: PLC0415  (printing knows all the nodes)
 
         return text_of(self)
 
     def __repr__(self) -> str:
-        from tsplan.logic.printing import text_of  # noqa: PLC0415  (printing knows all the nodes)
+        from tsplan.logic.text import text_of  # noqa: PLC0415  (printing knows all the nodes)
 
         return f"<{type(self).__name__}: {text_of(self, _SHOWN)}>"
 
@@ -122,7 +122,7 @@ class Formula(metaclass=Interned):
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        from tsplan.logic.walking import packed, unpacked  # noqa: PLC0415  (walks import nodes)
+        from tsplan.logic.traversal import packed, unpacked  # noqa: PLC0415  (walks import nodes)
 
         return unpacked, (packed(self),)
 

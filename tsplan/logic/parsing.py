@@ -41,6 +41,6 @@ def parse_with_places(
     if language not in LANGUAGES:
         message = f"'{language}' is no language of formulas"
         raise FormulaError([Finding(message, nearest(language, LANGUAGES))])
-    from tsplan.logic.reading.languages import read  # noqa: PLC0415  (ANTLR is slow to import)
+    from tsplan.logic.parser.languages import read  # noqa: PLC0415  (ANTLR is slow to import)
 
     return read(text.removeprefix("\ufeff"), language)

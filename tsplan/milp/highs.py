@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 
 from tsplan.errors import SolverError, nearest
-from tsplan.milp.answer import Ending, Question, Verdict
-from tsplan.milp.attend import Attendant
-from tsplan.milp.hush import Hear, hushed
 from tsplan.milp.model import Floats, Model
+from tsplan.milp.quiet_output import Hear, hushed
 from tsplan.milp.solution import Options, Progress, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
+from tsplan.milp.verdict import Ending, Question, Verdict
+from tsplan.milp.watchdog import Attendant
 
 with hushed():
     import highspy

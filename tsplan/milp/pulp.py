@@ -1,7 +1,7 @@
 """Any solver that PuLP finds, by its PuLP name after a colon: `pulp:PULP_CBC_CMD`.
 
 PuLP knows no progress, no interruption and no limits that hold everywhere, so the solve is attended
-from outside; what differs between PuLP 3 and PuLP 4 is in `tsplan.milp.pulp_words`.
+from outside; what differs between PuLP 3 and PuLP 4 is in `tsplan.milp.pulp_terms`.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from typing import Any
 import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
-from tsplan.milp.answer import Ending, Question, Verdict
-from tsplan.milp.attend import Attendant, Patience
-from tsplan.milp.hush import hushed
+from tsplan.milp.descendants import Offspring
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.offspring import Offspring
-from tsplan.milp.pulp_words import UnclearError, load, pulp_module, told
+from tsplan.milp.pulp_terms import UnclearError, load, pulp_module, told
+from tsplan.milp.quiet_output import hushed
 from tsplan.milp.solution import Options, Solution, StoppedBy, Watcher, settled
 from tsplan.milp.solver import Availability
+from tsplan.milp.verdict import Ending, Question, Verdict
+from tsplan.milp.watchdog import Attendant, Patience
 
 _PREFERRED = ("PULP_CBC_CMD", "COIN_CMD", "HiGHS", "HiGHS_CMD", "SCIP_PY", "SCIP_CMD", "GLPK_CMD")
 _UNFIT = frozenset({"CPSAT"})  # takes continuous columns for whole ones

@@ -1,6 +1,6 @@
 """Missions: a map, a team, a formula and what to optimise."""
 
-from tsplan.mission.data import (
+from tsplan.mission.mission import (
     LANGUAGES,
     OBJECTIVES,
     ORDERS,
@@ -15,7 +15,7 @@ from tsplan.mission.data import (
     SwarmBounds,
     SwarmRules,
 )
-from tsplan.mission.reading import load_mission, mission_from_text
+from tsplan.mission.read import load_mission, mission_from_text
 
 __all__ = [
     "LANGUAGES",

@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from tsplan.exact import MOST_EXACT, digits, exact
-from tsplan.mission.problem import Problem
+from tsplan.mission.findings import Problem
 
 if TYPE_CHECKING:
-    from tsplan.mission.data import Group
+    from tsplan.mission.mission import Group
     from tsplan.ts import Edge, TransitionSystem
 
 _DECIMALS = 10**15

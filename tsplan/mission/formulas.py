@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tsplan.errors import MOST_TOLD, InputError
-from tsplan.mission.data import LANGUAGES, default_language
-from tsplan.mission.problem import FORMULA, Place, Problem, preferred
+from tsplan.mission.findings import FORMULA, Place, Problem, preferred
+from tsplan.mission.mission import LANGUAGES, default_language
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

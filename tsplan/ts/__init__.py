@@ -8,7 +8,7 @@
 - `lint`: what is allowed but probably not meant.
 """
 
-from tsplan.ts.parts import ByClass, Edge, State
+from tsplan.ts.edges import ByClass, Edge, State
 from tsplan.ts.system import Extras, TransitionSystem
 
 __all__ = ["ByClass", "Edge", "Extras", "State", "TransitionSystem"]

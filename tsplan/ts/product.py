@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from tsplan.errors import Finding, MapError
 from tsplan.exact import exact
-from tsplan.ts.parts import NOTHING, Edge, State
+from tsplan.ts.edges import NOTHING, Edge, State
 from tsplan.ts.system import TransitionSystem
 
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.errors import Finding, MapError, Spot
 from tsplan.exact import common_unit, exact
-from tsplan.ts.checks import Problem, in_order, problems
-from tsplan.ts.parts import Edge, State
+from tsplan.ts.edges import Edge, State
+from tsplan.ts.validity import Problem, in_order, problems
 
 if TYPE_CHECKING:
     import networkx as nx

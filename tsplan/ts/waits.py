@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from math import inf
 from typing import TypeAlias
 
-from tsplan.ts.parts import Edge
+from tsplan.ts.edges import Edge
 from tsplan.ts.system import TransitionSystem
 
 Moves: TypeAlias = Iterable[tuple[Edge, int]]

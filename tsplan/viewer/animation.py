@@ -15,17 +15,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tsplan.draw.library import letters_lost, warned
+from tsplan.draw.matplotlib_loading import letters_lost, warned
 from tsplan.errors import Finding, InputError, TsplanError
-from tsplan.results.planfile import write_whole
-from tsplan.viewer.opening import write_page
+from tsplan.plans.plan_file import write_whole
+from tsplan.viewer.browser import write_page
 from tsplan.viewer.scene import Pixels, Scene, Size
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
     from tsplan.mission import Mission
-    from tsplan.results.plan import Plan
+    from tsplan.plans.plan import Plan
 
 LONGEST = 30.0
 """Seconds that an animation takes at most, unless the seconds of a step are given."""

@@ -13,22 +13,22 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import POINTS, figure_class
-from tsplan.draw.library import lacking, library
 from tsplan.draw.map import Scene as MapScene
 from tsplan.draw.map import base, finish
+from tsplan.draw.matplotlib_loading import lacking, library
 from tsplan.draw.palette import Palette
-from tsplan.results.fitting import refuse_misfit
-from tsplan.viewer.crowd import Ground, Picture, picture
-from tsplan.viewer.data import class_colors
-from tsplan.viewer.movers import movers
-from tsplan.viewer.parts import formula_parts
-from tsplan.viewer.slots import slots_within
-from tsplan.viewer.statuspanel import StatusPanel
+from tsplan.viewer.formula_rows import formula_parts
+from tsplan.viewer.markers import Ground, Picture, picture
+from tsplan.viewer.page_data import class_colors
+from tsplan.viewer.positions import slots_within
+from tsplan.viewer.status_panel import StatusPanel
+from tsplan.viewer.tracks import movers
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.results.plan import Plan
+    from tsplan.plans.plan import Plan
 
 Pixels: TypeAlias = npt.NDArray[np.uint8]
 Size: TypeAlias = tuple[int, int]

@@ -16,14 +16,14 @@ from hashlib import sha256
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
-from tsplan.viewer.data import page_data
+from tsplan.viewer.page_data import page_data
 from tsplan.words import visible
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from tsplan.mission import Mission
-    from tsplan.results.plan import Plan
+    from tsplan.plans.plan import Plan
 
 _SCRIPTS = (
     "paint",

@@ -1,0 +1,69 @@
+"""What a plan says of its objectives, held against what its paths come to; exact throughout."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from tsplan.exact import digits, exact
+from tsplan.mission.mission import SENSES, Mission
+from tsplan.plans.plan import ObjectiveValue, Plan, Status
+
+
+def false_objectives(
+    mission: Mission, plan: Plan, values: Mapping[str, Fraction | float]
+) -> Iterator[str]:
+    """Whether the objectives are the mission's, with their true values and possible bounds."""
+    names = tuple(item.name for item in plan.objective)
+    if names != mission.objective:
+        yield (
+            f"the plan's objectives are {', '.join(names) or 'none'} and the mission's "
+            f"{', '.join(mission.objective) or 'none'}"
+        )
+        return
+    for item in plan.objective:
+        actual = values[item.name]
+        if not _claimed(item.value, actual):
+            yield f"the plan claims {item.name} {item.value} and has {shown(actual)}"
+        yield from _bound(item, actual, plan.status)
+
+
+def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str]:
+    """Objectives of a plan that is called optimal and does not say what proves them."""
+    for item in plan.objective if plan.status is Status.OPTIMAL else ():
+        actual = values.get(item.name, math.inf)
+        by_depth = item.name == "satisfaction" and _settled_by_depth(plan)
+        if item.bound is None and math.isfinite(actual) and not by_depth:
+            yield f"{item.name} is called optimal at {shown(actual)}, and no bound proves it"
+
+
+def _claimed(value: float | None, actual: Fraction | float) -> bool:
+    """Whether a value is the exact one, as the nearest number that a file can hold."""
+    if value is None or not math.isfinite(actual):
+        return value is None and not math.isfinite(actual)
+    return value == float(actual)
+
+
+def _bound(item: ObjectiveValue, actual: Fraction | float, status: Status) -> Iterator[str]:
+    if item.bound is None or not math.isfinite(actual) or item.bound == float(actual):
+        return
+    value, bound = shown(actual), shown(item.bound)
+    over = actual > exact(item.bound)
+    if over == (SENSES[item.name] == "maximise"):
+        yield f"{item.name} {value} is better than its bound {bound}"
+    elif status is Status.OPTIMAL:
+        yield f"{item.name} is called optimal at {value} with the bound {bound}"
+
+
+def shown(value: Fraction | float, infinite: str = "unbounded") -> str:
+    """A value with all its digits, or the word for an infinite one; below all it is impossible."""
+    if math.isfinite(value):
+        return digits(value)
+    return infinite if value > 0 else "impossible"
+
+
+def _settled_by_depth(plan: Plan) -> bool:
+    """Whether a satisfaction is proven depth by depth, in place of a bound on the whole."""
+    depths = () if plan.satisfaction is None else plan.satisfaction.depths
+    return bool(depths) and all(item.bound == item.value for item in depths)

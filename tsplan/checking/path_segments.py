@@ -1,0 +1,143 @@
+"""What an agent does between and during its stays, read against the map."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from tsplan.plans.plan import Bundle, Stay
+    from tsplan.ts import Edge, TransitionSystem
+
+
+class Leg(NamedTuple):
+    """Time on one edge: at every step from `entered` on and before `left`, `times` in a row.
+
+    `left` lies beyond the horizon when the agent is still on the edge there.
+    """
+
+    edge: Edge
+    entered: int
+    left: int
+    times: int
+
+
+class Path(NamedTuple):
+    """The legs of a path in order, and what is wrong with it (then legs may be missing)."""
+
+    legs: tuple[Leg, ...]
+    problems: tuple[str, ...]
+
+
+def read_path(system: TransitionSystem, bundle: Bundle, horizon: int) -> Path:
+    """The legs of a bundle's path, with everything the map does not allow about it."""
+    problems = _out_of_order(bundle.stays, horizon)
+    if problems:
+        return Path((), tuple(problems))
+    legs: list[Leg] = []
+    for place, (first, last, state) in enumerate(bundle.stays):
+        problems += _unwelcome(system, bundle, state, first)
+        if last > first:
+            wait = _usable(system, bundle, (state, state), first, problems)
+            if wait is not None:
+                _same_duration(wait, bundle, (first, 1), problems)
+                legs.append(Leg(wait, first, last, last - first))
+        if place + 1 < len(bundle.stays):
+            arrival, _, target = bundle.stays[place + 1]
+            edge = _usable(system, bundle, (state, target), last, problems)
+            if edge is not None:
+                _same_duration(edge, bundle, (last, arrival - last), problems)
+                legs.append(Leg(edge, last, arrival, 1))
+    legs += _unfinished(system, bundle, horizon, problems)
+    return Path(tuple(legs), tuple(dict.fromkeys(problems)))
+
+
+def _out_of_order(stays: tuple[Stay, ...], horizon: int) -> list[str]:
+    if not stays:
+        return ["has no stays: the agent is lost"]
+    problems = []
+    if stays[0][0] != 0:
+        problems.append(f"is first seen at step {stays[0][0]} instead of 0")
+    before = -1
+    for first, last, state in stays:
+        if last < first:
+            problems.append(f"leaves {state} at step {last}, before it comes at step {first}")
+        if first <= before:
+            problems.append(f"is at {state} from step {first} on and elsewhere until step {before}")
+        before = max(before, last)
+    if before > horizon:
+        problems.append(f"stays until step {before}, beyond the horizon {horizon}")
+    return problems
+
+
+def _unwelcome(system: TransitionSystem, bundle: Bundle, state: str, step: int) -> list[str]:
+    """Whether the map has the state and lets the class be there."""
+    if state not in system.states:
+        return [f"is at '{state}' at step {step}, which the map does not have"]
+    missing = sorted(system.states[state].needs - bundle.capabilities)
+    return [f"is at {state} at step {step}, which needs {', '.join(missing)}"] if missing else []
+
+
+def _usable(
+    system: TransitionSystem,
+    bundle: Bundle,
+    ends: tuple[str, str],
+    step: int,
+    problems: list[str],
+) -> Edge | None:
+    """The edge between two states if the class may use it; what is wrong goes to `problems`."""
+    edge = system.edges.get(ends)
+    how = f"waits at {ends[0]}" if ends[0] == ends[1] else f"goes from {ends[0]} to {ends[1]}"
+    if edge is None:
+        problems.append(f"{how} at step {step}, and the map has no such edge")
+        return None
+    missing = sorted(edge.needs - bundle.capabilities)
+    if missing:
+        problems.append(f"{how} at step {step} by an edge that needs {', '.join(missing)}")
+    if edge.duration_for(bundle.class_name) is None:
+        problems.append(f"{how} at step {step} by an edge that class {bundle.class_name} lacks")
+        return None
+    return edge
+
+
+def _same_duration(edge: Edge, bundle: Bundle, taken: tuple[int, int], problems: list[str]) -> None:
+    step, spent = taken
+    duration = edge.duration_for(bundle.class_name)
+    if duration != spent:
+        problems.append(
+            f"takes the edge from {edge.source} to {edge.target} at step {step} in {spent} steps "
+            f"instead of {duration}"
+        )
+
+
+def _unfinished(
+    system: TransitionSystem, bundle: Bundle, horizon: int, problems: list[str]
+) -> list[Leg]:
+    """The leg an agent is on at the horizon, if its last stay ends before it."""
+    _, last, state = bundle.stays[-1]
+    if last == horizon:
+        if bundle.heading is not None:
+            problems.append(f"is at {state} at the horizon and also heads for {bundle.heading}")
+        return []
+    if bundle.heading is not None:
+        edge = _usable(system, bundle, (state, bundle.heading), last, problems)
+        duration = edge.duration_for(bundle.class_name) if edge else None
+        if edge is None or duration is None:
+            return []
+        if last + duration <= horizon:
+            problems.append(
+                f"left {state} for {bundle.heading} at step {last} and does not arrive at step "
+                f"{last + duration}"
+            )
+        return [Leg(edge, last, last + duration, 1)]
+    options = [
+        Leg(edge, last, last + duration, 1)
+        for edge in system.leaving(state)
+        if edge.needs <= bundle.capabilities
+        and (duration := edge.duration_for(bundle.class_name)) is not None
+        and last + duration > horizon
+    ]
+    if len(options) != 1:
+        what = "no edge is long enough" if not options else "several edges are possible"
+        problems.append(f"is nowhere after step {last}: {what} and the plan names no heading")
+        return []
+    return options

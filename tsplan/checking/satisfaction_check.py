@@ -1,0 +1,198 @@
+"""How much of a mission a plan satisfies, computed from the agents' counts alone."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tsplan.checking.count_traces import count_trace as trace_of
+from tsplan.checking.traffic import state_counts
+from tsplan.errors import Finding
+from tsplan.plans.plan import Plan, Status
+from tsplan.plans.satisfaction import Depth, Fulfilment, Node, Satisfaction
+
+if TYPE_CHECKING:
+    from tsplan.logic import Formula
+    from tsplan.logic.traces import CountTrace
+    from tsplan.mission import Mission
+    from tsplan.plans.plan import Bundle
+
+MOST_LETTERS = 1000
+"""Letters of a part of a formula in a plan; longer ones are cut off."""
+
+
+def count_trace(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> CountTrace:
+    """Counts by state and step of agents with each capability that the mission's formulas name."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    states = tuple(mission.system.states)
+    formulas = (mission.formula, *(wish.formula for wish in mission.prefer))
+    able = sorted(frozenset[str]().union(*(logic.capabilities(item) for item in formulas)))
+    counts = {name: state_counts(bundles, states, horizon, name) for name in (None, *able)}
+    return trace_of(mission.system, counts)
+
+
+def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction | None:
+    """How much of the formula holds, where the mission lets it hold in part."""
+    from tsplan.logic.fraction import shares  # noqa: PLC0415  (slow to import)
+    from tsplan.logic.witness_steps import levels  # noqa: PLC0415
+
+    if not mission.partial:
+        return None
+    tree = mission.tree(mission.formula)
+    share = shares(tree, trace)[tree][0]
+    by_depth = mission.satisfaction != "weighted"
+    counts = levels(tree, trace).counts if by_depth else ()
+    return Satisfaction(
+        order=mission.satisfaction,
+        fraction=share.fraction,
+        availability=share.spare if math.isfinite(share.spare) else None,
+        depths=tuple(Depth(depth, count) for depth, count in enumerate(counts)),
+        nodes=_nodes(mission, mission.formula, trace),
+    )
+
+
+def spare_of(mission: Mission, trace: CountTrace, availability: float) -> float:
+    """Agents to spare at all that holds: what must, and what may and does; infinite for nothing.
+
+    `availability` is that of the formula as a whole.
+    """
+    from tsplan.logic.evaluation import robustness  # noqa: PLC0415  (slow to import)
+    from tsplan.logic.fraction import shares  # noqa: PLC0415
+
+    if mission.partial:
+        tree = mission.tree(mission.formula)
+        return shares(tree, trace)[tree][0].spare
+    least = availability
+    for wish in mission.prefer:
+        tree = mission.tree(wish.formula)
+        if wish.partial:
+            least = min(least, shares(tree, trace)[tree][0].spare)
+        else:
+            spare = float(robustness(tree, trace)[..., 0])
+            least = min(least, spare) if spare >= 0 else least
+    return least
+
+
+def fulfilments_of(mission: Mission, trace: CountTrace) -> tuple[Fulfilment, ...]:
+    """What became of every preferred formula, in the mission's order."""
+    made = []
+    for wish in mission.prefer:
+        nodes = _nodes(mission, wish.formula, trace)
+        fraction = nodes[0].fraction
+        made.append(Fulfilment(wish.name, wish.weight, wish.level, wish.partial, fraction, nodes))
+    return tuple(made)
+
+
+def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node, ...]:
+    """The parts of a formula with their texts; tasks and limits as they were written."""
+    from tsplan import logic  # noqa: PLC0415  (slow to import)
+    from tsplan.logic.text import text_of  # noqa: PLC0415
+    from tsplan.logic.witness_steps import parts  # noqa: PLC0415
+
+    tree = mission.tree(formula)
+    written: dict[Formula, Formula] = {
+        mission.tree(node): node
+        for node in logic.walk(formula)
+        if isinstance(node, logic.Task | logic.Limit) or _is_share(node)
+    }
+    shown: dict[Formula, Formula] = {}
+
+    def show(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        shown[node] = written[node] if node in written else node.over(below)
+        return shown[node]
+
+    logic.fold(tree, show)
+    return tuple(
+        Node(
+            text_of(shown[part.node], MOST_LETTERS),
+            part.depth,
+            part.first,
+            part.last,
+            part.fraction,
+            part.counted,
+        )
+        for part in parts(tree, trace)
+    )
+
+
+def _is_share(node: Formula) -> bool:
+    """Whether an atom asks for a percentage."""
+    from tsplan import logic  # noqa: PLC0415  (slow to import)
+
+    return isinstance(node, logic.Count) and isinstance(node.bound, logic.Percent)
+
+
+def completed(given: Satisfaction | None, actual: Satisfaction | None) -> Satisfaction | None:
+    """What was computed, with the bounds that are claimed of the depths."""
+    if given is None or actual is None:
+        return actual
+    bounds = {item.depth: item.bound for item in given.depths}
+    depths = tuple(replace(item, bound=bounds.get(item.depth)) for item in actual.depths)
+    return replace(actual, depths=depths)
+
+
+def false_claims(
+    plan: Plan, satisfaction: Satisfaction | None, preferences: tuple[Fulfilment, ...]
+) -> list[Finding]:
+    """What a plan says about what it satisfies and is not so."""
+    findings: list[str] = []
+    claimed = plan.satisfaction
+    if (claimed is None) != (satisfaction is None):
+        lacks = "says nothing" if claimed is None else "speaks"
+        findings.append(f"the plan {lacks} about satisfaction, unlike its mission")
+    elif claimed is not None and satisfaction is not None:
+        findings += _false_satisfaction(claimed, satisfaction, plan.status)
+    if [item.name for item in plan.preferences] != [item.name for item in preferences]:
+        findings.append("the plan's preferences are not the mission's")
+    else:
+        for given, actual in zip(plan.preferences, preferences, strict=True):
+            if given != actual:
+                findings.append(
+                    f"the plan's account of preference '{given.name}' is not so: its fraction is "
+                    f"{actual.fraction}"
+                )
+    return [Finding(message, source="plan") for message in findings]
+
+
+def _false_satisfaction(claimed: Satisfaction, actual: Satisfaction, status: Status) -> list[str]:
+    findings = []
+    if claimed.order != actual.order:
+        findings.append(f"the plan claims the order {claimed.order}, not {actual.order}")
+        return findings
+    if claimed.fraction != actual.fraction:
+        findings.append(
+            f"the plan claims satisfaction {claimed.fraction} and has {actual.fraction}"
+        )
+    if claimed.availability != actual.availability:
+        findings.append(
+            f"the plan claims availability {claimed.availability} of what it satisfies and has "
+            f"{actual.availability}"
+        )
+    if claimed.nodes != actual.nodes:
+        findings.append("the plan's account of what holds of each part is not so")
+    counts = [item.value for item in actual.depths]
+    if [item.value for item in claimed.depths] != counts:
+        findings.append(f"by depth {', '.join(map(str, counts)) or 'nothing'} parts hold")
+        return findings
+    return findings + _false_bounds(claimed.depths, status)
+
+
+def _false_bounds(depths: tuple[Depth, ...], status: Status) -> list[str]:
+    findings = []
+    for item in depths:
+        if item.bound is None:
+            break
+        if item.value > item.bound:
+            findings.append(
+                f"{item.value} parts of depth {item.depth} are more than their bound {item.bound}"
+            )
+        elif item.value < item.bound:
+            if status is Status.OPTIMAL:
+                findings.append(
+                    f"{item.value} parts of depth {item.depth} are called optimal with the bound "
+                    f"{item.bound}"
+                )
+            break  # what is said of deeper parts does not hold any more
+    return findings

@@ -1,0 +1,118 @@
+"""`tsplan show`: draw a map, a mission or a plan, or say why a plan satisfies its formula."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tsplan.checking.fitting import refuse_pathless
+from tsplan.cli.arguments import Exit
+from tsplan.cli.inputs import files_of, fitted, mission_beside, mission_of, refuse_place
+from tsplan.cli.output import remark, say
+from tsplan.cli.pictures import own_backend
+from tsplan.errors import Finding, InputError
+from tsplan.explanation.why.witness_tree import explain_preferred
+from tsplan.plans.plan_file import load_plan
+
+if TYPE_CHECKING:
+    import argparse
+    from pathlib import Path
+
+    from tsplan.mission import Mission
+
+_SCREENLESS = frozenset({"agg", "pdf", "ps", "svg", "cairo", "template"})
+
+
+def run(asked: argparse.Namespace) -> Exit:
+    """Write the picture, print the reasons, or open a window."""
+    reasons = _reasons(asked) if asked.why else None
+    if asked.output is not None:
+        _save(asked)
+    if reasons is not None:
+        say(reasons)
+    elif asked.output is None:
+        with own_backend():
+            plt = _window()
+            _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
+            plt.show()
+    return Exit.DONE
+
+
+def _save(asked: argparse.Namespace) -> None:
+    from tsplan.draw.picture_files import kind_of, save  # noqa: PLC0415  (reasons need no picture)
+
+    kind_of(asked.output)
+    _refuse_inputs(asked, None)
+    save(_draw(asked, None), asked.output, tell=remark)
+
+
+def _refuse_inputs(asked: argparse.Namespace, mission: Mission | None) -> None:
+    """Do not draw over what is drawn."""
+    inputs = [asked.file, asked.mission, *files_of(mission)]
+    refuse_place(asked.output, "the picture", inputs)
+
+
+def _reasons(asked: argparse.Namespace) -> str:
+    """Why the plan satisfies its formula, and what became of what is preferred."""
+    if not _is_plan(asked.file):
+        what = "--why is about a plan, and this is none"
+        raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(asked.file))])
+    plan, mission = fitted(asked.file, load_plan(asked.file), asked.mission)
+    trees = [str(plan.explain(mission))]
+    for name, tree in explain_preferred(plan, mission).items():
+        trees.append(f"preferred: {name}\n{tree}")
+    return "\n\n".join(trees)
+
+
+def _window() -> Any:
+    """Pyplot, if it can open a window."""
+    from tsplan.draw.matplotlib_loading import PlotUnavailableError, library  # noqa: PLC0415  (as above)
+
+    plt = library("pyplot")
+    if plt.get_backend().lower() in _SCREENLESS:
+        raise PlotUnavailableError("there is no display to draw on; write a file with -o FILE.png")
+    return plt
+
+
+def _draw(asked: argparse.Namespace, figure: Any) -> Any:
+    """The picture of whatever the file holds, on a given figure or a new one."""
+    ax = None if figure is None else figure.add_subplot()
+    if _is_plan(asked.file):
+        return _draw_plan(asked, figure, ax)
+    from tsplan.document import read_document  # noqa: PLC0415  (plans do not need it)
+    from tsplan.document.kinds import MISSION, kind_of_data  # noqa: PLC0415  (as above)
+    from tsplan.draw.map import draw_map, draw_mission  # noqa: PLC0415  (as above)
+
+    if kind_of_data(read_document(asked.file).data) == MISSION:
+        drawn = mission_of(asked.file)
+        _refuse_inputs(asked, drawn)
+        return draw_mission(drawn, ax)[0]
+    from tsplan.ts.io.map_files import load_map  # noqa: PLC0415  (missions do not need it)
+
+    return draw_map(load_map(asked.file), ax)[0]
+
+
+def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
+    """A view of a plan; without its mission, the timeline, which needs no map."""
+    from tsplan.draw.timeline import draw_timeline  # noqa: PLC0415  (as above)
+    from tsplan.draw.views import PAGE, draw_page, draw_view  # noqa: PLC0415  (as above)
+
+    plan = load_plan(asked.file)
+    refuse_pathless(plan, str(asked.file))
+    alone = asked.view in (None, "timeline") and asked.mission is None
+    if alone and mission_beside(asked.file, plan) is None:
+        return draw_timeline(plan, None, ax)[0]
+    plan, mission = fitted(asked.file, plan, asked.mission)
+    _refuse_inputs(asked, mission)
+    view = asked.view or PAGE
+    if view != PAGE:
+        return draw_view(plan, mission, view, ax)[0]
+    if figure is not None:
+        figure.clear()
+    return draw_page(plan, mission, figure)[0]
+
+
+def _is_plan(path: Path) -> bool:
+    """Whether a file is JSON, which maps and missions are not."""
+    from tsplan.document.files import beginning  # noqa: PLC0415  (as above)
+
+    return '"tsplan-plan/' in beginning(path, 1000) or path.suffix.lower() == ".json"

@@ -1,0 +1,178 @@
+"""What the formula asks and what the plan gives: a row for each atom, count against need.
+
+The pale band is when the formula can ask for the atom, the strong one when the plan satisfies the
+formula by it, and red where it comes nearest to that but fails; a triangle marks where such a run
+begins. The dashed line is the need.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tsplan.draw.canvas import (
+    DARK,
+    LINE,
+    POINTS,
+    SMALL,
+    Entry,
+    Picture,
+    axes,
+    legend_beside,
+    legend_width,
+    plain,
+    set_title,
+    settle,
+    shortened,
+    text_size,
+)
+from tsplan.draw.matplotlib_loading import library
+from tsplan.draw.palette import BAD, GOOD
+from tsplan.draw.timeline import set_steps
+from tsplan.words import number
+
+if TYPE_CHECKING:
+    from tsplan.explanation.why.requirements import Requirement
+    from tsplan.mission import Mission
+    from tsplan.plans.plan import Plan
+
+MOST_ROWS = 40
+"""Atoms that are drawn; of more, those with the fewest agents to spare."""
+
+_WIDTH = 6.0  # inches of the steps
+_ROW = 0.42  # inches of one row
+_REST = 0.75  # inches of title and steps
+_TALL = 0.78  # of a row, what the largest count takes
+_LONGEST = 36  # characters of an atom
+_WINDOW, _CHOSEN, _MISSED, _COUNT = "#ececec", "#bcd3ee", "#f4c3bd", "#2f5f9e"
+
+
+def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
+    """The chart of all atoms of the mission's goal and of what it prefers.
+
+    Raises PlanError for a plan without paths or of another mission.
+    """
+    every = plan.requirements(mission)
+    rows = shown_rows(every)
+    entries = _entries(rows)
+    left = max((text_size(_words(row), SMALL)[0] for row in rows), default=0.0) / POINTS
+    tall = height_of(rows)
+    beside = max((_beside(row)[2] for row in rows), default=0.0)
+    width = _WIDTH + left + beside + legend_width(entries, tall - _REST)
+    figure, ax = axes(ax, width, tall)
+    set_steps(ax, plan.horizon)
+    ax.set_ylim(len(rows) or 1, 0)
+    middles = [place + 0.55 for place in range(len(rows))]
+    ax.set_yticks(middles, [plain(_words(row)) for row in rows], fontsize=SMALL)
+    ax.tick_params(axis="y", length=0)
+    legend_beside(ax, entries, beside)
+    hidden = len(every) - len(rows)
+    more = f" ({hidden} more with agents to spare)" if hidden else ""
+    set_title(ax, f"{plan.mission.name or mission.name}: count against need{more}")
+    settle(figure)
+    for place, row in enumerate(rows):
+        _draw_row(ax, place, row)
+    return figure, ax
+
+
+def shown_rows(rows: Sequence[Requirement]) -> tuple[Requirement, ...]:
+    """The rows in the order of the formula; of too many, those with the least to spare."""
+    if len(rows) <= MOST_ROWS:
+        return tuple(rows)
+    rank = sorted(range(len(rows)), key=lambda n: (rows[n].spare is None, rows[n].spare or 0.0, n))
+    return tuple(rows[n] for n in sorted(rank[:MOST_ROWS]))
+
+
+def height_of(rows: Sequence[Requirement]) -> float:
+    """Inches that the chart of so many rows takes."""
+    return max(_ROW * min(len(rows), MOST_ROWS), 0.8) + _REST
+
+
+def _words(row: Requirement) -> str:
+    return shortened(row.title, _LONGEST)
+
+
+def _draw_row(ax: Any, place: int, row: Requirement) -> None:
+    """One atom between `place` (above) and `place + 1` (below)."""
+    most = max(int(row.counts.max()), row.bound, 1)
+    base = place + 0.94
+
+    def height(count: Any) -> Any:
+        return base - _TALL * count / most
+
+    for first, last in row.windows:
+        _shade(ax, place, (first, last), _WINDOW, "window")
+    paint, meaning = (_MISSED, "missed") if _fails(row) else (_CHOSEN, "chosen")
+    for first, last in row.chosen:
+        _shade(ax, place, (first, last), paint, meaning)
+        ax.plot([first], [place + 0.1], marker="v", markersize=3.5, color=DARK, gid="witness")
+    ax.axhline(base, color=LINE, linewidth=0.5)
+    steps = np.arange(len(row.counts) + 1) - 0.5
+    counts = np.append(row.counts, row.counts[-1])
+    ax.fill_between(steps, base, height(counts), step="post", color=_COUNT, alpha=0.28, linewidth=0)
+    ax.step(steps, height(counts), where="post", color=_COUNT, linewidth=1.1, gid="count")
+    ax.plot(
+        [steps[0], steps[-1]], [height(row.bound)] * 2, color=DARK, linestyle=(0, (4, 2)),
+        linewidth=0.9, gid="need",
+    )  # fmt: skip
+    _write_spare(ax, base - _TALL / 2, row)
+
+
+def _fails(row: Requirement) -> bool:
+    return row.spare is not None and row.spare < 0
+
+
+def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
+
+    first, last = steps
+    ax.add_patch(
+        library("patches").Rectangle(
+            (first - 0.5, place + 0.04), last - first + 1, 0.9, facecolor=colour, linewidth=0,
+            zorder=0.5, gid=meaning,
+        )
+    )  # fmt: skip
+
+
+def _write_spare(ax: Any, y: float, row: Requirement) -> None:
+    """How many agents there are to spare, and the largest count, right of the row."""
+    spare, most, _ = _beside(row)
+    colour = LINE if row.spare is None else (GOOD if row.spare >= 0 else BAD)
+    for words, shift, paint in ((spare, -0.55, colour), (most, 0.55, LINE)):
+        ax.annotate(
+            words, (1.0, y), xycoords=("axes fraction", "data"), xytext=(4, -shift * SMALL * 1.2),
+            textcoords="offset points", fontsize=SMALL, va="center", color=paint,
+            annotation_clip=False,
+        )  # fmt: skip
+
+
+def _beside(row: Requirement) -> tuple[str, str, float]:
+    """The two texts right of a row, and the inches they take."""
+    spare = row.spare
+    if spare is None:
+        words = "not used"
+    else:
+        words = f"{number(spare)} to spare" if spare >= 0 else f"{number(-spare)} missing"
+    most = f"peak {row.counts.max()}"
+    wide = max(text_size(text, SMALL)[0] for text in (words, most))
+    return words, most, wide / POINTS + 0.1
+
+
+def _entries(rows: Sequence[Requirement]) -> list[Entry]:
+
+    if not rows:
+        return []
+    line, patch = library("lines").Line2D, library("patches").Patch
+    return [
+        Entry(line([], [], color=_COUNT, linewidth=1.1), "agents counted"),
+        Entry(line([], [], color=DARK, linestyle=(0, (4, 2)), linewidth=0.9), "need"),
+        Entry(patch(facecolor=_WINDOW), "can be asked for"),
+        *(
+            [Entry(patch(facecolor=_CHOSEN), "satisfied here")]
+            if not all(map(_fails, rows))
+            else []
+        ),
+        *([Entry(patch(facecolor=_MISSED), "missed here")] if any(map(_fails, rows)) else []),
+        Entry(line([], [], linestyle="none", marker="v", markersize=3.5, color=DARK), "witness"),
+    ]

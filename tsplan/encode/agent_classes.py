@@ -1,0 +1,155 @@
+"""From a mission's team to classes of interchangeable agents, each with its own graph.
+
+Two groups of robots fall into one class when nothing in the problem tells them apart: they share
+the capabilities that the problem names and move over the map in the same way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from tsplan.encode.flow_network import ClassGraph
+from tsplan.exact import exact
+from tsplan.milp.model import Floats, Ints
+from tsplan.mission import Group
+from tsplan.ts import TransitionSystem
+
+
+@dataclass(frozen=True, eq=False)
+class MapArrays:
+    """A transition system as arrays: states and edges by number."""
+
+    names: tuple[str, ...]
+    number: Mapping[str, int]
+    tail: Ints
+    head: Ints
+    group: Ints
+    capacity: tuple[tuple[int, int], ...]  # (state, most agents there)
+    group_capacity: tuple[int, ...]
+
+    def states_with(self, system: TransitionSystem, label: str) -> Ints:
+        """Numbers of the states that carry a label."""
+        return np.array([self.number[name] for name in system.labels[label]], dtype=np.int64)
+
+
+@dataclass(frozen=True, eq=False)
+class AgentClass:
+    """Interchangeable agents: their graph, and how many of each group of the team start where."""
+
+    graph: ClassGraph
+    groups: tuple[int, ...]  # positions in the mission's team
+
+
+@lru_cache(maxsize=16)
+def map_arrays(system: TransitionSystem) -> MapArrays:
+    """The arrays of a map; kept, since several problems may be posed on one map."""
+    names = tuple(system.states)
+    number = {name: index for index, name in enumerate(names)}
+    pairs = list(system.edges)
+    group = np.full(len(pairs), -1, dtype=np.int64)
+    position = {pair: index for index, pair in enumerate(pairs)}
+    for index, (_, members) in enumerate(system.capacity_groups):
+        for pair in members:
+            group[position[pair]] = index
+    return MapArrays(
+        names=names,
+        number=number,
+        tail=np.array([number[source] for source, _ in pairs], dtype=np.int64),
+        head=np.array([number[target] for _, target in pairs], dtype=np.int64),
+        group=group,
+        capacity=tuple(
+            (number[state.name], state.capacity)
+            for state in system.states.values()
+            if state.capacity is not None
+        ),
+        group_capacity=tuple(capacity for capacity, _ in system.capacity_groups),
+    )
+
+
+@lru_cache(maxsize=64)
+def _durations(system: TransitionSystem, class_name: str) -> Ints:
+    """Duration of every edge for one class name; 0 where the class cannot go."""
+    edges = system.edges.values()
+    return np.array([edge.duration_for(class_name) or 0 for edge in edges], dtype=np.int64)
+
+
+@lru_cache(maxsize=64)
+def _costs(system: TransitionSystem, class_name: str) -> Floats:
+    """Cost of every edge for one class name, as a whole number of the system's cost units."""
+    unit = system.cost_unit
+    able = (edge.duration_for(class_name) is not None for edge in system.edges.values())
+    return np.array(
+        [
+            float(exact(edge.cost_for(class_name)) / unit) if usable else 0.0
+            for edge, usable in zip(system.edges.values(), able, strict=True)
+        ],
+        dtype=np.float64,
+    )
+
+
+def _allowed(
+    system: TransitionSystem, capabilities: frozenset[str]
+) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Which edges agents with these capabilities may use, by the needs of edges and states."""
+    closed = {s.name for s in system.states.values() if s.needs and not s.needs <= capabilities}
+    return np.array(
+        [
+            (not edge.needs or edge.needs <= capabilities)
+            and (not closed or (edge.source not in closed and edge.target not in closed))
+            for edge in system.edges.values()
+        ],
+        dtype=np.bool_,
+    )
+
+
+def agent_classes(
+    system: TransitionSystem, team: Sequence[Group], named: Iterable[str], *, priced: bool = False
+) -> tuple[AgentClass, ...]:
+    """The classes of a team, given the capabilities that the problem names.
+
+    The graphs have costs where these matter (`priced`), and zeros otherwise.
+    """
+    arrays = map_arrays(system)
+    known = frozenset(named)
+    needed = _needed(system)
+    permitted: dict[frozenset[str], np.ndarray[tuple[int], np.dtype[np.bool_]]] = {}
+    classes: dict[tuple[frozenset[str], bytes, bytes], AgentClass] = {}
+    for index, group in enumerate(team):
+        keys = group.capabilities & needed
+        if keys not in permitted:
+            permitted[keys] = _allowed(system, keys)
+        durations = _durations(system, group.class_name)
+        costs = _costs(system, group.class_name) if priced else np.zeros(len(durations))
+        usable = np.where(permitted[keys], durations, 0)
+        key = (group.capabilities & known, usable.tobytes(), costs.tobytes())
+        start = np.zeros(len(arrays.names), dtype=np.int64)
+        for state, count in group.starts:
+            start[arrays.number[state]] += count
+        if key in classes:
+            old = classes[key]
+            graph = replace(old.graph, start=old.graph.start + start)
+            classes[key] = AgentClass(graph, (*old.groups, index))
+            continue
+        chosen = np.flatnonzero(usable)
+        graph = ClassGraph(
+            capabilities=group.capabilities & known,
+            start=start,
+            tail=arrays.tail[chosen],
+            head=arrays.head[chosen],
+            duration=usable[chosen],
+            cost=costs[chosen],
+            group=arrays.group[chosen],
+        )
+        classes[key] = AgentClass(graph, (index,))
+    return tuple(classes.values())
+
+
+def _needed(system: TransitionSystem) -> frozenset[str]:
+    """Every capability that some state or edge asks for."""
+    edges = (edge.needs for edge in system.edges.values() if edge.needs)
+    states = (state.needs for state in system.states.values() if state.needs)
+    return frozenset().union(*edges, *states)

@@ -1,0 +1,229 @@
+"""How many agents each group has, once it is known where the groups are.
+
+With occupancy and witnesses fixed, a swarm is a flow between given bounds. Chosen are the counts
+that keep the objectives' values and make the smallest sub-swarm as large as possible; then those
+whose splits are most even: the least sum, over all splits, of the largest part minus the smallest.
+Counts are whole numbers throughout.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from scipy import sparse
+
+from tsplan.encode.flow_network import ClassColumns
+from tsplan.encode.groups.occupancy import Occupancy
+from tsplan.encode.groups.swarm_model import SwarmModel, agents_at_states
+from tsplan.milp.model import INFINITY, Floats, Ints, Model, Tag
+
+Solve = Callable[[Model], "Floats | None"]
+
+_SLACK = 1e-6
+_HALF = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Sizes:
+    """Counts of agents that are sub-swarms where their group column is 1, one a row.
+
+    The count of row i is `base[i]` and the sum of the columns `flow` whose `index` is i.
+    """
+
+    index: Ints
+    flow: Ints
+    group: Ints
+    base: Floats
+    most: Floats
+
+
+def sizes(model: SwarmModel) -> Sizes:
+    """All counts of sub-swarms: at states, and inside edges that take more than a step."""
+    parts: list[Sizes] = []
+    rows = 0
+    for item, swarm in zip(model.agents.classes, model.swarms, strict=True):
+        part = _sizes(item, swarm)
+        parts.append(replace(part, index=part.index + rows))
+        rows += len(part.group)
+    return Sizes(
+        *(np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(Sizes))
+    )
+
+
+def _sizes(item: ClassColumns, swarm: Occupancy) -> Sizes:
+    at, columns = agents_at_states(item, swarm)
+    state, _, own = swarm.reached()
+    edge, _, mine = item.unrolled()
+    long = item.graph.duration[edge] > 1  # entered before the horizon, so inside at some step
+    count = len(own) + int(long.sum())
+    base = np.zeros(count)
+    if swarm.horizon == 0:
+        base[: len(own)] = item.graph.start[state]
+    return Sizes(
+        index=np.concatenate([at, np.arange(len(own), count)]),
+        flow=np.concatenate([columns, mine[long]]),
+        group=np.concatenate([own, swarm.entered.unrolled()[2][long]]),
+        base=base,
+        most=np.full(count, float(item.graph.agents)),
+    )
+
+
+def with_smallest(model: Model, found: Sizes, largest: float) -> Model:
+    """The model with one more column, the last: at most the size of every sub-swarm.
+
+    `size >= smallest - most * (1 - group)`.
+    """
+    count = len(found.group)
+    column = model.size.columns
+    rows = np.arange(count)
+    entries = (
+        np.concatenate([np.ones(len(found.flow)), -np.ones(count), -found.most]),
+        (
+            np.concatenate([found.index, rows, rows]),
+            np.concatenate([found.flow, np.full(count, column), found.group]),
+        ),
+    )
+    block = sparse.csr_array(sparse.coo_array(entries, shape=(count, column + 1)))
+    least = -found.most - found.base
+    return _extended(model, (np.zeros(1), np.array([largest])), block, least)
+
+
+def _extended(
+    model: Model, bounds: tuple[Floats, Floats], block: sparse.csr_array, least: Floats
+) -> Model:
+    """The model with more columns (whole numbers) and more rows `block @ x >= least`."""
+    more = len(bounds[0])
+    wide = sparse.csr_array(
+        sparse.hstack([model.matrix, sparse.csr_array((model.matrix.shape[0], more))])
+    )
+    begin = wide.shape[0]
+    return replace(
+        model,
+        objective=np.concatenate([model.objective, np.zeros(more)]),
+        lower=np.concatenate([model.lower, bounds[0]]),
+        upper=np.concatenate([model.upper, bounds[1]]),
+        integer=np.concatenate([model.integer, np.ones(more, dtype=np.bool_)]),
+        matrix=sparse.csr_array(sparse.vstack([wide, block], format="csr")),
+        row_lower=np.concatenate([model.row_lower, least]),
+        row_upper=np.concatenate([model.row_upper, np.full(len(least), INFINITY)]),
+        tags=(*model.tags, Tag("size", begin, begin + len(least))),
+    )
+
+
+def settled(model: Model, fixed: Ints, values: Floats) -> tuple[Model, Ints]:
+    """The model of the columns that are not `fixed` to their values, and which these are.
+
+    Columns whose bounds meet are gone too.
+    """
+    lower, upper = model.lower.copy(), model.upper.copy()
+    lower[fixed] = upper[fixed] = np.round(values[fixed])
+    free = np.flatnonzero(lower < upper)
+    done = np.setdiff1d(np.arange(len(lower)), free)
+    shift = model.matrix[:, done] @ lower[done]
+    left = sparse.csr_array(model.matrix[:, free])
+    used = np.diff(left.indptr) > 0
+    broken = (shift < model.row_lower - _SLACK) | (shift > model.row_upper + _SLACK)
+    kept = np.flatnonzero(used | broken)
+    small = replace(
+        model,
+        objective=model.objective[free],
+        lower=lower[free],
+        upper=upper[free],
+        integer=model.integer[free],
+        matrix=sparse.csr_array(left[kept]),
+        row_lower=(model.row_lower - shift)[kept],
+        row_upper=(model.row_upper - shift)[kept],
+        tags=(Tag("settled", 0, len(kept)),),
+        offset=float(model.offset + model.objective[done] @ lower[done]),
+    )
+    return small, free
+
+
+def spread(
+    model: Model, place: Ints, swarms: tuple[tuple[ClassColumns, Occupancy], ...]
+) -> Model | None:
+    """The model whose objective is how uneven the splits are; None where nothing splits.
+
+    `place` gives the position of every column of the whole model in this one, or -1.
+    """
+    parts: dict[tuple[int, int, int], list[int]] = {}
+    for number, (item, _) in enumerate(swarms):
+        edge, step, column = item.unrolled()
+        here = place[column]
+        for state, when, at in zip(
+            item.graph.tail[edge][here >= 0].tolist(),
+            step[here >= 0].tolist(),
+            here[here >= 0].tolist(),
+            strict=True,
+        ):
+            parts.setdefault((number, state, when), []).append(at)
+    split = [members for members in parts.values() if len(members) > 1]
+    if not split:
+        return None
+    columns = model.size.columns
+    rows, where, what = [], [], []
+    count = 0
+    for number, members in enumerate(split):
+        high, low = columns + 2 * number, columns + 2 * number + 1
+        for member in members:
+            rows += [count, count, count + 1, count + 1]
+            where += [high, member, member, low]
+            what += [1.0, -1.0, 1.0, -1.0]
+            count += 2
+    shape = (count, columns + 2 * len(split))
+    block = sparse.csr_array(sparse.coo_array((what, (rows, where)), shape=shape))
+    more = 2 * len(split)
+    wide = _extended(model, (np.zeros(more), np.full(more, INFINITY)), block, np.zeros(count))
+    objective = np.zeros(columns + more)
+    objective[columns::2] = 1.0
+    objective[columns + 1 :: 2] = -1.0
+    return wide.with_objective(objective)
+
+
+def even_shares(
+    model: SwarmModel, whole: Model, values: Floats, fixed: Ints, solve: Solve
+) -> Floats:
+    """`values` with the counts of this module's rule, or unchanged where time runs out.
+
+    `whole` is the counted model with the rows of all that must be kept.
+    """
+    found = sizes(model)
+    largest = float(found.most.max(initial=0.0))
+    wide = with_smallest(_placeless(model, whole, values), found, largest)
+    small, free = settled(wide, fixed, np.append(values, 0.0))
+    goal = np.zeros(small.size.columns)
+    smallest = int(np.flatnonzero(free == whole.size.columns)[0])
+    goal[smallest] = -1.0
+    best = solve(small.with_objective(goal))
+    if best is None:
+        return values
+    values = _placed(values, free, best)
+    lower = small.lower.copy()
+    lower[smallest] = np.floor(best[smallest] + _SLACK)
+    place = np.full(whole.size.columns + 1, -1)
+    place[free] = np.arange(len(free))
+    pairs = tuple(zip(model.agents.classes, model.swarms, strict=True))
+    uneven = spread(small.with_bounds(lower, small.upper), place, pairs)
+    if uneven is None:
+        return values
+    evened = solve(uneven)
+    if evened is None:
+        return values
+    return _placed(values, free, evened[: len(free)])
+
+
+def _placeless(model: SwarmModel, whole: Model, values: Floats) -> Model:
+    """The model without flows on edges that no group enters."""
+    upper = whole.upper.copy()
+    for item, swarm in zip(model.agents.classes, model.swarms, strict=True):
+        flow, group = item.unrolled()[2], swarm.entered.unrolled()[2]
+        upper[flow[values[group] < _HALF]] = 0.0
+    return whole.with_bounds(whole.lower, upper)
+
+
+def _placed(values: Floats, free: Ints, found: Floats) -> Floats:
+    placed = np.append(values, 0.0)
+    placed[free] = found
+    return placed[:-1]

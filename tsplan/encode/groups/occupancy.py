@@ -1,0 +1,146 @@
+"""Where a swarm is: which states are occupied at which step, which edges are entered when.
+
+A column is 1 where at least one agent is, so nothing here depends on how many agents there are.
+Groups are not conserved as agents are: who leaves a state by several edges splits, who comes to it
+by several merges. What is kept is that an occupied state is left by some edge, and that a state is
+occupied exactly when somebody comes. As an LP this is nearly a flow whose splits are paid for, so
+its bound on the number of splits is good.
+
+The model of swarms is the project's own; the idea that a whole swarm is told only which part of it
+goes where comes from "Temporal Logic Swarm Control with Splitting and Merging" (ICRA 2023).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tsplan.encode.flow_network import ClassColumns, ClassGraph, laid_out
+from tsplan.milp.model import Draft, Floats, Ints
+
+
+@dataclass(frozen=True, eq=False)
+class Occupancy:
+    """Columns of one swarm: its edges entered, and its states, from their earliest step on."""
+
+    entered: ClassColumns
+    states: Ints  # column of each state at its earliest step; consecutive steps follow
+    horizon: int
+
+    def reached(self) -> tuple[Ints, Ints, Ints]:
+        """State, step and column of everything that can be occupied, as equal-length arrays."""
+        spans = np.maximum(self.horizon + 1 - self.entered.arrival, 0)
+        state = np.repeat(np.arange(len(spans)), spans)
+        within = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans)
+        return state, self.entered.arrival[state] + within, self.states[state] + within
+
+    def at(self, state: Ints, step: Ints) -> Ints:
+        """Columns of states that can be reached by the given steps."""
+        return np.asarray(self.states[state] + step - self.entered.arrival[state])
+
+    def position(self, state: Ints, step: Ints) -> Ints:
+        """Places of states and steps in what `reached` lists."""
+        return self.at(state, step) - int(self.states[0])
+
+    def inside(self) -> tuple[Ints, Ints]:
+        """Steps and columns of groups strictly between the ends of an edge, up to the horizon."""
+        edge, step, column = self.entered.unrolled()
+        spans = np.maximum(
+            np.minimum(self.entered.graph.duration[edge] - 1, self.horizon - step), 0
+        )
+        within = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans) + 1
+        return np.repeat(step, spans) + within, np.repeat(column, spans)
+
+
+def occupancy(graph: ClassGraph, horizon: int, draft: Draft) -> Occupancy:
+    """Columns of one swarm, and the rows that tie them to each other."""
+    entered = laid_out(graph, horizon, draft, upper=1.0)
+    spans = np.maximum(horizon + 1 - entered.arrival, 0)
+    columns = draft.columns(int(spans.sum()), upper=1.0)
+    base = int(columns[0]) if len(columns) else 0
+    made = Occupancy(entered, base + np.cumsum(spans) - spans, horizon)
+    _begin(made, draft)
+    _tie(made, draft)
+    return made
+
+
+def _begin(made: Occupancy, draft: Draft) -> None:
+    """The starts are occupied at step 0."""
+    starts = np.flatnonzero(made.entered.graph.start)
+    at = made.at(starts, np.zeros(len(starts), dtype=np.int64))
+    draft.rows(np.arange(len(at)), at, 1.0, lower=np.ones(len(at)), upper=1.0, kind="start")
+
+
+def _tie(made: Occupancy, draft: Draft) -> None:
+    """An occupied state is left and entered by some edge, and what an edge joins is occupied."""
+    graph = made.entered.graph
+    edge, step, column = made.entered.unrolled()
+    end = step + graph.duration[edge]
+    ends = end <= made.horizon
+    tails = made.at(graph.tail[edge], step)
+    heads = made.at(graph.head[edge][ends], end[ends])
+    _at_most(column, tails, draft)
+    _at_most(column[ends], heads, draft)
+    _, when, own = made.reached()
+    for members, joined, some in (
+        (column, tails, own[when < made.horizon]),
+        (column[ends], heads, own[when > 0]),
+    ):
+        place = np.full(int(own.max(initial=-1)) + 1, -1)
+        place[some] = np.arange(len(some))
+        draft.rows(
+            np.concatenate([np.arange(len(some)), place[joined]]),
+            np.concatenate([some, members]),
+            np.concatenate([-np.ones(len(some)), np.ones(len(members))]),
+            lower=np.zeros(len(some)),
+            upper=np.inf,
+            kind="occupied",
+        )
+
+
+def _at_most(columns: Ints, others: Ints, draft: Draft) -> None:
+    count = len(columns)
+    draft.rows(
+        np.tile(np.arange(count), 2),
+        np.concatenate([others, columns]),
+        np.repeat([1.0, -1.0], count),
+        lower=np.zeros(count),
+        upper=np.inf,
+        kind="occupied",
+    )
+
+
+def bound_groups(swarms: Sequence[Occupancy], most: int, draft: Draft) -> None:
+    """At every step at most `most` sub-swarms: occupied states, and groups inside edges."""
+    steps, columns = [], []
+    for swarm in swarms:
+        _, when, own = swarm.reached()
+        between, inside = swarm.inside()
+        steps += [when, between]
+        columns += [own, inside]
+    count = swarms[0].horizon + 1
+    draft.rows(
+        np.concatenate(steps),
+        np.concatenate(columns),
+        1.0,
+        lower=-np.inf,
+        upper=np.full(count, float(most)),
+        kind="sub-swarms",
+    )
+
+
+def split_terms(swarms: Sequence[Occupancy]) -> tuple[Ints, Floats]:
+    """Columns and coefficients of the number of splits.
+
+    Edges entered beyond one for every occupied state before the horizon.
+    """
+    columns, values = [], []
+    for swarm in swarms:
+        entered = swarm.entered.unrolled()[2]
+        _, step, own = swarm.reached()
+        left = own[step < swarm.horizon]
+        columns += [entered, left]
+        values += [np.ones(len(entered)), -np.ones(len(left))]
+    return np.concatenate(columns), np.concatenate(values)

@@ -1,0 +1,148 @@
+"""What one witness asks of the agents at several places at once.
+
+A witness often needs agents at several places at the same step: the states of a label, the tasks
+of a conjunction, both sides of an until. Place by place the LP may serve them one after the other
+with the same agents, a little for every witness. Taken together they give two more rows:
+
+* a witness that needs more agents with a capability at one step than there are is impossible;
+* the visit cut of the union of the places: so many agents must come to the region as a whole, and
+  going from one of its places to another is not coming.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tsplan.encode.count_atoms import Site
+from tsplan.encode.demand_runs import Run
+from tsplan.encode.selection import ALWAYS, Choices
+from tsplan.encode.witness import Lasting
+
+
+class Needs(NamedTuple):
+    """Agents needed at the steps `first .. last` at several places without common states."""
+
+    first: int
+    last: int
+    places: Mapping[Site, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """A union of places that some witness needs at one step, and what each column needs there.
+
+    `always` is what is needed whatever the witnesses are.
+    """
+
+    states: Site
+    columns: Mapping[int, Sequence[Run]]
+    always: Sequence[Run]
+
+
+class Together:
+    """The needs of one capability by the columns that imply them."""
+
+    def __init__(self, needs: Iterable[Lasting], choices: Choices) -> None:
+        self._choices = choices
+        self._own: dict[int, list[Lasting]] = defaultdict(list)
+        self._always: list[Lasting] = []
+        for need in needs:
+            if need.bound.amount <= 0:
+                continue
+            if not need.literal:
+                self._always.append(need)
+            for column in need.literal:
+                self._own[column].append(need)
+        self._begins = np.array([need.first for need in self._always], dtype=np.int64)
+        self._ends = np.array([need.last for need in self._always], dtype=np.int64)
+        self._base = _needs(self._always)
+        self._of = {column: self._implied(column) for column in sorted(self._own)}
+
+    def _implied(self, column: int) -> list[Needs]:
+        """Everything that is needed where `column` is 1, its ancestors' needs included."""
+        own = list(self._own[column])
+        for ancestor in self._choices.ancestors(column):
+            own += self._own.get(ancestor, ())
+        first, last = min(need.first for need in own), max(need.last for need in own)
+        near = np.flatnonzero((self._begins <= last) & (self._ends >= first)).tolist()
+        return _needs(own, [self._always[place] for place in near])
+
+    def most(self) -> tuple[int, dict[int, int]]:
+        """Agents needed at most at one step: in any case, and where a column is 1."""
+        return _most(self._base), {column: _most(needs) for column, needs in self._of.items()}
+
+    def rule_out(self, team: int) -> None:
+        """Refute what needs more than `team` agents at one step."""
+        always, needs = self.most()
+        if always > team:
+            self._choices.refute(ALWAYS, "together")
+        for column, need in needs.items():
+            if need > team:
+                self._choices.refute((column,), "together")
+
+    def regions(self) -> list[Region]:
+        """A region for every set of places that some column needs most agents at, all at once."""
+        unions = {_widest(needs) for needs in self._of.values()} - {frozenset()}
+        found = []
+        for places in sorted(unions, key=sorted):
+            states = tuple(sorted({state for place in places for state in place}))
+            columns = {
+                column: runs
+                for column, needs in self._of.items()
+                for runs in [_totals(needs, places)]
+                if runs
+            }
+            inner = {a for column in columns for a in self._choices.ancestors(column)}
+            leaves = {column: need for column, need in columns.items() if column not in inner}
+            found.append(Region(states, leaves, _totals(self._base, places)))
+        return found
+
+
+def _needs(own: Sequence[Lasting], besides: Sequence[Lasting] = ()) -> list[Needs]:
+    """Needs at places without common states; of places that overlap the neediest stays.
+
+    `besides` are needs that matter only at the steps of `own`.
+    """
+    ordered = sorted(
+        [(need, True) for need in own] + [(need, False) for need in besides],
+        key=lambda pair: (-pair[0].bound.amount, pair[0].bound.states),
+    )
+    edges = sorted({e for need, _ in ordered for e in (need.first, need.last + 1)})
+    found: list[Needs] = []
+    for first, after in itertools.pairwise(edges):
+        active = [pair for pair in ordered if pair[0].first <= first <= pair[0].last]
+        if not any(mine for _, mine in active):
+            continue
+        places: dict[Site, int] = {}
+        for need, _ in active:
+            if all(set(need.bound.states).isdisjoint(place) for place in places):
+                places[need.bound.states] = need.bound.amount
+        found.append(Needs(first, after - 1, places))
+    return found
+
+
+def _most(needs: Sequence[Needs]) -> int:
+    return max((sum(need.places.values()) for need in needs), default=0)
+
+
+def _totals(needs: Sequence[Needs], among: frozenset[Site]) -> list[Run]:
+    """What is needed at some places together, as runs in order."""
+    totals = [
+        Run(n.first, n.last, float(sum(m for place, m in n.places.items() if place in among)))
+        for n in needs
+    ]
+    return [run for run in totals if run.amount]
+
+
+def _widest(needs: Sequence[Needs]) -> frozenset[Site]:
+    """The places needed at the step that needs most agents; none if that is a single place."""
+    if not needs:
+        return frozenset()
+    widest = max(needs, key=lambda need: (sum(need.places.values()), len(need.places)))
+    return frozenset(widest.places) if len(widest.places) > 1 else frozenset()

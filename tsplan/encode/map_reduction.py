@@ -1,0 +1,113 @@
+"""Map reduction: a class's graph between the states that matter, and the way back to real paths.
+
+Kept are the *relevant* states (those at which the formula or an extra constraint counts agents of
+this class, capacities) and the start states. An edge of the reduced graph is a quickest path of the
+full graph through states that are not relevant. The idea and its conditions stand in the project's
+encoding notes (docs/encoding.md):
+
+* every kept state has a unit self-loop, so that waiting can be done at either end of a shortcut;
+* moves are paid by their duration, or not at all;
+* a relevant state with an upper bound on its count (*limited*) also keeps the states next to it:
+  an agent that must leave it may wait just outside.
+
+Where a condition fails, `reduce` answers None and the full graph is used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tsplan.encode.flow_network import ClassGraph
+from tsplan.encode.shortcuts import Kept, shortcuts
+from tsplan.milp.model import Bools, Ints
+from tsplan.search.clock import Clock
+
+_CROWDED = 2  # shortcuts for each edge of the full graph: fewer are worth their shorter ways
+_NEVER = Clock()
+
+
+@dataclass(frozen=True, eq=False)
+class Reduced:
+    """A reduced graph; `paths[e]` are the full graph's edges that reduced edge e stands for."""
+
+    graph: ClassGraph
+    paths: tuple[Ints, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Interest:
+    """Which states matter: `relevant` for any reason, `limited` because of an upper bound."""
+
+    relevant: Bools
+    limited: Bools
+
+
+def whole(graph: ClassGraph) -> Reduced:
+    """The full graph as its own reduction."""
+    return Reduced(graph, tuple(np.arange(len(graph.tail)).reshape(-1, 1)))
+
+
+def reduce(
+    graph: ClassGraph, interest: Interest, horizon: int, clock: Clock = _NEVER
+) -> Reduced | None:
+    """The reduced graph of one class, or None where reduction would not be exact.
+
+    Where the states that matter lie around a hub there may be far more pairs of them than edges;
+    then the full graph is its own reduction. Raises Halted when the clock is over.
+    """
+    unit_wait = graph.wait & (graph.duration == 1)
+    waiting = np.zeros(len(graph.start), dtype=np.bool_)
+    waiting[graph.tail[unit_wait]] = True
+    relevant = _with_parking(graph, interest) | _ends_of_capacities(graph)
+    sources = np.flatnonzero(relevant | (graph.start > 0))
+    if not waiting[sources].all():
+        return None
+    # an agent may leave a limited state by a move that the horizon cuts short
+    longest = np.inf if interest.limited.any() else float(horizon)
+    kept = Kept(sources, relevant, relevant & ~interest.limited)
+    tail, head, paths = shortcuts(graph, kept, longest, clock)
+    if len(paths) > _CROWDED * len(graph.tail) and waiting.all():
+        return whole(graph)
+    return _assemble(graph, sources, (tail, head), paths)
+
+
+def _with_parking(graph: ClassGraph, interest: Interest) -> Bools:
+    """The relevant states and, for limited ones, the states that can be entered from them."""
+    relevant = interest.relevant.copy()
+    relevant[graph.head[interest.limited[graph.tail]]] = True
+    return relevant
+
+
+def _ends_of_capacities(graph: ClassGraph) -> Bools:
+    ends = np.zeros(len(graph.start), dtype=np.bool_)
+    bounded = graph.group >= 0
+    ends[graph.tail[bounded]] = True
+    ends[graph.head[bounded]] = True
+    return ends
+
+
+def _assemble(
+    graph: ClassGraph, sources: Ints, ends: tuple[Ints, Ints], paths: Sequence[Ints]
+) -> Reduced:
+    """Unit waits, edges with a capacity of their own, and shortcuts as one graph."""
+    kept = np.zeros(len(graph.start), dtype=np.bool_)
+    kept[sources] = True
+    own = np.flatnonzero(
+        (graph.wait & (graph.duration == 1) & kept[graph.tail]) | (graph.group >= 0)
+    )
+    tail, head = ends
+    duration = np.array([graph.duration[path].sum() for path in paths], dtype=np.int64)
+    cost = np.array([graph.cost[path].sum() for path in paths], dtype=np.float64)
+    joined = ClassGraph(
+        capabilities=graph.capabilities,
+        start=graph.start,
+        tail=np.concatenate([graph.tail[own], tail]),
+        head=np.concatenate([graph.head[own], head]),
+        duration=np.concatenate([graph.duration[own], duration]),
+        cost=np.concatenate([graph.cost[own], cost]),
+        group=np.concatenate([graph.group[own], np.full(len(tail), -1)]),
+    )
+    return Reduced(joined, (*own.reshape(-1, 1), *paths))

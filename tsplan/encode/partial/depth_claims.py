@@ -1,0 +1,106 @@
+"""Claims that parts of a formula hold, for the orders that count what holds by its depth.
+
+A claim is an indicator of a pair (a place in the tree, a step): where it is 1 the sub-formula holds
+at that step. Along the way from a claim to the root no other claim is made. Of all claims that a
+plan allows, those at the topmost pairs that hold are lexicographically the best: claiming such a
+pair in place of everything below it gains one at its own depth and loses only deeper ones. So one
+direction suffices, and the best counts of claims are the best counts of pairs that hold while no
+ancestor of theirs does. Below `or` and `F` nothing is claimed, since where such a child holds its
+parent does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tsplan.encode.selection import Choices
+from tsplan.encode.witness import Request
+from tsplan.logic import Eventually, Formula, Or, positive
+from tsplan.logic.witness_steps import Spot, reach
+from tsplan.milp.model import Draft, Ints
+
+
+@dataclass(frozen=True, eq=False)
+class Claims:
+    """The columns of the claims at each depth, and the duties they stand for."""
+
+    by_depth: tuple[Ints, ...]
+    requests: tuple[Request, ...]
+
+
+def claim(
+    everywhere: Sequence[Spot],
+    deepest: int,
+    choices: Choices,
+    draft: Draft,
+    possible: Callable[[Formula, int], bool],
+) -> Claims:
+    """Columns and rows for claims at the spots of a tree down to the depth `deepest`.
+
+    `possible(node, step)` is False only where a node of the positive normal form holds in no plan.
+    """
+    by_depth: list[list[int]] = [[] for _ in range(deepest + 1)]
+    requests: list[Request] = []
+    covers: list[dict[int, tuple[int, ...]]] = []
+    for spot in everywhere:
+        if spot.depth > deepest:
+            break
+        above = _above(spot, everywhere, covers)
+        node = positive(spot.node)
+        made: dict[int, tuple[int, ...]] = {}
+        for step in spot.steps:
+            made[step] = above[step]
+            if _claimable(spot, everywhere) and possible(node, step):
+                column = int(choices.free([step])[0])
+                by_depth[spot.depth].append(column)
+                requests.append((node, step, (column,)))
+                cover = _cover(column, above[step], draft, leaf=spot.depth == deepest)
+                made[step] = (cover,)
+        covers.append(made)
+    columns = tuple(np.array(made, dtype=np.int64) for made in by_depth)
+    return Claims(columns, tuple(requests))
+
+
+def _claimable(spot: Spot, everywhere: Sequence[Spot]) -> bool:
+    return spot.parent < 0 or not isinstance(everywhere[spot.parent].node, Or | Eventually)
+
+
+def _above(
+    spot: Spot, everywhere: Sequence[Spot], covers: Sequence[dict[int, tuple[int, ...]]]
+) -> dict[int, tuple[int, ...]]:
+    """For every step of a spot, columns of which one is 1 where some ancestor is claimed."""
+    found: dict[int, dict[int, None]] = {step: {} for step in spot.steps}
+    if spot.parent >= 0:
+        parent = everywhere[spot.parent]
+        for step in parent.steps:
+            for later in reach(parent.node, spot.child, step):
+                found[later].update(dict.fromkeys(covers[spot.parent][step]))
+    return {step: tuple(columns) for step, columns in found.items()}
+
+
+def _cover(column: int, above: Sequence[int], draft: Draft, *, leaf: bool) -> int:
+    """A column that is 1 where a pair or an ancestor of it is claimed; never both are."""
+    if not above:
+        return column
+    count = len(above)
+    index = np.arange(count)
+    members = [np.asarray(above), np.full(count, column)]
+    if leaf:
+        draft.rows(
+            np.tile(index, 2), np.concatenate(members), 1.0,
+            lower=np.full(count, -np.inf), upper=1.0, kind="claim",
+        )  # fmt: skip
+        return column
+    cover = int(draft.columns(1, upper=1.0)[0])
+    draft.rows(
+        np.tile(index, 3),
+        np.concatenate([*members, np.full(count, cover)]),
+        np.repeat([1.0, 1.0, -1.0], count),
+        lower=np.full(count, -np.inf),
+        upper=0.0,
+        kind="claim",
+    )
+    return cover

@@ -1,0 +1,222 @@
+"""Settling what is to hold: the best that a plan can satisfy, level by level."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from math import floor, lcm
+
+import numpy as np
+
+from tsplan.encode.assemble import Encoded
+from tsplan.encode.options import Idea
+from tsplan.encode.partial.conflict_graph import Rivals, without_rivalry
+from tsplan.encode.partial.linear import Sum
+from tsplan.encode.partial.neighbourhood import Improving
+from tsplan.encode.partial.partial_model import Claimed, Ground, Wish, claimed, valued
+from tsplan.encode.partial.scaling import aim_at, below, by_depth, chunks
+from tsplan.exact import exact
+from tsplan.logic import Formula
+from tsplan.logic.witness_steps import spots
+from tsplan.milp.model import Floats
+from tsplan.milp.solution import StoppedBy
+from tsplan.search.clock import Clock
+from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Point, Reached
+from tsplan.search.search import Found, Search
+from tsplan.search.target import Target
+
+Tell = Callable[[str, Point | None, float | None, float | None], None]
+
+_PART = 0.8  # of the time limit that settling may take
+_PATIENCE = 30.0  # seconds before the general solver takes over
+
+
+@dataclass(frozen=True, eq=False)
+class Settled:
+    """The best point known, what is proven of each level, and what ended the search."""
+
+    point: Point | None
+    levels: tuple[Reached, ...]
+    proven: bool
+    infeasible: bool
+    stopped_by: StoppedBy | None
+    size: tuple[int, int, int, int]
+
+
+@dataclass(eq=False)
+class Settling:
+    """Searches one ground for what holds at best.
+
+    `name` is what the objective is called, `worth` what a point comes to in it by its moves.
+    """
+
+    ground: Ground
+    effort: Effort
+    clock: Clock
+    tell: Tell
+    name: str
+    worth: Callable[[Point], float]
+    _point: Point | None = field(default=None, init=False)
+    _levels: list[Reached] = field(default_factory=list, init=False)
+    _proven: bool = field(default=True, init=False)
+    _stopped: StoppedBy | None = field(default=None, init=False)
+    _size: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), init=False)
+
+    def __post_init__(self) -> None:
+        left = self.clock.left
+        if left is not None:
+            self.clock = self.clock.within(_PART * left)
+
+    # --- weights -----------------------------------------------------------------------------
+
+    def weights(
+        self,
+        demand: Formula,
+        wishes: Sequence[Wish],
+        levels: Mapping[int, Sequence[tuple[int, Fraction]]],
+        *,
+        refuted: bool = False,
+    ) -> Settled:
+        """Maximise the weighted worth of wishes, the highest level first.
+
+        `levels` has the numbers of wishes and their weights. `refuted` says that no plan reaches
+        everything at the first of them.
+        """
+        with self.clock.timed("build"):
+            model = valued(self.ground, demand, wishes)
+        encoded = model.encoded
+        for level in sorted(levels, reverse=True):
+            entries = levels[level]
+            total = Sum.total((model.worth[number], weight) for number, weight in entries)
+            most = _total(entries)
+            units = lcm(*(wishes[n].denominator * weight.denominator for n, weight in entries))
+            aim = aim_at(total, units, encoded.model.size.columns)
+            if refuted and not self._levels:
+                encoded = below(encoded, aim, most)
+            others = sum((_total(levels[lower]) for lower in levels if lower < level), Fraction(0))
+            found = self._best(encoded, aim, model.rivals, self._bounded(others))
+            certain = self._noted(found)
+            if found.objective is None:
+                return self._settled(infeasible=found.proven)
+            reached = min(aim.own(found.objective if certain else found.bound), float(most))
+            self._levels.append(Reached(str(level), aim.own(found.objective), reached))
+            kept = aim.kept(encoded.model, found.objective, "kept")
+            encoded = replace(encoded, model=kept)
+        return self._settled()
+
+    def _bounded(self, others: Fraction) -> Callable[[float], float | None]:
+        """A bound on all levels from one on the present level; `others` is all that may follow."""
+        known = [level.bound for level in self._levels]
+
+        def bounded(own: float) -> float | None:
+            parts = [exact(bound) for bound in known if bound is not None]
+            if len(parts) < len(known) or not np.isfinite(own):
+                return None
+            return float(sum(parts, exact(own) + others))
+
+        return bounded
+
+    # --- depths ------------------------------------------------------------------------------
+
+    def depths(self, tree: Formula, *, together: bool, refuted: bool) -> Settled:
+        """Maximise how many pairs hold at each depth without an ancestor, depth by depth.
+
+        `together` settles several depths in one go where exact weights allow it. `refuted` says
+        that the whole tree holds in no plan.
+        """
+        deepest = max(spot.depth for spot in spots(tree))
+        every = claimed(self.ground, tree, deepest).claims.by_depth
+        counts = [len(columns) for columns in every]
+        counts[0] = 0 if refuted else counts[0]
+        known: dict[int, tuple[float, float]] = {0: (0.0, 0.0)} if refuted else {}
+        bounds: dict[int, float | None] = {d: 0.0 for d, n in enumerate(counts) if not n}
+        for chunk in chunks(counts, together=together) or [(0,)]:  # some plan is needed
+            with self.clock.timed("build"):
+                model = claimed(self.ground, tree, chunk[-1])
+            columns = model.encoded.model.size.columns
+            aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
+            found = self._best(_within(model, known), aim, model.rivals, lambda _: None)
+            surest, certain = self._proven, self._noted(found)
+            if found.values is None:
+                return self._settled(infeasible=found.proven)
+            made = {d: float(found.values[model.claims.by_depth[d]].round().sum()) for d in chunk}
+            known |= {d: (n, n if surest and certain else np.inf) for d, n in made.items()}
+            if not surest:
+                bounds |= dict.fromkeys(chunk)
+            elif certain:
+                bounds |= made
+            else:
+                unit = -aim.vector.min()
+                first = min(floor(-found.bound / unit), counts[chunk[0]])
+                bounds |= {**dict.fromkeys(chunk), chunk[0]: float(first)}
+        values = {depth: known.get(depth, (0.0, 0.0))[0] for depth in range(len(counts))}
+        self._levels = [Reached(str(d), value, bounds.get(d)) for d, value in values.items()]
+        return self._settled()
+
+    # --- search ------------------------------------------------------------------------------
+
+    def _best(
+        self,
+        encoded: Encoded,
+        aim: Target,
+        rivals: Rivals,
+        bounded: Callable[[float], float | None],
+    ) -> Found:
+        """Search for the best point; `bounded` makes a bound of the objective from the aim's."""
+        encoded = without_rivalry(encoded, aim.vector, rivals, self.clock)
+        best: float | None = None
+
+        def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
+            nonlocal best
+            point = None if values is None else Point(encoded, values, tight=True)
+            if point is not None:
+                self._point = point
+                best = self.worth(point)
+            told = None if bound is None else bounded(aim.own(bound))
+            if point is not None or told is not None:
+                self.tell(self.name, point, best, told)
+
+        size = encoded.model.size
+        self._size = (size.columns, size.integers, size.rows, size.nonzeros)
+        effort = replace(self.effort, ideas=self.effort.ideas - {Idea.CONTINUOUS})
+        search = Search(encoded, aim, effort, self.clock, report)
+        search.patience = _PATIENCE
+        former = None
+        if self._point is not None:
+            former = search.adopt(self._point.values[self._point.encoded.flows])
+        start = Improving(encoded, aim, self.effort, self.clock).best(former)
+        return search.minimise(start)
+
+    def _noted(self, found: Found) -> bool:
+        """Whether a search was carried to its end; if not, nothing after it is certain."""
+        certain = found.proven and found.stopped_by is None
+        self._proven = self._proven and certain
+        self._stopped = self._stopped or found.stopped_by
+        return certain
+
+    def _settled(self, *, infeasible: bool = False) -> Settled:
+        proven = self._proven and self._point is not None
+        stopped = None
+        if not proven and not infeasible:
+            stopped = self._stopped or self.clock.stopped_by or StoppedBy.PRECISION
+        levels = tuple(self._levels)
+        none = infeasible and self._point is None
+        return Settled(self._point, levels, proven, none, stopped, self._size)
+
+
+def _total(entries: Sequence[tuple[int, Fraction]]) -> Fraction:
+    """What the wishes of a level are worth together."""
+    return sum((weight for _, weight in entries), Fraction(0))
+
+
+def _within(model: Claimed, known: Mapping[int, tuple[float, float]]) -> Encoded:
+    """The model with as many claims at the depths settled before."""
+    inner = model.encoded.model
+    for depth, (least, most) in known.items():
+        vector = np.zeros(inner.size.columns)
+        vector[model.claims.by_depth[depth]] = 1.0
+        if vector.any():
+            inner = inner.with_row(vector, least, most, "kept")
+    return replace(model.encoded, model=inner)

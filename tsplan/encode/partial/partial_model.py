@@ -1,0 +1,140 @@
+"""The models of missions that hold as far as possible."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from tsplan.encode.assemble import Asking, Encoded
+from tsplan.encode.flow_network import Network
+from tsplan.encode.partial.conflict_graph import Rivals, team_rows
+from tsplan.encode.partial.depth_claims import Claims, claim
+from tsplan.encode.partial.fraction_terms import FractionEncoder
+from tsplan.encode.partial.linear import Sum
+from tsplan.encode.robustness_bound import Outlook
+from tsplan.encode.selection import ALWAYS
+from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
+from tsplan.logic import Formula, conjunction, positive, simplify
+from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares_of
+from tsplan.logic.witness_steps import spots
+from tsplan.milp.model import Draft
+from tsplan.mission import Mission, Preference
+
+
+@dataclass(frozen=True, eq=False)
+class Wish:
+    """A tree that should hold, as a whole or as far as possible."""
+
+    tree: Formula
+    partial: bool
+
+    @property
+    def whole(self) -> Formula:
+        """The formula that holds where all of the tree does."""
+        return simplify(positive(self.tree))
+
+    @property
+    def denominator(self) -> int:
+        """What the wish is worth is a multiple of one over this."""
+        return denominator(self.tree) if self.partial else 1
+
+
+def wish_of(mission: Mission, preference: Preference) -> Wish:
+    """A preference as a wish."""
+    return Wish(mission.tree(preference.formula), preference.partial)
+
+
+def demand_of(mission: Mission) -> Formula:
+    """What must hold in any case, in positive normal form."""
+    return conjunction([]) if mission.partial else mission.goal
+
+
+def everything(demand: Formula, wishes: Sequence[Wish]) -> Formula:
+    """A positive formula that has all sub-formulas that may be asked for."""
+    return conjunction([demand, *(positive(w.tree) if w.partial else w.whole for w in wishes)])
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """What models are made of: `assemble` makes that of all plans for what is asked of it."""
+
+    assemble: Callable[[Asking], Encoded]
+    horizon: int
+
+
+@dataclass(frozen=True, eq=False)
+class Valued:
+    """A model and what each wish is worth in it."""
+
+    encoded: Encoded
+    rivals: Rivals
+    worth: tuple[Sum, ...]
+
+
+def valued(ground: Ground, demand: Formula, wishes: Sequence[Wish]) -> Valued:
+    """The model in which `demand` holds and every wish is worth its fraction, or 1 as a whole."""
+    worth: list[Sum] = []
+    demands: list[Demand] = []
+
+    def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
+        requests: list[Request] = [(demand, 0, ALWAYS)]
+        for wish in wishes:
+            if wish.partial:
+                hope = hopes(wish.tree, encoder.outlook, ground.horizon)
+                parts = FractionEncoder(draft, encoder.choices, hope)
+                worth.append(parts.encode(wish.tree))
+                requests += parts.requests
+            else:
+                (column,) = encoder.choices.free([0]).tolist()
+                worth.append(Sum.of([column]))
+                requests.append((wish.whole, 0, (column,)))
+        witnesses = encoder.encode_all(requests)
+        team_rows(witnesses.demands, network, draft)
+        demands.extend(witnesses.demands)
+        return witnesses
+
+    encoded = ground.assemble(ask)
+    return Valued(encoded, _rivals(encoded, demands), tuple(worth))
+
+
+@dataclass(frozen=True, eq=False)
+class Claimed:
+    """A model and the claims in it."""
+
+    encoded: Encoded
+    rivals: Rivals
+    claims: Claims
+
+
+def claimed(ground: Ground, tree: Formula, deepest: int) -> Claimed:
+    """The model of all plans with claims at the places of a tree down to a depth."""
+    found: list[Claims] = []
+    demands: list[Demand] = []
+    everywhere = spots(tree)
+
+    def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
+        made = claim(everywhere, deepest, encoder.choices, draft, encoder.outlook.possible)
+        found.append(made)
+        witnesses = encoder.encode_all(made.requests)
+        team_rows(witnesses.demands, network, draft)
+        demands.extend(witnesses.demands)
+        return witnesses
+
+    encoded = ground.assemble(ask)
+    return Claimed(encoded, _rivals(encoded, demands), found[0])
+
+
+def _rivals(encoded: Encoded, demands: Sequence[Demand]) -> Rivals:
+    return Rivals(demands, encoded.network, encoded.model.size.columns)
+
+
+def hopes(tree: Formula, outlook: Outlook, horizon: int) -> Callable[[Formula, int], bool]:
+    """Which fractions may be more than 0, every atom judged on its own."""
+
+    def atom(node: Formula) -> Shares:
+        plain = positive(node)
+        able = (outlook.possible(plain, step) for step in range(horizon + 1))
+        return tuple(WHOLE if so else NOTHING for so in able)
+
+    best = shares_of(tree, atom)
+    return lambda node, step: best[node][step].fraction > 0

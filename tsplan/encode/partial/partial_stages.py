@@ -1,0 +1,256 @@
+"""Planning missions that hold as far as possible: first what is to hold, then how.
+
+What a plan can satisfy is settled first. Then everything that it satisfies becomes a demand, and
+the mission's other objectives are pursued as in any mission; a partly satisfied mission begins
+with the availability of what is satisfied.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+
+from tsplan.encode.assemble import Setting, assembled, prepare
+from tsplan.encode.expressions import Constraint
+from tsplan.encode.options import Idea
+from tsplan.encode.partial.maximise import Settled, Settling
+from tsplan.encode.partial.partial_model import Ground, Wish, demand_of, everything, wish_of
+from tsplan.encode.read_back import Measure, counts_of, moves_of
+from tsplan.errors import Finding, MissionError
+from tsplan.exact import exact
+from tsplan.logic import Formula, conjunction, positive, simplify
+from tsplan.logic.fraction import shares
+from tsplan.logic.traces import CountTrace
+from tsplan.logic.witness_steps import Pair, demanded, levels, satisfied, spots
+from tsplan.milp.solution import StoppedBy
+from tsplan.mission import Mission
+from tsplan.search.clock import Clock
+from tsplan.search.lexicographic import Outcome, Point, Reached, Stages
+
+FIRST = frozenset({"satisfaction", "preferences"})
+"""Objectives that say what is to hold."""
+
+_TRIAL = 3.0  # seconds in which a plan for the whole formula is looked for first
+_TRIED = 0.25  # of the time that is left, if that is less
+
+
+def is_soft(mission: Mission) -> bool:
+    """Whether some of a mission need not hold."""
+    return mission.partial or bool(mission.prefer)
+
+
+def prepare_soft(
+    mission: Mission,
+    constraints: Sequence[Constraint],
+    ideas: frozenset[Idea],
+    *,
+    clock: Clock | None = None,
+) -> Setting:
+    """The setting of everything that a mission asks for or prefers."""
+    goal = everything(demand_of(mission), wishes_of(mission))
+    return prepare(mission, constraints, ideas, goal, clock=clock)
+
+
+def wishes_of(mission: Mission) -> tuple[Wish, ...]:
+    """What is to hold as far as possible."""
+    if mission.partial:
+        return (Wish(mission.tree(mission.formula), partial=True),)
+    return tuple(wish_of(mission, preference) for preference in mission.prefer)
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """What was settled, what is to hold from now on, and what the first objective came to."""
+
+    settled: Settled
+    goal: Formula
+    objective: Reached
+
+
+def plan_soft(stages: Stages) -> Outcome:
+    """All objectives of a mission that is met as far as possible; `stages` are those of it all."""
+    mission = stages.setting.mission
+    first = first_of(mission)
+    ground = Ground(partial(assembled, stages.setting), stages.setting.horizon)
+    worth = partial(worth_of, stages.setting)
+    settling = Settling(ground, stages.effort, stages.clock, stages.tell, first, worth)
+    tried = _whole(stages, settling) if mission.partial else None
+    if tried is not None and tried.point is not None:
+        whole = Settled(tried.point, (), True, False, None, tried.size)
+        choice = Choice(whole, mission.goal, Reached(first, 1.0, 1.0))
+    else:
+        refuted = tried is not None and tried.infeasible
+        choice = chosen(settling, stages.setting, refuted=refuted)
+    settled = choice.settled
+    if settled.point is None:
+        why = settled.stopped_by
+        return Outcome(None, (), False, settled.infeasible, why, settled.size)
+    names = tuple(name for name in stages.objective if name not in FIRST)
+    implied = mission.partial and "availability" not in names
+    setting = replace(stages.setting, goal=choice.goal)
+    rest = replace(
+        stages,
+        setting=setting,
+        measure=Measure(setting),
+        objective=("availability", *names) if implied else names,
+        known=settled.point.values[settled.point.encoded.flows] if stages.tight else None,
+    )
+    outcome = rest.run()
+    others = outcome.reached[1:] if implied else outcome.reached
+    return Outcome(
+        point=outcome.point or settled.point,
+        reached=(choice.objective, *(others or (Reached(name, None, None) for name in names))),
+        proven=settled.proven and outcome.proven,
+        infeasible=False,
+        stopped_by=why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible),
+        size=outcome.size,
+        levels=settled.levels,
+        notes=outcome.notes,
+    )
+
+
+def why_open(
+    settling: StoppedBy | None, rest: StoppedBy | None, *, refuted: bool
+) -> StoppedBy | None:
+    """What kept the first objective or the `rest` from being proven.
+
+    `refuted` says that the rest was called impossible, and yet a plan is known.
+    """
+    return settling or rest or (StoppedBy.PRECISION if refuted else None)
+
+
+def first_of(mission: Mission) -> str:
+    """The objective that says what is to hold."""
+    return "satisfaction" if mission.partial else "preferences"
+
+
+def trial(clock: Clock) -> Clock:
+    """The time in which a plan for the whole formula is looked for."""
+    left = clock.left
+    return clock.within(_TRIAL if left is None else min(_TRIAL, _TRIED * left))
+
+
+def _whole(stages: Stages, settling: Settling) -> Outcome:
+    """A quick try for a plan that satisfies everything; it may be refuted, or stay open."""
+    refuse_if_too_large(stages.setting.mission)
+    stages.tell(settling.name, None, None, None)
+    return Stages(
+        setting=replace(stages.setting, goal=stages.setting.mission.goal),
+        effort=stages.effort,
+        clock=trial(settling.clock),
+        measure=_unmeasured,
+        tell=_unheard,
+        objective=(),
+    ).run()
+
+
+def _unheard(*_: object) -> None:
+    """A try's bounds are not those of the objective."""
+
+
+def _unmeasured(*_: object) -> float:
+    """Any plan will do."""
+    return 0.0
+
+
+def worth_of(setting: Setting, point: Point) -> float:
+    """What the plan of a point comes to in the objective that says what is to hold."""
+    mission = setting.mission
+    wishes = wishes_of(mission)
+    every = conjunction(wish.tree for wish in wishes)
+    trace = _trace(setting, every, point)
+    fractions = [shares(wish.tree, trace)[wish.tree][0].fraction for wish in wishes]
+    if mission.partial:
+        return float(fractions[0])
+    worths = (
+        preference.weight * (fraction if preference.partial else int(fraction == 1))
+        for preference, fraction in zip(mission.prefer, fractions, strict=True)
+    )
+    return float(sum(worths, Fraction(0)))
+
+
+def chosen(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
+    """What is to hold; `refuted` says that not everything can.
+
+    Of the setting its mission, and the classes whose flows the models have, are looked at.
+    """
+    if setting.mission.partial:
+        return _satisfy(settling, setting, refuted=refuted)
+    return _prefer(settling, setting)
+
+
+def _satisfy(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
+    """As much of the formula as can hold, in the mission's order."""
+    mission = setting.mission
+    (wish,) = wishes_of(mission)
+    if mission.satisfaction == "weighted":
+        whole = {0: [(0, Fraction(1))]}
+        settled = settling.weights(conjunction([]), [wish], whole, refuted=refuted)
+        value, bound = _summed(settled)
+        settled = replace(settled, levels=())
+    else:
+        together = mission.satisfaction == "depth"
+        settled = settling.depths(wish.tree, together=together, refuted=refuted)
+        value, bound = None, None
+    goal = conjunction([])
+    if settled.point is not None:
+        trace = _trace(setting, wish.tree, settled.point)
+        find = satisfied if mission.satisfaction == "weighted" else _topmost
+        goal = simplify(positive(demanded(find(wish.tree, trace))))
+    return Choice(settled, goal, Reached("satisfaction", value, bound))
+
+
+def _topmost(tree: Formula, trace: CountTrace) -> tuple[Pair, ...]:
+    return levels(tree, trace).pairs
+
+
+def _prefer(settling: Settling, setting: Setting) -> Choice:
+    """As many of the preferred formulas as can hold beside what must."""
+    mission = setting.mission
+    wishes = wishes_of(mission)
+    demand = demand_of(mission)
+    wanted: dict[int, list[tuple[int, Fraction]]] = defaultdict(list)
+    for number, preference in enumerate(mission.prefer):
+        wanted[preference.level].append((number, preference.weight))
+    settled = settling.weights(demand, wishes, wanted)
+    value, bound = _summed(settled)
+    if settled.point is not None:
+        every = conjunction(wish.tree for wish in wishes)
+        trace = _trace(setting, every, settled.point)
+        pairs = [pair for wish in wishes for pair in _met(wish, trace)]
+        demand = simplify(conjunction([demand, positive(demanded(pairs))]))
+    return Choice(settled, demand, Reached("preferences", value, bound))
+
+
+def _met(wish: Wish, trace: CountTrace) -> Iterable[Pair]:
+    """What a plan meets of a wish."""
+    if wish.partial:
+        return satisfied(wish.tree, trace)
+    held = shares(wish.tree, trace)[wish.tree][0].fraction == 1
+    return [(wish.tree, 0)] if held else []
+
+
+def _summed(settled: Settled) -> tuple[float | None, float | None]:
+    """Value and bound of all levels together; the value of what is not proven stays open."""
+    known = [exact(level.bound) for level in settled.levels if level.bound is not None]
+    bound = float(sum(known)) if len(known) == len(settled.levels) else None
+    value = float(sum(exact(level.value or 0.0) for level in settled.levels))
+    return (value if settled.proven else None), bound
+
+
+def _trace(setting: Setting, formula: Formula, point: Point) -> CountTrace:
+    moves = moves_of(setting, point.encoded, point.values, reduced=point.tight)
+    return counts_of(setting, formula, moves)
+
+
+def refuse_if_too_large(mission: Mission) -> None:
+    """MissionError for a formula with too many parts to be told apart by their depths."""
+    if mission.satisfaction == "weighted":
+        return
+    try:
+        spots(mission.tree(mission.formula))
+    except ValueError as error:
+        raise MissionError([Finding(str(error))]) from None

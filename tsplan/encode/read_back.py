@@ -1,0 +1,185 @@
+"""From a point of a model back to moves on the full map, class by class."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeAlias
+
+import numpy as np
+
+from tsplan.encode.agent_classes import AgentClass
+from tsplan.encode.assemble import Encoded, Setting
+from tsplan.encode.map_reduction import Reduced, whole
+from tsplan.logic import Formula, robustness
+from tsplan.logic import labels as labels_of
+from tsplan.logic.evaluation import CountTrace
+from tsplan.milp.model import Floats, Ints
+from tsplan.mission import Agent
+from tsplan.plans.decomposition import ClassFlow
+from tsplan.search.lexicographic import Point
+
+Moves: TypeAlias = tuple[Ints, Ints, Ints]
+"""Edges of a class's full map, the steps, and how many agents enter."""
+
+ClassMoves: TypeAlias = Sequence[tuple[AgentClass, Moves]]
+
+
+def moves_of(
+    setting: Setting, encoded: Encoded, values: Floats, *, reduced: bool
+) -> list[tuple[AgentClass, Moves]]:
+    """For every class the edges of its full graph that agents enter, when, and how many do."""
+    found = []
+    for number, (item, columns) in enumerate(
+        zip(setting.classes, encoded.network.classes, strict=True)
+    ):
+        edge, step, column = columns.unrolled()
+        count = np.round(values[column]).astype(np.int64)
+        used = np.flatnonzero(count)
+        shortcuts = setting.reduced[number] if reduced else whole(item.graph)
+        found.append(
+            (item, _expand(item, shortcuts, (edge[used], step[used], count[used]), setting.horizon))
+        )
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class Measure:
+    """What the plan of a point is worth in one objective, by the moves that its agents make."""
+
+    setting: Setting
+
+    def __call__(self, point: Point, name: str) -> float:
+        """The value of an objective of teams."""
+        moves = moves_of(self.setting, point.encoded, point.values, reduced=point.tight)
+        if name == "availability":
+            return availability(self.setting, moves)
+        return float(_MEASURES[name](self.setting, moves))
+
+
+def _expand(item: AgentClass, reduced: Reduced, moves: Moves, horizon: int) -> Moves:
+    """Shortcuts replaced by the edges of their paths, entered one after the other."""
+    edges, steps, counts = [], [], []
+    for edge, step, count in zip(*(part.tolist() for part in moves), strict=True):
+        path = reduced.paths[edge]
+        duration = item.graph.duration[path]
+        entered = step + np.cumsum(duration) - duration
+        within = entered < horizon
+        edges.append(path[within])
+        steps.append(entered[within])
+        counts.append(np.full(int(within.sum()), count))
+    empty = [np.empty(0, dtype=np.int64)]
+    return (
+        np.concatenate(edges + empty),
+        np.concatenate(steps + empty),
+        np.concatenate(counts + empty),
+    )
+
+
+def class_flow(setting: Setting, item: AgentClass, moves: Moves) -> ClassFlow:
+    """The moves of one class with names, ready to be split into paths."""
+    names = setting.arrays.names
+    graph = item.graph
+    used, edge = np.unique(moves[0], return_inverse=True)
+    triples = zip(
+        graph.tail[used].tolist(),
+        graph.head[used].tolist(),
+        graph.duration[used].tolist(),
+        strict=True,
+    )
+    return ClassFlow(
+        members=[agent for group in item.groups for agent in _members(setting, group)],
+        edges=[(names[tail], names[head], duration) for tail, head, duration in triples],
+        edge=edge,
+        step=moves[1],
+        count=moves[2],
+    )
+
+
+def _members(setting: Setting, group: int) -> Iterable[Agent]:
+    """The agents of one group, as the mission numbers them."""
+    begin = sum(other.count for other in setting.mission.team[:group])
+    return setting.mission.agents[begin : begin + setting.mission.team[group].count]
+
+
+def availability(setting: Setting, moves: Iterable[tuple[AgentClass, Moves]]) -> float:
+    """Robustness of the goal at step 0 under the counts that the moves imply."""
+    trace = counts_of(setting, setting.goal, moves)
+    return float(robustness(setting.goal, trace)[..., 0])
+
+
+def counts_of(
+    setting: Setting, formula: Formula, moves: Iterable[tuple[AgentClass, Moves]]
+) -> CountTrace:
+    """The counts that the moves imply at the labels of a formula."""
+    system = setting.mission.system
+    named = sorted(labels_of(formula))
+    site = {label: setting.arrays.states_with(system, label) for label in named}
+    watched = np.unique(np.concatenate([*site.values(), np.empty(0, dtype=np.int64)]))
+    shape = (len(watched), setting.horizon + 1)
+    everybody = np.zeros(shape)
+    counts: dict[str | None, Floats] = {None: everybody}
+    for item, (edge, step, count) in moves:
+        present = np.zeros(shape)
+        present[:, 0] = item.graph.start[watched]
+        ends = step + item.graph.duration[edge]
+        heads = item.graph.head[edge]
+        inside = (ends <= setting.horizon) & np.isin(heads, watched)
+        np.add.at(present, (np.searchsorted(watched, heads[inside]), ends[inside]), count[inside])
+        everybody += present
+        for capability in item.graph.capabilities:
+            counts.setdefault(capability, np.zeros(shape))
+            counts[capability] += present
+    labels = {label: np.searchsorted(watched, states) for label, states in site.items()}
+    return CountTrace(counts, labels)
+
+
+def makespan(_: Setting, moves: ClassMoves) -> int:
+    """Last step at which an agent arrives by a move that is not a wait; 0 without any."""
+    last = 0
+    for item, (edge, step, _count) in moves:
+        move = ~item.graph.wait[edge]
+        ends = (step + item.graph.duration[edge])[move]
+        last = max(last, int(ends.max(initial=0)))
+    return last
+
+
+def travel(_: Setting, moves: ClassMoves) -> int:
+    """Agent-steps spent in moves that are not waits."""
+    return sum(
+        int(count @ (item.graph.duration * ~item.graph.wait)[edge])
+        for item, (edge, _step, count) in moves
+    )
+
+
+def cost(setting: Setting, moves: ClassMoves) -> Fraction:
+    """Summed edge costs of all moves, exactly."""
+    units = sum(int(count @ item.graph.cost[edge]) for item, (edge, _step, count) in moves)
+    return units * setting.mission.system.cost_unit
+
+
+def agents(setting: Setting, moves: ClassMoves) -> int:
+    """Agents that ever move: all but those that can wait at their start to the end."""
+    staying = 0
+    for item, (edge, step, count) in moves:
+        graph = item.graph
+        for state in np.flatnonzero(graph.start).tolist():
+            loop = np.flatnonzero((graph.tail == state) & (graph.head == state))
+            here = graph.start[state]
+            if setting.horizon and not len(loop):
+                continue
+            waits = range(0, setting.horizon, int(graph.duration[loop[0]]) if len(loop) else 1)
+            entered = np.zeros(setting.horizon, dtype=np.int64)
+            mine = np.isin(edge, loop)
+            np.add.at(entered, step[mine], count[mine])
+            staying += min([here, *entered[list(waits)].tolist()])
+    return setting.mission.size - int(staying)
+
+
+_MEASURES: Mapping[str, Callable[[Setting, ClassMoves], int | Fraction]] = {
+    "travel": travel,
+    "cost": cost,
+    "makespan": makespan,
+    "agents": agents,
+}

@@ -1,0 +1,136 @@
+"""What an explanation is made of: facts, conflicts and changes, each in the mission's own words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
+
+if TYPE_CHECKING:
+    from tsplan.explanation.whynot.formula_edits import Dimension
+    from tsplan.mission import Mission
+
+PartKind: TypeAlias = Literal["formula", "team", "start", "waiting", "capacity", "swarm"]
+ChangeKind: TypeAlias = Literal[
+    "add_agents",
+    "extend_deadline",
+    "shorten_task",
+    "lower_need",
+    "loosen_limit",
+    "more_subswarms",
+    "waiting",
+    "edge",
+]
+
+
+Cut: TypeAlias = Literal["interrupt", "time_limit", "memory", "precision", "patience"]
+"""Why something was not looked at to its end: the run was interrupted, its time was up, the
+system's memory was, a solver's precision did not do, or one question took longer than its share of
+the time."""
+
+
+class Status(StrEnum):
+    """What is known about the mission."""
+
+    EXPLAINED = "explained"  # there is no plan, and facts or a conflict say why
+    FEASIBLE = "feasible"  # there is a plan; facts say what is tight
+    NO_ANSWER = "no_answer"  # the time was too short to know
+
+
+class Element(NamedTuple):
+    """One thing that can be taken out of a mission: a part of its formula, a bound, a count.
+
+    The key says which: the way to a sub-formula and the number of a task's need (or None), the
+    number of a team's entry, the name of a state, the ends of an edge.
+    """
+
+    kind: PartKind
+    key: tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A place in the mission file, or, for a mission without one, in the text of its formula.
+
+    The end, where it is known, is just after the last character.
+    """
+
+    line: int | None = None
+    column: int | None = None
+    end_line: int | None = None
+    end_column: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A requirement in words: what `elements` of the mission it stands for, and where it is."""
+
+    kind: PartKind
+    text: str
+    place: Place = Place()
+    elements: frozenset[Element] = field(default=frozenset(), repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """Something that follows without a solver, and that already forbids every plan.
+
+    `parts` are the requirements it follows from. For a mission that can be met, facts say what is
+    tight (kinds `tight` and `slack`) and forbid nothing.
+    """
+
+    kind: str
+    text: str
+    place: Place = Place()
+    parts: tuple[Part, ...] = field(default=(), repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Conflict:
+    """Requirements that cannot hold together.
+
+    With `minimal`, leaving any one of them out makes the rest possible; solves proved both.
+    """
+
+    parts: tuple[Part, ...]
+    minimal: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A change of the mission after which it can be met, by the least `amount`.
+
+    With `proven`, a verified plan shows that the changed mission can be met, and that it could not
+    with one less. `mission` is the changed mission, `steps` says how far each dimension went.
+    """
+
+    kind: ChangeKind
+    text: str
+    amount: int
+    proven: bool
+    mission: Mission = field(repr=False, compare=False)
+    steps: tuple[tuple[Dimension, int], ...] = field(default=(), repr=False, compare=False)
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Why a mission cannot be met and what would help; for one that can, what is tight.
+
+    `cut` says which stages (`facts`, `conflicts`, `changes`, `tight`, `slack`) were cut short, and
+    why: there may be more than they found.
+    """
+
+    status: Status
+    name: str
+    facts: tuple[Fact, ...] = ()
+    conflicts: tuple[Conflict, ...] = ()
+    changes: tuple[Change, ...] = ()
+    timings: Mapping[str, float] = field(default_factory=dict)
+    cut: Mapping[str, Cut] = field(default_factory=dict)
+
+    def to_json(self) -> str:
+        """The explanation as a `tsplan-explanation/1` document."""
+        from tsplan.explanation.explanation_json import explanation_to_json  # noqa: PLC0415  (imports this)
+
+        return explanation_to_json(self)

@@ -1,0 +1,1 @@
+"""Why a plan satisfies its formula, and what is tight about it."""

@@ -1,0 +1,115 @@
+"""Irreducible conflicts among the elements of a mission, and several different ones.
+
+One conflict is found by QuickXplain (U. Junker, "QuickXplain: preferred explanations and
+relaxations for over-constrained problems", AAAI 2004): halves are dropped while the rest stays
+impossible. Further ones by the hitting-set tree (R. Reiter, "A theory of diagnosis from first
+principles", Artificial Intelligence 1987): leave one element of every conflict known out; if what
+is left is still impossible, it holds a new one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+from tsplan.explanation.whynot.elements import formula_groups, named_facts
+
+if TYPE_CHECKING:
+    from tsplan.explanation.explanation import Element
+    from tsplan.explanation.whynot.oracle import Oracle
+
+Set = frozenset["Element"]
+
+
+class Core(NamedTuple):
+    """Elements that cannot hold together; `minimal` if no proof of that is missing."""
+
+    elements: Set
+    minimal: bool
+
+
+@dataclass(eq=False)
+class Finder:
+    """Finds conflicts of one mission.
+
+    `groups` are the leaves of each conjunct, `facts` all other elements, those first that are
+    rather to be named.
+    """
+
+    oracle: Oracle
+
+    def __post_init__(self) -> None:
+        mission = self.oracle.mission
+        self.groups = [frozenset(group) for group in formula_groups(mission)]
+        self.facts = [frozenset({fact}) for fact in named_facts(mission)]
+        self.everything: Set = frozenset().union(*self.groups, *self.facts)
+        self._sure = True
+
+    def within(self, elements: Set) -> Core | None:
+        """A conflict among some elements; None where it is not proven that there is one."""
+        return self._reduced(elements) if self._impossible(elements) else None
+
+    def others(self, core: Core, most: int) -> Iterator[Core]:
+        """Up to `most` conflicts that differ from `core` and from each other."""
+        cores, found = [core], 0
+        tried: set[Set] = set()
+        open_: list[Set] = [frozenset()]
+        while open_ and found < most and not self.oracle.refuses():
+            hit = open_.pop(0)
+            for known in cores:
+                if not known.elements & hit:
+                    branches = [hit | {item} for item in sorted(known.elements, key=repr)]
+                    open_ += [branch for branch in branches if branch not in tried]
+                    tried.update(branches)
+                    break
+            else:
+                rest = self.everything - hit
+                new = self.within(rest)
+                if new is not None:
+                    found += 1
+                    cores.append(new)
+                    yield new
+                    open_.insert(0, hit)
+
+    def _reduced(self, elements: Set) -> Core:
+        """An irreducible conflict within elements that cannot hold together.
+
+        First over whole conjuncts, then over their leaves and the facts.
+        """
+        self._sure = True
+        facts = [fact for fact in self.facts if fact <= elements]
+        background: Set = frozenset().union(*facts)
+        conjuncts = [group & elements for group in self.groups if group & elements]
+        kept = self._least(background, conjuncts)
+        fine = [frozenset({leaf}) for group in kept for leaf in sorted(group, key=repr)]
+        # whole formula parts, then the facts: most of them go at once
+        left = self._least(frozenset(), [*fine, *facts])
+        return Core(frozenset().union(*left), self._sure)
+
+    def _least(self, background: Set, parts: Sequence[Set]) -> list[Set]:
+        """As few parts as are impossible together with the background; early ones preferred."""
+        if not parts or self._impossible(background):
+            return []
+        return self._explained(background, list(parts), grown=False)
+
+    def _explained(self, background: Set, parts: list[Set], *, grown: bool) -> list[Set]:
+        if grown and self._impossible(background):
+            return []
+        if len(parts) == 1:
+            return parts
+        if self.oracle.refuses():  # nothing more is known of any of them
+            self._sure = False
+            return parts
+        half = (len(parts) + 1) // 2
+        early, late = parts[:half], parts[half:]
+        from_late = self._explained(background.union(*early), late, grown=True)
+        from_early = self._explained(background.union(*from_late), early, grown=bool(from_late))
+        return [*from_early, *from_late]
+
+    def _impossible(self, elements: Set) -> bool:
+        """Whether it is proven that elements cannot hold together."""
+        answer = self.oracle.without(self.everything - elements)
+        if answer is None:
+            self._sure = False
+        return answer is False

@@ -1,0 +1,253 @@
+"""From a mission to its explanation: facts, conflicts, changes; or what is tight."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, TypeAlias, get_args
+
+from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, Fact, Status
+from tsplan.explanation.whynot.candidates import Candidate, candidates
+from tsplan.explanation.whynot.changes import ORDER, Repairs, ranked
+from tsplan.explanation.whynot.conflicts import Core, Finder
+from tsplan.explanation.whynot.facts import View, facts_of
+from tsplan.explanation.whynot.joint_repair import Several
+from tsplan.explanation.whynot.oracle import EnoughError, Oracle
+from tsplan.explanation.whynot.team_map_edits import EdgeTime
+from tsplan.limits import refuse_options
+from tsplan.milp.quiet_output import audible, hushed_alone
+from tsplan.run.run import on_interrupt
+from tsplan.search.clock import Clock
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+
+Listener: TypeAlias = Callable[[str], object]
+
+MOST_CONFLICTS = 10
+"""Different conflicts that are looked for when all are asked for."""
+
+_PATIENCE = 10.0  # seconds for one question about a part or a change
+_ENOUGH = 3  # changes, if more would take longer than
+_LONG = 20.0  # seconds and no time limit was set
+_SHARE = 0.5  # of the time goes to facts at most, and of what is left to conflicts
+_FOR_HANDING = 0.05  # of the time goes to saying what is known so far
+_FOR_FACTS = 1.0  # seconds that the search for facts gets at least
+_REASONS: tuple[Cut, ...] = get_args(Cut)  # gravest first
+
+
+def explain(
+    mission: Mission,
+    *,
+    conflicts: int = 1,
+    slack: bool = False,
+    time_limit: float | None = None,
+    solver: str | None = None,
+    on_stage: Listener | None = None,
+    on_found: Callable[[Explanation], object] | None = None,
+) -> Explanation:
+    """Say why a mission cannot be met and what would help; or what is tight where it can be.
+
+    Up to `conflicts` different conflicts are looked for. With `slack`, for a mission that can be
+    met, it is found how much sooner each deadline could be. `time_limit` is in seconds;
+    `on_stage` hears in words what is done, `on_found` what is known so far. Ctrl-C and the time
+    limit end the search with what is known; `cut` says what they kept from being looked at.
+
+    Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails, and
+    InputError for a time limit out of range.
+
+    >>> import tsplan
+    >>> made = tsplan.explain(tsplan.load_mission("mission.yaml"))
+    >>> made.status.value, [[part.text for part in conflict.parts] for conflict in made.conflicts]
+    ('feasible', [])
+    """
+    refuse_options(time_limit=time_limit)
+    limit = mission.solver.time_limit if time_limit is None else time_limit
+    hear = (audible(on_stage or (lambda _: None)), audible(on_found or (lambda _: None)))
+    run = _Run(mission, limit, solver, *hear)
+    with on_interrupt(run.stop), hushed_alone():
+        return run.explanation(conflicts, slack=slack)
+
+
+@dataclass(eq=False)
+class _Run:
+    """One explanation in the making."""
+
+    mission: Mission
+    limit: float | None
+    solver: str | None
+    tell: Listener
+    found: Callable[[Explanation], object]
+    seconds: dict[str, float] = field(default_factory=dict)
+    cut: dict[str, Cut] = field(default_factory=dict)
+    facts: list[Fact] = field(default_factory=list)
+    cores: list[Core] = field(default_factory=list)
+    changes: list[Change] = field(default_factory=list)
+    possible: bool | None = None
+    _stopped: bool = False
+    _handing: float = 0.0
+
+    def __post_init__(self) -> None:
+        self.clock = Clock(self.limit, lambda: self._stopped)
+        self.oracle = Oracle(self.mission, self.clock, self.solver, stop=self.stop)
+        self.view = View.of(self.mission, self.oracle.pause)
+
+    def stop(self) -> None:
+        """Ask no more questions."""
+        self._stopped = True
+
+    def explanation(self, most: int, *, slack: bool) -> Explanation:
+        """Facts first, then the conflict, then changes."""
+        with self._stage("facts"):
+            self._find_facts()
+        with self._stage("conflicts"):
+            finder = Finder(self.oracle)
+            self._find_conflict(finder)
+        if self.possible:
+            self._feasible(slack=slack)
+        elif self.cores:
+            with self._stage("conflicts"):
+                for core in finder.others(self.cores[0], most - 1):
+                    self.cores.append(core)
+            with self._stage("changes"):
+                self.oracle.clock = self.clock
+                self._find_changes(finder)
+        return self._made()
+
+    def _find_facts(self) -> None:
+        """Facts are an answer by themselves, so they get some time however short the limit is."""
+        if self.clock.limit is not None:
+            seconds = max(_SHARE * self.clock.limit, _FOR_FACTS)
+            self.oracle.clock = replace(self.clock, limit=seconds)
+        for fact in facts_of(self.view):
+            self.facts.append(fact)
+
+    def _find_conflict(self, finder: Finder) -> None:
+        """Look for a conflict, and whether there is one at all."""
+        core = self._seeded(finder)
+        self.possible = False if core is not None else self._asked_whole()
+        if self.possible is False:
+            core = core or finder.within(finder.everything)
+        if core is not None:
+            self.cores.append(core)
+
+    def _asked_whole(self) -> bool | None:
+        """Whether there is a plan; questions about parts may then take as long, or some seconds."""
+        self.oracle.clock, self.oracle.patience = self.clock, None
+        began = time.perf_counter()
+        answer = self.oracle.without(())
+        self._limit_questions(time.perf_counter() - began)
+        return answer
+
+    def _limit_questions(self, least: float) -> None:
+        """Leave a share of the time to the changes."""
+        self.oracle.patience = max(_PATIENCE, least)
+        self.oracle.clock = self.clock
+        if self.clock.left is not None:
+            self.oracle.clock = self.clock.within(_SHARE * self.clock.left)
+
+    @contextmanager
+    def _stage(self, stage: str) -> Iterator[None]:
+        """A stage of the work: what it takes, and why it was cut short if it was."""
+        self.tell(stage)
+        self.oracle.unanswered.clear()
+        began = time.perf_counter()
+        with suppress(EnoughError):
+            yield
+        spent = time.perf_counter() - began
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + spent
+        if reasons := sorted(self.oracle.unanswered, key=_REASONS.index):
+            self.cut[stage] = reasons[0]
+        self._hand_over()
+
+    def _hand_over(self) -> None:
+        """Say what is known so far, unless that takes too much of the time."""
+        if self._handing <= _FOR_HANDING * self.clock.elapsed:
+            began = time.perf_counter()
+            self.found(self._made())
+            self._handing += time.perf_counter() - began
+
+    def _seeded(self, finder: Finder) -> Core | None:
+        """A conflict among what the first fact that solves do not contradict follows from.
+
+        Where they are too slow to confirm it, its own proof stands.
+        """
+        self._limit_questions(0.0)
+        for fact in self.facts:
+            elements = frozenset().union(*(part.elements for part in fact.parts))
+            core = finder.within(elements)
+            rest = finder.everything - elements
+            if core is None and self.oracle.without(rest) is None:
+                self.oracle.learn_impossible(rest)
+                core = finder.within(elements)
+            if core is not None:
+                return core
+        return None
+
+    def _made(self) -> Explanation:
+        status = Status.EXPLAINED if self.facts or self.cores else Status.NO_ANSWER
+        if self.possible:
+            status = Status.FEASIBLE
+        conflicts = tuple(
+            Conflict(self.view.wording.parts(core.elements), core.minimal) for core in self.cores
+        )
+        timings = {**self.seconds, "solve": self.oracle.seconds, "total": self.clock.elapsed}
+        rounded = {name: round(value, 6) for name, value in timings.items()}
+        changes = ranked([replace(item, mission=self._whole(item)) for item in self.changes])
+        return Explanation(
+            status, self.mission.name, tuple(self.facts), conflicts, changes, rounded, self.cut
+        )
+
+    def _feasible(self, *, slack: bool) -> None:
+        """What is tight about a mission that can be met."""
+        from tsplan.explanation.why.tightness import slacks, tight_facts  # noqa: PLC0415  (rarely needed)
+
+        self.oracle.clock = self.clock
+        self.facts.clear()
+        with self._stage("tight"):
+            self.facts += tight_facts(self.view, self.oracle)
+        if slack:
+            with self._stage("slack"):
+                for fact in slacks(self.view, self.oracle):
+                    self.facts.append(fact)
+
+    # --- changes -----------------------------------------------------------------------------
+
+    def _find_changes(self, finder: Finder) -> None:
+        """Single changes that help; several together where none does."""
+        repairs = Repairs(self.oracle, finder.everything, [core.elements for core in self.cores])
+        every = candidates(self.view, self.cores[0].elements)
+        every.sort(key=lambda item: (ORDER.index(item.dimension.kind), item.rank))
+        self.oracle.patience = _PATIENCE
+        if self.clock.left is not None:
+            self.oracle.patience = min(_PATIENCE, self.clock.left / 4)
+        self._singles(repairs, every)
+        if not self.changes:
+            several = Several(self.view, self.oracle, repairs)
+            together = several.change(self.cores[0].elements)
+            self.changes += [together] if together is not None else []
+
+    def _singles(self, repairs: Repairs, every: list[Candidate]) -> None:
+        began = time.perf_counter()
+        helped: dict[tuple[str, int] | None, int] = {}
+        quick = [item.dimension for item in every if isinstance(item.dimension, EdgeTime)]
+        for candidate in every:
+            enough = len(self.changes) >= _ENOUGH and time.perf_counter() - began > _LONG
+            if enough and self.clock.limit is None:
+                self.oracle.unanswered.add("patience")
+                return
+            if candidate.family and candidate.rank > helped.get(candidate.family, candidate.rank):
+                continue
+            if isinstance(candidate.dimension, EdgeTime) and not repairs.at_most(quick):
+                continue
+            change = repairs.single(candidate)
+            if change is not None:
+                self.changes.append(change)
+                self._hand_over()
+                helped.setdefault(candidate.family, candidate.rank)
+
+    def _whole(self, change: Change) -> Mission:
+        """The changed mission with everything that the solves left out."""
+        return replace(change.mission, objective=self.mission.objective)

@@ -1,0 +1,194 @@
+"""Several changes at once, where no single one helps.
+
+Conflicts are resolved one after the other, each by one or two ways to change the mission, until
+there is a plan. What is not needed of these ways is left out again, then each goes back as far as
+it can. Last, for as long as `QUESTIONS` and a few seconds allow, smaller totals are tried.
+
+Most ways make a mission the easier the further they go, so they go as far as they can at first; but
+deadlines of short missions go only as far as the missions are long, as long as that will do.
+More agents may be in the way of limits: no more are added than resolve a conflict, and where they
+lead nowhere the ways without them are tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from tsplan.errors import MissionError
+from tsplan.explanation.whynot.candidates import candidates
+from tsplan.explanation.whynot.changes import ORDER, Repairs, applied, least
+from tsplan.explanation.whynot.conflicts import Finder
+from tsplan.explanation.whynot.facts import View
+from tsplan.explanation.whynot.formula_edits import MOST_STEPS
+from tsplan.explanation.whynot.relaxing import bounded_above, relaxed
+
+if TYPE_CHECKING:
+    from tsplan.explanation.explanation import Change, ChangeKind, Element
+    from tsplan.explanation.whynot.formula_edits import Dimension
+    from tsplan.explanation.whynot.oracle import Oracle
+    from tsplan.mission import Mission
+
+MOST_WAYS = 12
+"""Ways to change a mission that are gathered at most."""
+
+QUESTIONS = 40
+"""Missions that are planned at most in the search for a smaller total."""
+
+_PER_CONFLICT = 2
+_NEAR = 8  # steps by which deadlines of short missions are moved at first
+_MOST_ADDED = 64
+_SEARCHED = 6  # ways over which the least total is looked for
+
+Step = tuple["Dimension", int]
+
+
+@dataclass(frozen=True)
+class Several:
+    """Looks for changes of more than one kind together."""
+
+    view: View
+    oracle: Oracle
+    repairs: Repairs
+
+    def change(self, conflict: frozenset[Element]) -> Change | None:
+        """A change that resolves a conflict and all others; None if none is found in time."""
+        ways = self._ways(conflict)
+        small = self._lowered(self._needed(ways)) if ways else None
+        if small is None:
+            return None
+        found = [dimension for dimension, _ in small]
+        found += [dimension for dimension, _ in ways if dimension not in found]
+        if bounded_above(self.view.mission):
+            found = [item for item in found if item.kind != "add_agents"]
+        total = sum(amount for _, amount in small)
+        best = self.repairs.several(found[:_SEARCHED], total, QUESTIONS)
+        return best or self.repairs.made(small)
+
+    def _ways(self, conflict: frozenset[Element]) -> list[Step]:
+        """Ways that together lead to a plan: first with near deadlines, which are proven sooner."""
+        fewer = [kind for kind in ORDER if kind != "add_agents"]
+        near = max(_NEAR, self.view.mission.horizon)
+        for farthest in (near, None):
+            for kinds in (ORDER, fewer):
+                ways = self._gathered(conflict, kinds, farthest)
+                if ways or self.oracle.refuses():
+                    return ways
+            if near >= MOST_STEPS:
+                break  # no deadline goes any farther
+        return []
+
+    def _gathered(
+        self, conflict: frozenset[Element], kinds: Sequence[ChangeKind], farthest: int | None
+    ) -> list[Step]:
+        """Ways of some kinds that together lead to a plan; nothing if none are found."""
+        chosen: list[Step] = []
+        core = conflict
+        while len(chosen) < MOST_WAYS and not self.oracle.refuses():
+            new = self._resolving(core, chosen, (kinds, farthest))
+            if not new:
+                return []
+            chosen += new
+            changed = self._changed(chosen)
+            if changed is None:
+                return []
+            finder = Finder(self.oracle.about(changed))
+            found = finder.within(finder.everything)
+            if found is None:
+                return chosen
+            core = found.elements
+        return []
+
+    def _resolving(
+        self,
+        core: frozenset[Element],
+        chosen: Sequence[Step],
+        which: tuple[Sequence[ChangeKind], int | None],
+    ) -> list[Step]:
+        """One or two further ways, of different kinds, each of which resolves a conflict.
+
+        They are of some kinds, with deadlines moved by so many steps at most.
+        """
+        kinds, farthest = which
+        entries = len(self.view.mission.team)
+        known = {item for item in core if item.kind not in ("team", "start")}
+        known |= {item for item in core - known if item.key[0] < entries}
+        every = [
+            item for item in candidates(self.view, frozenset(known)) if item.dimension.kind in kinds
+        ]
+        every.sort(key=lambda item: (item.rank, ORDER.index(item.dimension.kind)))
+        taken = {dimension for dimension, _ in chosen}
+        found: list[Step] = []
+        for candidate in every:
+            dimension = candidate.dimension
+            if dimension in taken or dimension.kind in {item.kind for item, _ in found}:
+                continue
+            step = self._step(dimension, core, chosen, farthest)
+            if step is not None:
+                found.append(step)
+                if len(found) == _PER_CONFLICT:
+                    break
+        return found
+
+    def _step(
+        self,
+        dimension: Dimension,
+        core: frozenset[Element],
+        chosen: Sequence[Step],
+        farthest: int | None,
+    ) -> Step | None:
+        """A change along one dimension that resolves a conflict."""
+        if dimension.kind == "add_agents":
+            few = least(
+                lambda amount: self._resolves(core, [*chosen, (dimension, amount)]),
+                min(dimension.most, _MOST_ADDED),
+            )
+            return None if few is None else (dimension, few.amount)
+        amount = dimension.most
+        if dimension.kind == "extend_deadline" and farthest is not None:
+            amount = min(amount, farthest)
+        while amount and self._changed([*chosen, (dimension, amount)]) is None:
+            amount //= 2  # less may fit together
+        step = (dimension, amount)
+        return step if amount and self._resolves(core, [*chosen, step]) else None
+
+    def _changed(self, steps: Sequence[Step]) -> Mission | None:
+        self.oracle.pause()
+        try:
+            return applied(self.view.mission, steps)
+        except MissionError:
+            return None
+
+    def _resolves(self, core: frozenset[Element], steps: Sequence[Step]) -> bool:
+        """Whether a conflict can be met after some changes."""
+        changed = self._changed(steps)
+        if changed is None:
+            return False
+        others = Finder(self.oracle.about(changed)).everything - core
+        return self.oracle.asked(relaxed(changed, others)) is True
+
+    def _needed(self, ways: Sequence[Step]) -> list[Step]:
+        """The ways without those that are not needed beside the others, the last ones first."""
+        kept = list(ways)
+        for step in reversed(ways):
+            fewer = [item for item in kept if item is not step]
+            if self.repairs.possible(fewer):
+                kept = fewer
+        return kept if len(kept) == len(ways) else self._needed(kept)
+
+    def _lowered(self, ways: Sequence[Step]) -> list[Step] | None:
+        """Each way as short as it can be beside the others; None if there is no plan after all."""
+        steps = list(ways)
+        if not self.repairs.possible(steps):
+            return None
+        for place, (dimension, amount) in enumerate(steps):
+
+            def enough(less: int, place: int = place, dimension: Dimension = dimension) -> bool:
+                own = [*steps[:place], (dimension, less), *steps[place + 1 :]]
+                return self.repairs.possible(own) is True
+
+            found = least(enough, amount)
+            if found is not None:
+                steps[place] = (dimension, found.amount)
+        return steps

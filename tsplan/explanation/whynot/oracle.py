@@ -1,0 +1,117 @@
+"""Questions to the planner: can this mission be met? Every answer is a proof, or none.
+
+An answer also settles what is weaker than a mission with a plan, and what is stronger than one
+without, so many questions need no solve.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.explanation import Cut, Element
+from tsplan.explanation.whynot.relaxing import any_plan, relaxed
+from tsplan.plans.plan import Status, StoppedBy
+from tsplan.run.planner import plan
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.plans.plan import Plan
+    from tsplan.run.problem import Problem
+    from tsplan.search.clock import Clock
+
+Answer = bool | None
+"""True: there is a verified plan. False: it is proven that there is none. None: not known."""
+
+_CUTS: dict[StoppedBy, Cut] = {
+    StoppedBy.MEMORY: "memory",
+    StoppedBy.PRECISION: "precision",
+}
+_LEAST = 0.05  # seconds that a question gets at least
+
+
+class EnoughError(Exception):
+    """The time is up, or the run was asked to stop, in the midst of work without questions."""
+
+
+@dataclass(eq=False)
+class Oracle:
+    """Asks the planner about a mission and its relatives until the clock is over.
+
+    `stop` tells the run that a question was interrupted. `unanswered` has why questions got no
+    answer; oracles about changed missions share it.
+    """
+
+    mission: Mission
+    clock: Clock
+    solver: str | None = None
+    patience: float | None = None  # seconds for one question
+    stop: Callable[[], None] = lambda: None
+    unanswered: set[Cut] = field(default_factory=set)
+    solves: int = field(default=0, init=False)
+    seconds: float = field(default=0.0, init=False)
+    _met: list[frozenset[Element]] = field(default_factory=list, init=False)
+    _unmet: list[frozenset[Element]] = field(default_factory=list, init=False)
+
+    def refuses(self) -> bool:
+        """Whether no more questions are answered; why is noted in `unanswered`."""
+        stopped = self.clock.stopped_by
+        if stopped is not None:
+            self.unanswered.add("interrupt" if stopped.value == "interrupt" else "time_limit")
+        return stopped is not None
+
+    def pause(self) -> None:
+        """Raise EnoughError where no more questions are answered: called between parts of work."""
+        if self.refuses():
+            raise EnoughError
+
+    def about(self, mission: Mission) -> Oracle:
+        """An oracle about another mission, with the same time."""
+        return Oracle(mission, self.clock, self.solver, self.patience, self.stop, self.unanswered)
+
+    def without(self, dropped: Iterable[Element]) -> Answer:
+        """Whether the mission without some of its elements can be met."""
+        gone = frozenset(dropped)
+        if any(known <= gone for known in self._met):
+            return True
+        if any(gone <= known for known in self._unmet):
+            return False
+        if self.refuses():
+            return None
+        answer = self.asked(relaxed(self.mission, gone))
+        if answer is not None:
+            (self._met if answer else self._unmet).append(gone)
+        return answer
+
+    def learn_impossible(self, dropped: Iterable[Element]) -> None:
+        """Take over a proof that the mission without some elements cannot be met."""
+        self._unmet.append(frozenset(dropped))
+
+    def met(self, mission: Mission) -> Answer:
+        """Whether another mission can be met."""
+        return self.asked(any_plan(mission))
+
+    def asked(self, problem: Mission | Problem) -> Answer:
+        """One question to the planner."""
+        found = self.planned(problem, self.patience)
+        if found is None:
+            return None
+        return True if found.has_paths else False if found.status is Status.INFEASIBLE else None
+
+    def planned(self, problem: Mission | Problem, patience: float | None) -> Plan | None:
+        """What the planner finds in some seconds at most; None where there is no time left."""
+        if self.refuses():
+            return None
+        began = time.perf_counter()
+        limits = [item for item in (self.clock.left, patience) if item is not None]
+        limit = max(min(limits), _LEAST) if limits else None
+        found = plan(problem, time_limit=limit, solver=self.solver)
+        self.solves += 1
+        self.seconds += time.perf_counter() - began
+        if found.stopped_by is StoppedBy.INTERRUPT:
+            self.stop()
+        if found.stopped_by is not None and not self.refuses():
+            self.unanswered.add(_CUTS.get(found.stopped_by, "patience"))
+        return found

@@ -1,0 +1,207 @@
+"""Missions with some of their elements taken out, as problems for the ordinary planner.
+
+A formula part is replaced by true, a capacity removed. Where the size or the start of a part of
+the team is taken out, its robots come from a depot: a new state, from which an edge of one step
+leads to every state where they may start, one step before the mission begins. Robots whose
+number is open may stay in their depot; there are as many as any plan could use.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.explanation import Element
+from tsplan.explanation.whynot.elements import leaf_of
+from tsplan.explanation.whynot.group_bounds import unbounded
+from tsplan.explanation.whynot.occurrences import without
+from tsplan.explanation.whynot.waiting import WAITING
+from tsplan.limits import MOST_ROBOTS
+from tsplan.logic import Always, Count, walk
+from tsplan.mission import Group
+from tsplan.run.problem import Problem, Tuning
+from tsplan.ts import Edge, State, TransitionSystem
+from tsplan.ts.waits import with_waits, without_wait
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+
+Dropped = frozenset[Element]
+
+
+def any_plan(mission: Mission) -> Mission:
+    """The mission that asks for no more than that its formula holds, as a whole."""
+    return replace(mission, objective=(), prefer=(), warnings=())
+
+
+def relaxed(
+    mission: Mission, dropped: Iterable[Element], tuning: Tuning | None = None
+) -> Mission | Problem:
+    """The problem without some elements of the mission; of swarms, the mission itself."""
+    tuning = tuning or Tuning()
+    gone = frozenset(dropped)
+    leaves = [leaf_of(item) for item in gone if item.kind == "formula"]
+    formula = without(mission.formula, leaves)
+    left = replace(
+        any_plan(mission),
+        formula=formula,
+        text=str(formula),
+        system=_roomier(mission.system, gone),
+    )
+    if mission.swarm is not None:
+        return replace(left, swarm=unbounded(mission.swarm, gone))
+    if any(item.kind in ("team", "start") for item in gone):
+        return _Depots(left, gone).problem(tuning)
+    return Problem(left, tuning)
+
+
+def _roomier(system: TransitionSystem, gone: Dropped) -> TransitionSystem:
+    """The map without some capacities, and with all waits; the same where nothing is taken out."""
+    if WAITING in gone:
+        system = with_waits(system, without_wait(system))
+    keys = {item.key for item in gone if item.kind == "capacity"}
+    if not keys:
+        return system
+    states = [
+        replace(state, capacity=None) if (state.name,) in keys else state
+        for state in system.states.values()
+    ]
+    edges = [
+        replace(edge, capacity=None) if edge.pair in keys or _shared(edge) in keys else edge
+        for edge in system.edges.values()
+    ]
+    return TransitionSystem.build(states, edges, system.name)
+
+
+def _shared(edge: Edge) -> tuple[str, str] | None:
+    """The other direction of an edge that shares its capacity."""
+    return (edge.target, edge.source) if edge.both_ways else None
+
+
+def bounded_above(mission: Mission) -> bool:
+    """Whether more robots somewhere can do harm: by a limit, or by a capacity."""
+    system = mission.system
+    return (
+        any(isinstance(node, Count) and node.relation == "<=" for node in walk(mission.goal))
+        or any(state.capacity is not None for state in system.states.values())
+        or bool(system.capacity_groups)
+    )
+
+
+def waits_everywhere(mission: Mission) -> bool:
+    """Whether whoever is at a state can stay there and be counted at every step."""
+    system = mission.system
+    return all(
+        (edge := system.edges.get((name, name))) is not None
+        and edge.duration == 1
+        and edge.needs <= system.states[name].needs
+        for name in system.states
+    )
+
+
+def useful_number(mission: Mission) -> int:
+    """As many robots of one kind as any plan could use.
+
+    Whoever serves no atom can be left out. At one step those of one state (or of the states of a
+    label, for a sum) serve the largest need for each capability; where nothing is bounded from
+    above and waiting is free they can stay there for good, otherwise others may come at every step.
+    """
+    needs: dict[tuple[str, str | None, str], int] = {}
+    for node in walk(mission.goal):
+        if isinstance(node, Count) and node.relation == ">=" and isinstance(node.bound, int):
+            site = (node.label, node.capability, node.function)
+            needs[site] = max(needs.get(site, 0), node.bound)
+    labels = mission.system.labels
+    total = sum(
+        amount * (1 if function == "sum" else len(labels[label]))
+        for (label, _, function), amount in needs.items()
+    )
+    for_good = waits_everywhere(mission) and not bounded_above(mission)
+    steps = 1 if for_good else mission.horizon + 1
+    return max(1, min(total * steps, MOST_ROBOTS // (2 * len(mission.team))))
+
+
+@dataclass(frozen=True)
+class _Depots:
+    """Makes the problem in which parts of the team come from depots."""
+
+    mission: Mission
+    gone: Dropped
+
+    def problem(self, tuning: Tuning) -> Problem:
+        """The mission one step later, begun from depots."""
+        mission = self.mission
+        system = mission.system
+        states, edges, team = [*system.states.values()], [*system.edges.values()], []
+        open_: list[str] = []
+        all_: list[str] = []
+        for number, group in enumerate(mission.team):
+            for name, count, targets in self._depots(number, group):
+                states.append(State(name))
+                edges.append(Edge(name, name))
+                edges += [Edge(name, target) for target in targets]
+                team.append(Group(group.class_name, group.capabilities, ((name, count),)))
+                (open_ if self._without("team", number) else all_).append(name)
+        formula = Always(1, 1, mission.formula)
+        problem = Problem(
+            replace(
+                mission,
+                system=TransitionSystem.build(states, edges, system.name),
+                team=tuple(team),
+                formula=formula,
+                text=str(formula),
+                horizon=mission.horizon + 1,
+            ),
+            tuning,
+        )
+        if not self._late_is_harmless:
+            self._hurry(problem, open_, all_)
+        return problem
+
+    def _without(self, kind: str, number: int) -> bool:
+        return Element(kind, (number,)) in self.gone  # type: ignore[arg-type]  # kinds are words
+
+    def _depots(self, number: int, group: Group) -> Iterator[tuple[str, int, list[str]]]:
+        """Name, robots and first states of the depots of one entry of the team."""
+        many = useful_number(self.mission)
+        if self._without("start", number):
+            count = many if self._without("team", number) else group.count
+            yield self._name(number, 0), count, self._anywhere(group)
+            return
+        for place, (state, count) in enumerate(group.starts):
+            yield (
+                self._name(number, place),
+                many if self._without("team", number) else count,
+                [state],
+            )
+
+    def _name(self, number: int, place: int) -> str:
+        name = f"depot {number}.{place}"
+        while name in self.mission.system.states:
+            name += "'"
+        return name
+
+    def _anywhere(self, group: Group) -> list[str]:
+        """Where robots may start: at any state; where waiting is free, at those that count."""
+        system = self.mission.system
+        allowed = [state for state in system.states.values() if state.needs <= group.capabilities]
+        if self._late_is_harmless:
+            named = {node.label for node in walk(self.mission.goal) if isinstance(node, Count)}
+            starts = {state for state, _ in group.starts}
+            allowed = [s for s in allowed if s.labels & named or s.name in starts]
+        return [state.name for state in allowed]
+
+    @property
+    def _late_is_harmless(self) -> bool:
+        """Whether leaving the depot later is as good as waiting where the robot starts."""
+        return waits_everywhere(self.mission) and not bounded_above(self.mission)
+
+    def _hurry(self, problem: Problem, open_: list[str], all_: list[str]) -> None:
+        """Robots leave their depot before the mission begins or, where they may, never."""
+        last = problem.mission.horizon
+        for name in all_:
+            problem.add(problem.count(name, step=1) <= 0, "everybody starts")
+        for name in open_:
+            left = problem.count(name, step=1) - problem.count(name, step=last)
+            problem.add(left <= 0, "nobody starts late")

@@ -1,0 +1,307 @@
+"""A changed mission as a file: the original text with what differs exchanged in place.
+
+What is written is read again and compared with the changed mission. Where the text cannot be
+edited in place, the mission is written anew, and its comments are lost.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from tsplan.errors import InputError
+from tsplan.explanation.whynot.formula_places import Source, Sources
+from tsplan.explanation.whynot.group_bounds import bound_of, path_of, swarm_bounds
+from tsplan.explanation.whynot.occurrences import Way
+from tsplan.logic import Count, Eventually, Formula, Release, Until, Window
+from tsplan.logic.text import number_text, quoted
+from tsplan.mission import mission_from_text
+from tsplan.ts.io.flow_style import word
+from tsplan.ts.io.map_writer import map_to_yaml
+
+if TYPE_CHECKING:
+    from tsplan.document import Document
+    from tsplan.mission import Group, Mission, SwarmBounds
+
+
+class Written(NamedTuple):
+    """The text of a mission file, and whether some comments of the original are not in it."""
+
+    text: str
+    comments_lost: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Edit:
+    """Characters `begin` up to before `end` become `text`."""
+
+    begin: int
+    end: int
+    text: str
+
+
+def rewritten(original: Mission, changed: Mission, folder: Path, target: Path) -> Written:
+    """The file of a changed mission. The original came from `folder`, the file goes to `target`."""
+    content = original.origin.content if original.origin is not None else ""
+    text = _anew(changed)
+    if original.origin is not None:
+        edits = _edits(original, changed, original.origin, (folder, target))
+        edited = _edited(content, edits)
+        text = edited if _says(edited, changed, target) else text
+    return Written(text, comments_lost=content.count("#") > text.count("#"))
+
+
+def _says(text: str, changed: Mission, folder: Path) -> bool:
+    """Whether a text is read as the changed mission."""
+    try:
+        read = mission_from_text(text, folder=folder)
+    except InputError:
+        return False
+    # of equal edges, one may be written in both directions at once: what counts is the same
+    return (
+        read.formula is changed.formula
+        and read.team == changed.team
+        and read.horizon == changed.horizon
+        and read.objective == changed.objective
+        and read.swarm == changed.swarm
+        and (read.prefer, read.satisfaction) == (changed.prefer, changed.satisfaction)
+        and read.task_interval == changed.task_interval
+        and dict(read.system.states) == dict(changed.system.states)
+        and dict(read.system.edges) == dict(changed.system.edges)
+    )
+
+
+def _edited(content: str, edits: list[_Edit]) -> str:
+    """The text after edits that do not overlap."""
+    for edit in sorted(edits, key=lambda item: -item.begin):
+        content = content[: edit.begin] + edit.text + content[edit.end :]
+    return content
+
+
+def _edits(
+    original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
+) -> list[_Edit]:
+    """What has to change in the original's text."""
+    return [
+        *_formula_edits(original, changed, document),
+        *_team_edits(original, changed, document),
+        *_swarm_edits(original, changed, document),
+        *_map_edits(original, changed, document, folders),
+        *_horizon_edits(original, changed, document),
+    ]
+
+
+# --- the formula -----------------------------------------------------------------------------
+
+
+def _formula_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
+    sources = Sources(original)
+    starts = _line_starts(document.content)
+    for way, node in _differences(original.formula, changed.formula):
+        found = sources.of(way)
+        if found is None:
+            continue
+        source, rest = found
+        stretch = source.stretch(rest)
+        if isinstance(node, Window | Until | Release):
+            stretch = source.interval(rest)
+        if stretch is None:
+            continue
+        line, column = sources.in_file(source, stretch.begin)
+        last_line, last_column = sources.in_file(source, stretch.end - 1)
+        begin, end = starts[line - 1] + column - 1, starts[last_line - 1] + last_column
+        yield _Edit(begin, end, _text(node, source, rest))
+
+
+def _line_starts(content: str) -> list[int]:
+    starts = [0]
+    for line in content.split("\n"):
+        starts.append(starts[-1] + len(line) + 1)
+    return starts
+
+
+def _differences(old: Formula, new: Formula) -> Iterator[tuple[Way, Formula]]:
+    """The new nodes that differ themselves from the old ones at the same ways."""
+    open_: list[tuple[Way, Formula, Formula]] = [((), old, new)]
+    while open_:
+        way, before, after = open_.pop()
+        if before is after:
+            continue
+        alike = type(before) is type(after) and len(before.children) == len(after.children)
+        if not alike or not after.children:
+            yield way, after
+            continue
+        if before.parameters != after.parameters:
+            yield way, after
+        pairs = zip(before.children, after.children, strict=True)
+        open_ += [((*way, n), *pair) for n, pair in enumerate(pairs)]
+
+
+def _text(node: Formula, source: Source, way: Way) -> str:
+    """A node's new text: an operator's interval, or a whole atom."""
+    if isinstance(node, Eventually | Window | Until | Release):
+        return f"[{node.low},{node.high}]"
+    if not isinstance(node, Count):
+        return str(node)
+    stretch = source.stretch(way)
+    old = source.text[stretch.begin : stretch.end] if stretch is not None else ""
+    compared = any(sign in old for sign in "<>=")
+    # a bare label or a limit binds tighter than the comparison that takes its place
+    return _comparison(node) if compared else f"({_comparison(node)})"
+
+
+def _comparison(node: Count) -> str:
+    inside = quoted(node.label) + (f",{quoted(node.capability)}" if node.capability else "")
+    return f"{node.function}({inside}) {node.relation} {node.bound}"
+
+
+# --- team, map, horizon ----------------------------------------------------------------------
+
+
+def _team_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
+    if original.team == changed.team or original.swarm is not None:
+        return
+    if len(original.team) != len(changed.team):
+        yield _exchanged(document, ("team",), _team(changed))
+        return
+    for number, (before, after) in enumerate(zip(original.team, changed.team, strict=True)):
+        if before != after:
+            yield _exchanged(document, ("team", number), _member(after))
+
+
+def _swarm_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
+    """Bounds of swarms; their sizes and starts are never changed."""
+    if original.swarm is None or changed.swarm is None:
+        return
+    for element in swarm_bounds(original):
+        old, new = (bound_of(rules, element) for rules in (original.swarm, changed.swarm))
+        if old != new:
+            yield _exchanged(document, path_of(original, element), _bound(new))
+
+
+def _bound(value: Fraction | int | None) -> str:
+    """A bound as a mission file says it; a fraction of the swarm as a percentage."""
+    return (
+        f"{number_text(float(100 * value))}%" if isinstance(value, Fraction) else json.dumps(value)
+    )
+
+
+def _team(mission: Mission) -> str:
+    """The team in flow style, one entry a line."""
+    return "[\n" + "".join(f"    {_member(group)},\n" for group in mission.team) + "  ]"
+
+
+def _member(group: Group) -> str:
+    if len(group.starts) == 1:
+        ((state, count),) = group.starts
+        where = f"count: {count}, at: {word(state)}"
+    else:
+        where = "at: {" + ", ".join(f"{word(s)}: {n}" for s, n in group.starts) + "}"
+    able = ", ".join(word(name) for name in sorted(group.capabilities))
+    return f"{{class: {word(group.class_name)}, {where}, capabilities: [{able}]}}"
+
+
+def _map_edits(
+    original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
+) -> Iterator[_Edit]:
+    """A changed map is written into the mission; a path is kept right for another folder."""
+    if original.system != changed.system:
+        text = "".join(f"\n  {line}" for line in map_to_yaml(changed.system).splitlines())
+        yield _exchanged(document, ("map",), text + "\n")
+        return
+    given = document.at(("map",))
+    before, after = (folder.resolve() for folder in folders)
+    if isinstance(given, str) and before != after and not Path(given).is_absolute():
+        moved = Path(os.path.relpath(before / given, after)).as_posix()
+        yield _exchanged(document, ("map",), json.dumps(moved, ensure_ascii=False))
+
+
+def _horizon_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
+    written = isinstance(document.data, dict) and document.data.get("horizon") is not None
+    if written and original.horizon != changed.horizon:
+        yield _exchanged(document, ("horizon",), str(changed.horizon))
+
+
+def _exchanged(document: Document, path: tuple[str | int, ...], text: str) -> _Edit:
+    """The value at a path, without the white space after it, becomes another text."""
+    begin, end = document.span(path)
+    kept = document.content[begin:end].rstrip()
+    return _Edit(begin, begin + len(kept), text)
+
+
+# --- a new text ------------------------------------------------------------------------------
+
+
+def _who(mission: Mission) -> list[str]:
+    """The team, or the swarms with their bounds."""
+    rules = mission.swarm
+    if rules is None:
+        return ["team:", *(f"  - {_member(group)}" for group in mission.team)]
+    entries = [_swarm(group, rules.each[group.class_name]) for group in mission.team]
+    if mission.capabilities:
+        named = zip(mission.team, entries, strict=True)
+        lines = [f"  - {{name: {word(group.class_name)}, {entry}}}" for group, entry in named]
+        lines.insert(0, "swarms:")
+    else:
+        lines = [f"swarm: {{{entry}}}" for entry in entries]
+    if rules.together is not None:
+        lines.append(f"max_subswarms: {rules.together}")
+    return [*lines, *([f"margin: {_bound(rules.margin)}"] if rules.margin else [])]
+
+
+def _swarm(group: Group, bounds: SwarmBounds) -> str:
+    """The size, the start and the bounds of one swarm."""
+    where = ", ".join(f"{word(state)}: {count}" for state, count in group.starts)
+    most = "" if bounds.most is None else f", max_subswarms: {bounds.most}"
+    return f"size: {group.count}, at: {{{where}}}{most}, min_subswarm: {bounds.least}"
+
+
+def _wishes(mission: Mission) -> list[str]:
+    """What is preferred beside the formula, one entry a line."""
+    lines = ["  prefer:"] if mission.prefer else []
+    for wish in mission.prefer:
+        entry = {
+            "formula": wish.text,
+            "weight": float(wish.weight),
+            "level": wish.level,
+            "partial": wish.partial,
+            **({"name": wish.name} if wish.name else {}),
+        }
+        lines.append(f"    - {json.dumps(entry, ensure_ascii=False, allow_nan=False)}")
+    return lines
+
+
+def _objectives(mission: Mission) -> list[str | dict[str, str]]:
+    """The objectives; that of satisfaction with its order."""
+    return [
+        {name: mission.satisfaction} if name == "satisfaction" else name
+        for name in mission.objective
+    ]
+
+
+def _anew(mission: Mission) -> str:
+    """A whole mission file, with its map inside."""
+    lines = [
+        "format: tsplan-mission/1",
+        f"name: {json.dumps(mission.name, ensure_ascii=False)}",
+        "map:",
+        *(f"  {line}" for line in map_to_yaml(mission.system).splitlines()),
+        *_who(mission),
+        "spec:",
+        f"  language: {mission.language}",
+        "  must: |" if mission.prefer else "  formula: |",
+        f"    {mission.formula}",
+        *_wishes(mission),
+        f"objective: {json.dumps(_objectives(mission))}",
+        f"task_interval: {mission.task_interval}",
+        f"horizon: {mission.horizon}",
+    ]
+    solver = {key: value for key, value in asdict(mission.solver).items() if value is not None}
+    if solver:
+        lines.append(f"solver: {json.dumps(solver, allow_nan=False)}")
+    return "\n".join(lines) + "\n"

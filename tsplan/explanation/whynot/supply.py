@@ -1,0 +1,94 @@
+"""Capabilities that are too scarce for what must be staffed at one and the same step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.agent_numbers import agents
+from tsplan.explanation.whynot.occurrences import Way
+from tsplan.explanation.whynot.unconditional_demands import Demand, Span, demands_below
+from tsplan.logic import Always, And, Eventually, Formula
+
+if TYPE_CHECKING:
+    from tsplan.explanation.explanation import Fact
+    from tsplan.explanation.whynot.facts import View
+
+
+def scarcity(view: View) -> Iterator[Fact]:
+    """A task that needs more robots than have the capability; then several at one step."""
+    alone: set[str | None] = set()
+    for need in view.needs:
+        if need.total > view.mission.having(need.capability):
+            alone.add(need.capability)
+            text = f"{_wanted(need)}; the team has {view.having(need.capability)}"
+            yield view.fact("scarcity", text, [need], *view.team(need.capability, "team"))
+    for together in moments(view):
+        view.pause()
+        capability = together[0].capability
+        total = _at_once(together)
+        if capability not in alone and total > view.mission.having(capability):
+            parts = " and ".join(_wanted(need) for need in together)
+            text = (
+                f"at one step, {parts}: {agents(total, capability)} in all; "
+                f"the team has {view.having(capability)}"
+            )
+            yield view.fact("scarcity", text, together, *view.team(capability, "team"))
+
+
+def _wanted(need: Demand) -> str:
+    """What a need asks for, with the arithmetic over its states."""
+    where = f"'{need.label}'"
+    if need.reach == "each" and len(need.states) > 1:
+        sum_ = f"{need.amount} at each of the {len(need.states)} states {where}"
+        return f"{agents(need.total, need.capability)} are needed ({sum_})"
+    verb = "is" if need.amount == 1 else "are"
+    return f"{agents(need.amount, need.capability)} {verb} needed at {where}"
+
+
+def moments(view: View) -> Iterator[list[Demand]]:
+    """Needs for one capability that begin at the same step, whenever that is."""
+    for now in instants(view):
+        for capability in dict.fromkeys(item.capability for item in now):
+            together = [item for item in now if item.capability == capability]
+            if len(together) > 1:
+                yield together
+
+
+def instants(view: View) -> Iterator[list[Demand]]:
+    """All needs that begin at the same step, whenever that is."""
+    for way, node in _anchors(view.mission.formula):
+        view.pause()
+        yield [
+            item
+            for item in demands_below(view.mission, way, node, Span(0, 0))
+            if not item.upper and item.amount > 0 and item.span.first == item.span.last == 0
+        ]
+
+
+def _anchors(root: Formula) -> Iterator[tuple[Way, Formula]]:
+    """Sub-formulas that must hold at some step, and say something about that step."""
+    open_: list[tuple[Way, Formula]] = [((), root)]
+    yield (), root
+    while open_:
+        way, node = open_.pop()
+        if isinstance(node, Always | Eventually):
+            yield (*way, 0), node.children[0]
+        if isinstance(node, And | Always | Eventually):
+            open_ += [((*way, n), child) for n, child in enumerate(node.children)]
+
+
+def _at_once(needs: Sequence[Demand]) -> int:
+    """Different agents that the needs ask for together, at least: those of disjoint places."""
+    each: dict[str, int] = {}
+    for need in needs:
+        if need.reach == "each":
+            for state in need.states:
+                each[state] = max(each.get(state, 0), need.amount)
+    total = sum(each.values())
+    taken = set(each)
+    for need in sorted(needs, key=lambda item: -item.amount):
+        if need.reach != "each" and not taken & set(need.states):
+            total += need.amount
+            taken |= set(need.states)
+    return max(total, *(need.total for need in needs))

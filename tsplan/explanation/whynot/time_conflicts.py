@@ -1,0 +1,174 @@
+"""Demands in each other's way: limits and capacities against needs, and too little time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from math import inf
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.agent_numbers import agents
+from tsplan.explanation.explanation import Element
+from tsplan.explanation.whynot.facts import MOST_DEMANDS
+
+if TYPE_CHECKING:
+    from tsplan.explanation.explanation import Fact
+    from tsplan.explanation.whynot.facts import View
+    from tsplan.explanation.whynot.unconditional_demands import Demand
+
+
+def crowding(view: View) -> Iterator[Fact]:
+    """Needs beyond the capacity of the state where they must be met."""
+    states = view.mission.system.states
+    for need in view.needs:
+        view.pause()
+        room = {name: states[name].capacity for name in need.states}
+        bounded = {name: most for name, most in room.items() if most is not None}
+        if need.reach == "each":
+            full = [name for name, most in bounded.items() if most < need.amount][:1]
+        elif len(bounded) < len(room):
+            continue
+        elif need.reach == "one":
+            full = list(bounded) if max(bounded.values()) < need.amount else []
+        else:
+            full = list(bounded) if sum(bounded.values()) < need.amount else []
+        if full:
+            holds = ", ".join(f"'{name}' holds {bounded[name]}" for name in full)
+            text = f"{agents(need.amount, need.capability)} must be at '{need.label}', and {holds}"
+            yield view.fact(
+                "capacity", text, [need], *(Element("capacity", (name,)) for name in full)
+            )
+
+
+def contradictions(view: View) -> Iterator[Fact]:
+    """Needs that a limit forbids at every step at which they may begin."""
+    for need, limits in _opposed(view):
+        view.pause()
+        free = _free_steps(need, limits, need.span.first)
+        if free is None:
+            limit = limits[0]
+            text = f"{_asked(need)}, and {_allowed(limit)} {_during(limit)}"
+            yield view.fact("contradiction", text, [need, *limits])
+            continue
+        ready = view.ready(need)
+        if ready <= need.span.last and _free_steps(need, limits, int(ready)) is None:
+            limit = limits[0]
+            text = (
+                f"{_asked(need)}, nobody can see to it before step {int(ready)}, "
+                f"and {_allowed(limit)} {_during(limit)}"
+            )
+            able = view.team(need.capability, "start", "team")
+            yield view.fact("room", text, [need, *limits], *able)
+
+
+def _opposed(view: View) -> Iterator[tuple[Demand, list[Demand]]]:
+    """Needs with the limits that forbid them and whose steps are known."""
+    limits = [limit for limit in view.limits if limit.span.fixed]
+    for need in view.needs[:MOST_DEMANDS]:
+        view.pause()
+        against = [limit for limit in limits if _forbids(limit, need)]
+        if against:
+            yield need, against
+
+
+def _forbids(limit: Demand, need: Demand) -> bool:
+    """Whether both cannot hold at one step, whoever is where."""
+    if limit.capability not in (None, need.capability):
+        return False
+    inside = set(need.states) & set(limit.states)
+    all_inside = len(inside) == len(need.states)
+    if limit.reach == "one":  # some state has few: not if all of them must have many
+        return need.reach == "each" and inside == set(limit.states) and need.amount > limit.amount
+    if need.reach == "each":
+        each = need.amount if limit.reach == "each" else need.amount * len(inside)
+        return bool(inside) and each > limit.amount
+    if limit.reach == "together" or need.reach == "one":
+        return all_inside and need.amount > limit.amount
+    return all_inside and need.amount > limit.amount * len(inside)
+
+
+def _free_steps(need: Demand, limits: list[Demand], first: int) -> int | None:
+    """The first step from which the need can be met between its limits; None if there is none."""
+    blocked = sorted((limit.span.first, limit.span.first + limit.span.lasts) for limit in limits)
+    begin = max(first, need.span.first)
+    for low, high in blocked:
+        if begin + need.span.lasts >= low and begin <= high:
+            begin = high + 1
+    return begin if begin <= need.span.last else None
+
+
+def room(view: View) -> Iterator[Fact]:
+    """Two tasks that need the same robots, with too little time to see to both."""
+    needs = [need for need in view.needs[:MOST_DEMANDS] if need.span.last < inf]
+    for one, two in combinations(needs, 2):
+        view.pause()
+        if one.capability != two.capability or set(one.states) & set(two.states):
+            continue
+        if one.total + two.total <= view.mission.having(one.capability):
+            continue
+        if max(one.total, two.total) > view.mission.having(one.capability):
+            continue  # one alone is too much: that is scarcity
+        late = _too_late(view, one, two)
+        if late is not None:
+            able = view.team(one.capability, "start", "team")
+            yield view.fact("timing", late, [one, two], *able)
+
+
+def _too_late(view: View, one: Demand, two: Demand) -> str | None:
+    """Why nobody can see to both needs, in either order; None if somebody may."""
+    words = []
+    for early, later in ((one, two), (two, one)):
+        ready = max(view.ready(early), early.span.first)
+        if ready > early.span.last:
+            return None  # that alone is impossible: it is out of reach
+        travel = _between(view, early, later)
+        free = ready + early.span.lasts
+        if free + travel <= later.span.last:
+            return None
+        way = f"the way takes {int(travel)} steps" if travel < inf else "there is no way"
+        words.append(
+            f"after '{early.label}' (done at step {int(free)} at the earliest) {way} to "
+            f"'{later.label}', which must begin by step {later.span.last}"
+        )
+    both = one.total + two.total
+    return (
+        f"{_asked(one)}, and {_asked(two)}: {both} in all, the team has "
+        f"{view.having(one.capability)}, so somebody must see to both; {'; '.join(words)}"
+    )
+
+
+def _between(view: View, one: Demand, two: Demand) -> float:
+    """Fewest steps from a state of one need to a state of the other, for anybody able."""
+    return min(
+        (
+            view.arrivals.between(group, source, target)
+            for group in view.mission.team
+            if one.capability is None or one.capability in group.capabilities
+            for source in one.states
+            for target in two.states
+        ),
+        default=inf,
+    )
+
+
+def _asked(need: Demand) -> str:
+    """A need with its steps."""
+    first, last, lasts = need.span
+    when = f"at step {first}" if need.span.fixed else f"at one of the steps {first}..{last}"
+    how_long = f" and stay for {lasts} more" if lasts else ""
+    if need.reach == "each" and len(need.states) > 1:
+        where = f"each of the {len(need.states)} states '{need.label}'"
+    else:
+        where = f"'{need.label}'"
+    return f"{agents(need.amount, need.capability)} must be at {where} {when}{how_long}"
+
+
+def _allowed(limit: Demand) -> str:
+    most = agents(limit.amount, limit.capability) if limit.amount else "nobody"
+    who = f" with {limit.capability}" if limit.capability and not limit.amount else ""
+    return f"at most {most} may be there" if limit.amount else f"nobody{who} may be there"
+
+
+def _during(limit: Demand) -> str:
+    first, _, lasts = limit.span
+    return f"during the steps {first}..{first + lasts}" if lasts else f"at step {first}"

@@ -1,0 +1,151 @@
+"""What a formula asks for in any case, with the steps at which it does.
+
+Only what every plan must do is listed: nothing below `or`, a negation or an implication. Each
+demand holds from some step of a window on, for a number of steps. Under `G` over `F` the first
+instance stands for all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from math import ceil, floor
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
+
+from tsplan.explanation.whynot.occurrences import Leaf, Way
+from tsplan.logic import (
+    Always,
+    And,
+    Count,
+    Eventually,
+    Formula,
+    Limit,
+    Percent,
+    Release,
+    Task,
+    Until,
+)
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+
+Reach: TypeAlias = Literal["each", "together", "one"]
+_LOWER: dict[str, Reach] = {"min": "each", "sum": "together", "max": "one"}
+_UPPER: dict[str, Reach] = {"max": "each", "sum": "together", "min": "one"}
+
+
+class Span(NamedTuple):
+    """A demand begins at some step `first .. last` and holds for `lasts` steps more."""
+
+    first: int
+    last: int
+    lasts: int = 0
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the step at which it begins is known."""
+        return self.first == self.last
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """At least (or, if `upper`, at most) `amount` agents with a capability at a label's states.
+
+    `reach` says whether that is meant at each of the states, at all of them together, or at one of
+    them.
+    """
+
+    leaf: Leaf
+    states: tuple[str, ...]
+    capability: str | None
+    amount: int
+    reach: Reach
+    upper: bool
+    span: Span
+    label: str
+
+    @property
+    def total(self) -> int:
+        """How many different agents a lower bound needs at once."""
+        return self.amount * len(self.states) if self.reach == "each" else self.amount
+
+
+def demands(mission: Mission) -> tuple[Demand, ...]:
+    """Everything that the mission's formula asks for in any case."""
+    return tuple(demands_below(mission, (), mission.formula, Span(0, 0)))
+
+
+def demands_below(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Demand]:
+    """What a sub-formula asks for that must hold from some step of `span` on."""
+    open_ = [(way, node, span)]
+    while open_:
+        here, formula, when = open_.pop()
+        yield from _atom(mission, here, formula, when)
+        inner = [
+            ((*here, number), formula.children[number], later)
+            for number, later in _inside(formula, when)
+        ]
+        open_ += reversed(inner)
+
+
+def _inside(node: Formula, span: Span) -> list[tuple[int, Span]]:
+    """The children that must hold whenever the node does, and when."""
+    first, last, lasts = span
+    if isinstance(node, And):
+        return [(number, span) for number in range(len(node.children))]
+    if isinstance(node, Always):
+        return [(0, Span(first + node.low, last + node.low, lasts + node.high - node.low))]
+    if isinstance(node, Eventually):
+        return [(0, _some_step(span, node.low, node.high))]
+    if isinstance(node, Until):
+        left = [(0, Span(first, last, lasts + node.low - 1))] if node.low > 0 else []
+        return [*left, (1, _some_step(span, node.low, node.high))]
+    if isinstance(node, Release) and node.low == 0:
+        return [(1, span)]
+    return []
+
+
+def _some_step(span: Span, low: int, high: int) -> Span:
+    if low == high:
+        return Span(span.first + low, span.last + low, span.lasts)
+    return Span(span.first + low, span.last + high)
+
+
+def _atom(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Demand]:
+    """The demands of a task, a limit or a count itself."""
+    if not isinstance(node, Task | Limit | Count):
+        return
+    states = mission.system.labels[node.label]
+    if isinstance(node, Task):
+        lasts = node.duration - (mission.task_interval == "half-open")
+        during = span._replace(lasts=span.lasts + lasts)
+        for number, (name, amount) in enumerate(node.needs):
+            leaf = Leaf(way, number if len(node.needs) > 1 else None)
+            yield Demand(leaf, states, name, amount, "each", False, during, node.label)
+    elif isinstance(node, Limit):
+        nobody: list[tuple[str | None, int]] = [(None, 0)]
+        for number, (who, most) in enumerate(node.needs or nobody):
+            leaf = Leaf(way, number if len(node.needs) > 1 else None)
+            yield Demand(leaf, states, who, most, "each", True, span, node.label)
+    else:
+        yield from _count(mission, way, node, span)
+
+
+def _count(mission: Mission, way: Way, node: Count, span: Span) -> Iterator[Demand]:
+    states, who = mission.system.labels[node.label], node.capability
+    for upper, amount in _bounds(node, mission.having(who)):
+        reach = (_UPPER if upper else _LOWER)[node.function]
+        yield Demand(Leaf(way), states, who, amount, reach, upper, span, node.label)
+
+
+def _bounds(node: Count, agents: int) -> Iterable[tuple[bool, int]]:
+    """The bounds that a relation means, as (upper, amount); none for `!=`."""
+    share = node.bound.of(agents) if isinstance(node.bound, Percent) else node.bound
+    if node.relation in (">=", "="):
+        yield False, ceil(share)
+    if node.relation == ">":
+        yield False, floor(share) + 1
+    if node.relation in ("<=", "="):
+        yield True, floor(share)
+    if node.relation == "<":
+        yield True, ceil(share) - 1

@@ -1,0 +1,279 @@
+"""Why a formula holds or fails: which steps of its sub-formulas settle it.
+
+What settles an eventuality is one step at which its child holds, what settles an `always` is its
+whole window; where they fail it is the other way round. Of several steps that would do, the
+earliest with the largest robustness is chosen; of several parts of an `or`, the first one. All of
+it is computed from the values of the evaluator, by which the choice settles the whole formula with
+the whole formula's own robustness.
+
+Source: I. Beer, S. Ben-David, H. Chockler, A. Orni, R. Trefler, "Explaining counterexamples using
+causality", CAV 2009, carried over from failing to holding formulas and to robustness.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import singledispatch
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from tsplan.logic.atoms import Count, Limit, Linear, Task
+from tsplan.logic.nodes import (
+    Always,
+    And,
+    Constant,
+    Eventually,
+    Formula,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Release,
+    Until,
+)
+from tsplan.logic.traversal import walk
+
+Steps: TypeAlias = npt.NDArray[np.int64]
+Values: TypeAlias = npt.NDArray[Any]
+Span: TypeAlias = tuple[int, int]
+
+NONE = -1
+"""Stands for a step where there is none."""
+
+NO_STEPS: Steps = np.empty(0, dtype=np.int64)
+
+
+class Reason(NamedTuple):
+    """What settles a node at some steps.
+
+    `below` has the steps of each child that settle it, sorted; a child without any is not needed.
+    `chosen` has one step for each step of the node, where the node is settled by a choice of
+    steps: the step of an eventuality, the tightest of an `always`, the change-over of an until or
+    release; NONE where there is no such step.
+    """
+
+    below: tuple[Steps, ...]
+    chosen: Steps | None = None
+
+
+class Judged(NamedTuple):
+    """A node's robustness and its children's, at every step, and the steps that are asked for."""
+
+    steps: Steps
+    own: Values
+    below: tuple[Values, ...]
+
+
+def settled(
+    formula: Formula, steps: Steps, margins: Mapping[Formula, Values]
+) -> Mapping[Formula, Steps]:
+    """The steps at which each sub-formula settles a formula at the given steps.
+
+    A sub-formula that stands at several places is listed once, with the steps of all of them.
+    The formula is without tasks and limits; `margins` is `tsplan.logic.evaluation.margins` of it.
+    """
+    asked = {node: [NO_STEPS] for node in walk(formula)}
+    asked[formula].append(steps)
+    found: dict[Formula, Steps] = {}
+    for node in reversed(tuple(asked)):
+        found[node] = np.unique(np.concatenate(asked[node]))
+        for child, wanted in zip(
+            node.children, reason_of(node, found[node], margins).below, strict=True
+        ):
+            asked[child].append(wanted)
+    return found
+
+
+def windows(formula: Formula) -> Mapping[Formula, tuple[Span, ...]]:
+    """The steps at which each sub-formula can matter when the formula is judged at step 0.
+
+    They are windows `(first, last)`, one for each different place in the formula.
+    """
+    asked: dict[Formula, dict[Span, None]] = {node: {} for node in walk(formula)}
+    asked[formula][0, 0] = None
+    for node in reversed(tuple(asked)):
+        for span in asked[node]:
+            for child, below in zip(node.children, spans(node, span), strict=True):
+                if below[0] <= below[1]:
+                    asked[child][below] = None
+    return {node: tuple(sorted(found)) for node, found in asked.items()}
+
+
+def reason_of(node: Formula, steps: Steps, margins: Mapping[Formula, Values]) -> Reason:
+    """What settles a node at the given steps."""
+    below = tuple(margins[child] for child in node.children)
+    found: Reason = reason(node, Judged(steps, margins[node], below))
+    return found
+
+
+@singledispatch
+def reason(node: Formula, _judged: Judged) -> Reason:
+    """What settles a node. Every class of nodes registers its own."""
+    raise TypeError(f"no reason is registered for {type(node).__name__}")
+
+
+@reason.register(Constant)
+@reason.register(Count)
+@reason.register(Linear)
+def _(_node: Formula, _judged: Judged) -> Reason:
+    return Reason(())
+
+
+@reason.register(Task)
+@reason.register(Limit)
+def _(node: Formula, _judged: Judged) -> Reason:
+    raise ValueError(f"'{node}' is settled through its translation")
+
+
+@reason.register(Not)
+@reason.register(Iff)
+def _(node: Formula, judged: Judged) -> Reason:
+    return Reason(tuple(judged.steps for _ in node.children))
+
+
+@reason.register
+def _(_node: And, judged: Judged) -> Reason:
+    return Reason(_parts(judged, -np.array([b[judged.steps] for b in judged.below]), every=True))
+
+
+@reason.register
+def _(_node: Or, judged: Judged) -> Reason:
+    return Reason(_parts(judged, np.array([b[judged.steps] for b in judged.below]), every=False))
+
+
+@reason.register
+def _(_node: Implies, judged: Judged) -> Reason:
+    left, right = (b[judged.steps] for b in judged.below)
+    return Reason(_parts(judged, np.array([-left - 1.0, right]), every=False))
+
+
+@reason.register
+def _(node: Eventually, judged: Judged) -> Reason:
+    best = _extreme(judged, (node.low, node.high), judged.below[0])
+    return _one_or_all(judged, (node.low, node.high), best, one=judged.own[judged.steps] >= 0)
+
+
+@reason.register
+def _(node: Always, judged: Judged) -> Reason:
+    worst = _extreme(judged, (node.low, node.high), -judged.below[0])
+    return _one_or_all(judged, (node.low, node.high), worst, one=judged.own[judged.steps] < 0)
+
+
+@reason.register
+def _(node: Until, judged: Judged) -> Reason:
+    left, right = judged.below
+    reached = judged.own[judged.steps] >= 0
+    return _switched(judged, (node.low, node.high), (left, right), reached)
+
+
+@reason.register
+def _(node: Release, judged: Judged) -> Reason:
+    left, right = judged.below
+    reached = judged.own[judged.steps] < 0
+    return _switched(judged, (node.low, node.high), (-left, -right), reached)
+
+
+@singledispatch
+def spans(node: Formula, span: Span) -> tuple[Span, ...]:
+    """The window of each child where a node matters in `span`, empty ones reversed.
+
+    Every class of nodes registers its own.
+    """
+    raise TypeError(f"no window is registered for {type(node).__name__}")
+
+
+@spans.register(Constant)
+@spans.register(Count)
+@spans.register(Linear)
+@spans.register(Task)
+@spans.register(Limit)
+@spans.register(Not)
+@spans.register(And)
+@spans.register(Or)
+@spans.register(Implies)
+@spans.register(Iff)
+def _(node: Formula, span: Span) -> tuple[Span, ...]:
+    return tuple(span for _ in node.children)
+
+
+@spans.register(Eventually)
+@spans.register(Always)
+def _(node: Eventually | Always, span: Span) -> tuple[Span, ...]:
+    return ((span[0] + node.low, span[1] + node.high),)
+
+
+@spans.register(Until)
+@spans.register(Release)
+def _(node: Until | Release, span: Span) -> tuple[Span, ...]:
+    first, last = span
+    left = (first, last + node.high - 1) if node.high else (0, NONE)
+    return left, (first + node.low, last + node.high)
+
+
+def _parts(judged: Judged, scores: Values, *, every: bool) -> tuple[Steps, ...]:
+    """The steps of each part: all parts where the node is settled by all, else the best by score.
+
+    An `or` that holds and an `and` that fails are settled by one part.
+    """
+    holds = judged.own[judged.steps] >= 0
+    best = scores.argmax(axis=0)
+    alone = ~holds if every else holds
+    return tuple(judged.steps[~alone | (best == number)] for number in range(len(judged.below)))
+
+
+def _extreme(judged: Judged, interval: Span, scores: Values) -> Steps:
+    """The earliest step with the largest score in the window of every step."""
+    low, high = interval
+    found = (t + low + int(np.argmax(scores[t + low : t + high + 1])) for t in judged.steps)
+    return np.fromiter(found, dtype=np.int64, count=len(judged.steps))
+
+
+def _one_or_all(judged: Judged, interval: Span, chosen: Steps, *, one: Values) -> Reason:
+    """The chosen step where `one` says so, the whole window elsewhere."""
+    low, high = interval
+    whole = [np.arange(t + low, t + high + 1, dtype=np.int64) for t in judged.steps[~one]]
+    return Reason((_union([chosen[one], *whole]),), chosen)
+
+
+def _switched(
+    judged: Judged, interval: Span, sides: tuple[Values, Values], reached: Values
+) -> Reason:
+    """The change-over of an until where it is `reached`; else why every change-over fails.
+
+    A release is the same with both sides' signs turned, reached where the release fails.
+    """
+    lefts, rights, chosen = [NO_STEPS], [NO_STEPS], []
+    for t, there in zip(judged.steps.tolist(), reached.tolist(), strict=True):
+        step, left, right = (_change if there else _refusal)(t, interval, sides)
+        chosen.append(step)
+        lefts.append(left)
+        rights.append(right)
+    return Reason((_union(lefts), _union(rights)), np.array(chosen, dtype=np.int64))
+
+
+def _change(t: int, interval: Span, sides: tuple[Values, Values]) -> tuple[int, Steps, Steps]:
+    """The best change-over from step t: right at it, left before it."""
+    left, right = sides
+    low, high = interval
+    before = np.minimum.accumulate(np.concatenate([[np.inf], left[t : t + high]]))
+    step = t + low + int(np.argmax(np.minimum(right[t + low : t + high + 1], before[low:])))
+    return step, np.arange(t, step, dtype=np.int64), np.array([step], dtype=np.int64)
+
+
+def _refusal(t: int, interval: Span, sides: tuple[Values, Values]) -> tuple[int, Steps, Steps]:
+    """Why no change-over from step t is any better: left has ended, right never came before."""
+    left, right = sides
+    low, high = interval
+    before = np.minimum.accumulate(np.concatenate([[np.inf], left[t : t + high]]))
+    best = np.minimum(right[t + low : t + high + 1], before[low:]).max()
+    ended = np.flatnonzero(left[t : t + high] <= best)
+    if not ended.size:
+        return NONE, NO_STEPS, np.arange(t + low, t + high + 1, dtype=np.int64)
+    step = t + int(ended[0])
+    return step, np.array([step], dtype=np.int64), np.arange(t + low, step + 1, dtype=np.int64)
+
+
+def _union(parts: list[Steps]) -> Steps:
+    return np.unique(np.concatenate(parts))

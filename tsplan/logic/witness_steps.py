@@ -1,0 +1,262 @@
+"""Which parts of a tree hold on a trace, and when: what a fraction is made of.
+
+Trees are those of `tsplan.logic.fraction.tree_of`. A *pair* is a sub-formula and a step at which
+it is judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple, TypeAlias
+
+from tsplan.logic.fraction import Shares, changes, shares
+from tsplan.logic.nodes import (
+    Always,
+    And,
+    Eventually,
+    Formula,
+    Or,
+    Until,
+    conjunction,
+)
+from tsplan.logic.simplification import simplify
+from tsplan.logic.traces import Trace
+
+Pair: TypeAlias = "tuple[Formula, int]"
+
+MOST_PARTS = 5_000
+"""Parts that are told of one tree; written out, a small formula with many <=> may have millions."""
+
+MOST_PAIRS = 200_000
+"""Pairs of a tree that are told apart by their depth; a formula with more is too large for that."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One sub-formula of a tree where it stands: how much of it holds, and when.
+
+    It is judged where the best witnesses of the eventualities above it say, and `fraction` is the
+    mean over these steps; `first` and `last` are the steps between which its atoms are looked at.
+    A part that is not `counted` belongs to an alternative that is not the best one, and does not
+    enter the root's fraction.
+    """
+
+    node: Formula
+    depth: int
+    first: int
+    last: int
+    fraction: Fraction
+    counted: bool = True
+
+    @property
+    def met(self) -> bool:
+        """Whether the part holds wherever it is judged."""
+        return self.fraction == 1
+
+
+class _Place(NamedTuple):
+    """A sub-formula where it stands, with the steps at which it is judged."""
+
+    node: Formula
+    depth: int
+    steps: tuple[int, ...]
+    counted: bool
+
+
+def parts(tree: Formula, trace: Trace) -> tuple[Part, ...]:
+    """Every sub-formula of a tree, parents before their children, in the order of the text.
+
+    Of a tree with more than `MOST_PARTS` the last ones are left out.
+    """
+    values = shares(tree, trace)
+    places: list[_Place] = []
+    stack = [_Place(tree, 0, (0,), counted=True)]
+    while stack and len(places) < MOST_PARTS:
+        places.append(stack.pop())
+        stack += reversed(list(_below(places[-1], values)))
+    found = []
+    for place, span in zip(places, _spans(places), strict=True):
+        node = place.node
+        total = sum((values[node][step].fraction for step in place.steps), Fraction(0))
+        found.append(Part(node, place.depth, *span, total / len(place.steps), place.counted))
+    return tuple(found)
+
+
+def _spans(places: Sequence[_Place]) -> list[tuple[int, int]]:
+    """Between which steps the atoms of each place are judged; parents stand before children."""
+    spans: list[tuple[int, int]] = []
+    below: dict[int, tuple[int, int]] = {}  # of the children seen since their last parent
+    for place in reversed(places):
+        span = below.pop(place.depth + 1, (place.steps[0], place.steps[-1]))
+        first, last = below.get(place.depth, span)
+        below[place.depth] = (min(first, span[0]), max(last, span[1]))
+        spans.append(span)
+    return spans[::-1]
+
+
+def _below(place: _Place, values: Mapping[Formula, Shares]) -> Iterator[_Place]:
+    """The children of a place and where they are judged; alternatives that lose included."""
+    node = place.node
+    judged: list[set[int]] = [set() for _ in node.children]
+    for step in place.steps:
+        for number, later in chosen(node, step, values):
+            judged[number].add(later)
+    for child, steps in zip(node.children, judged, strict=True):
+        if steps:
+            yield _Place(child, place.depth + 1, tuple(sorted(steps)), place.counted)
+        elif isinstance(node, Or):
+            yield _Place(child, place.depth + 1, place.steps, counted=False)
+
+
+def chosen(node: Formula, step: int, values: Mapping[Formula, Shares]) -> Iterator[tuple[int, int]]:
+    """Which children, at which steps, the fraction of a node at a step is the mean or maximum of.
+
+    Of alternatives only the best is named, the first of them where several are.
+    """
+    below = [values[child] for child in node.children]
+    if isinstance(node, And):
+        yield from ((number, step) for number in range(len(below)))
+    elif isinstance(node, Or):
+        yield max(range(len(below)), key=lambda number: below[number][step]), step
+    elif isinstance(node, Always):
+        yield from ((0, later) for later in range(step + node.low, step + node.high + 1))
+    elif isinstance(node, Eventually):
+        window = range(step + node.low, step + node.high + 1)
+        yield 0, max(window, key=lambda later: below[0][later])
+    elif isinstance(node, Until):
+        switch, _ = max(changes(node, step, *below), key=lambda change: change[1])
+        yield from ((0, later) for later in range(step, switch))
+        yield 1, switch
+
+
+def satisfied(tree: Formula, trace: Trace) -> tuple[Pair, ...]:
+    """The pairs that hold and that a tree's fraction is made of, the topmost ones alone.
+
+    Whatever makes all of them hold has at least the same fraction.
+    """
+    values = shares(tree, trace)
+    found: list[Pair] = []
+    seen: set[Pair] = {(tree, 0)}
+    stack: list[Pair] = [(tree, 0)]
+    while stack:
+        node, step = stack.pop()
+        if values[node][step].fraction == 1:
+            found.append((node, step))
+            continue
+        for number, later in chosen(node, step, values):
+            pair = (node.children[number], later)
+            if pair not in seen:
+                seen.add(pair)
+                stack.append(pair)
+    return tuple(found)
+
+
+def demanded(pairs: Iterable[Pair]) -> Formula:
+    """The formula that holds at step 0 exactly where all pairs hold, simplified.
+
+    >>> from tsplan.logic import parse
+    >>> print(demanded([(parse("a"), 2), (parse("b"), 0), (parse("a"), 3)]))
+    G[2,3] a && b
+    """
+    steps: dict[Formula, list[int]] = {}
+    for node, step in pairs:
+        steps.setdefault(node, []).append(step)
+    return simplify(
+        conjunction(
+            Always(first, last, node)
+            for node, times in steps.items()
+            for first, last in _runs(sorted(set(times)))
+        )
+    )
+
+
+def _runs(steps: list[int]) -> Iterator[tuple[int, int]]:
+    """Consecutive steps, as first and last of each run."""
+    begin = 0
+    for place in range(1, len(steps) + 1):
+        if place == len(steps) or steps[place] != steps[place - 1] + 1:
+            yield steps[begin], steps[place - 1]
+            begin = place
+
+
+class Spot(NamedTuple):
+    """A sub-formula where it stands in a tree, and every step at which it may matter.
+
+    `parent` is the number of its parent's spot, -1 for the root, and `child` its place there.
+    """
+
+    node: Formula
+    depth: int
+    parent: int
+    child: int
+    steps: tuple[int, ...]
+
+
+def spots(tree: Formula) -> list[Spot]:
+    """Every place in a tree, parents first.
+
+    Raises ValueError for a tree with more than `MOST_PAIRS` pairs.
+    """
+    found = [Spot(tree, 0, -1, 0, (0,))]
+    pairs = 1
+    for number, spot in enumerate(found):  # it grows while it is walked
+        for child, below in enumerate(spot.node.children):
+            steps = {later for step in spot.steps for later in reach(spot.node, child, step)}
+            pairs += len(steps)
+            if pairs > MOST_PAIRS:
+                raise ValueError(
+                    f"the formula has more than {MOST_PAIRS:,} parts at their steps; "
+                    "ask for the weighted order"
+                )
+            if steps:
+                found.append(Spot(below, spot.depth + 1, number, child, tuple(sorted(steps))))
+    return found
+
+
+def reach(node: Formula, child: int, step: int) -> range:
+    """The steps at which a child may matter to its parent at `step`."""
+    if isinstance(node, Always | Eventually):
+        return range(step + node.low, step + node.high + 1)
+    if isinstance(node, Until):
+        return (
+            range(step + node.low, step + node.high + 1) if child else range(step, step + node.high)
+        )
+    return range(step, step + 1)
+
+
+class Levels(NamedTuple):
+    """How many pairs of each depth hold without any of their ancestors, and which they are."""
+
+    counts: tuple[int, ...]
+    pairs: tuple[Pair, ...]
+
+
+def levels(tree: Formula, trace: Trace) -> Levels:
+    """The pairs of a tree that hold while no ancestor of theirs does, counted by depth.
+
+    A pair's ancestors are all pairs of the tree in whose windows it lies. Two places in the tree
+    count apart even where the same formula stands there.
+    """
+    values = shares(tree, trace)
+    everywhere = spots(tree)
+    counts = [0] * (1 + max(spot.depth for spot in everywhere))
+    pairs: dict[Pair, None] = {}
+    covered: list[set[int]] = []
+    for spot in everywhere:
+        above = _covered_from_above(spot, everywhere, covered)
+        held = {step for step in spot.steps if values[spot.node][step].fraction == 1}
+        topmost = held - above
+        counts[spot.depth] += len(topmost)
+        pairs.update(((spot.node, step), None) for step in sorted(topmost))
+        covered.append(held | above)
+    return Levels(tuple(counts), tuple(pairs))
+
+
+def _covered_from_above(spot: Spot, everywhere: list[Spot], covered: list[set[int]]) -> set[int]:
+    """Steps of a spot that lie in the window of a pair that is covered itself."""
+    if spot.parent < 0:
+        return set()
+    parent = everywhere[spot.parent].node
+    return {later for step in covered[spot.parent] for later in reach(parent, spot.child, step)}

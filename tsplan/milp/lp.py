@@ -1,0 +1,248 @@
+"""A linear program that is solved again and again from its last basis, for dives and trees."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+from scipy import sparse
+
+from tsplan.errors import SolverError
+from tsplan.milp.highs import checked, load, set_option
+from tsplan.milp.model import Floats, Ints, Model
+from tsplan.milp.quiet_output import hushed
+from tsplan.milp.solution import hopeless
+from tsplan.milp.watchdog import Attendant
+
+with hushed():
+    import highspy
+    from highspy import HighsModelStatus as Ended
+
+LPStatus: TypeAlias = Literal["optimal", "infeasible", "cutoff", "limit"]
+_ENDS: dict[Ended, LPStatus] = {
+    Ended.kOptimal: "optimal",
+    Ended.kModelEmpty: "optimal",
+    Ended.kInfeasible: "infeasible",
+    Ended.kObjectiveBound: "cutoff",
+    Ended.kObjectiveTarget: "cutoff",
+    Ended.kTimeLimit: "limit",
+    Ended.kInterrupt: "limit",
+    Ended.kIterationLimit: "limit",
+}
+_LARGE = 100_000  # entries from which presolve may take seconds, in which HiGHS hears nothing
+_QUIET = 0.2  # seconds that a warm solve may take before `stop` is asked in every iteration
+_INFINITY = float("inf")
+
+
+@dataclass(frozen=True, eq=False)
+class LPResult:
+    """The end of one LP solve; unless optimal, `objective` is infinite and the arrays are None.
+
+    "cutoff" means that no point below the cutoff exists, "limit" that the solve was stopped. The
+    arrays are made when they are first asked for: one value and one reduced cost per column, one
+    dual value per row (of a minimisation: positive where the lower side of the row holds it up).
+    """
+
+    status: LPStatus
+    objective: float
+    seconds: float
+    _solution: Any = field(default=None, repr=False)
+
+    @cached_property
+    def values(self) -> Floats | None:
+        """Values of the columns."""
+        return self._array("col_value")
+
+    @cached_property
+    def reduced_costs(self) -> Floats | None:
+        """Reduced costs of the columns."""
+        return self._array("col_dual")
+
+    @cached_property
+    def row_duals(self) -> Floats | None:
+        """Dual values of the rows."""
+        return self._array("row_dual")
+
+    def _array(self, name: str) -> Floats | None:
+        if self._solution is None:
+            return None
+        listed = getattr(self._solution, name)
+        return np.fromiter(listed, np.float64, len(listed))
+
+
+class WarmLP:
+    """The LP relaxation of a model, kept in HiGHS with its simplex basis.
+
+    Integrality is ignored. `stop` is asked now and then while solving; once it is true the solve
+    ends with status "limit". Changes keep the basis, so the next solve goes on from the last one
+    (dual simplex after changed bounds and new rows, primal after changed costs).
+    """
+
+    def __init__(self, model: Model, stop: Callable[[], bool] | None = None) -> None:
+        self._highs = load(model, relaxed=True)
+        self._stop = stop
+        self._cutoff = _INFINITY
+        self._limit = _INFINITY
+        self._watched = False
+        self._warm = False
+        self._large = model.size.nonzeros > _LARGE
+        self._left_running = False
+        # HiGHS calls a program without columns empty, whatever its rows say
+        self._offset = float(model.offset)
+        self._hopeless = hopeless(model)
+        set_option(self._highs, "solver", "simplex")
+
+    def bounds(self, columns: Ints, lower: npt.ArrayLike, upper: npt.ArrayLike) -> None:
+        """New bounds for some columns: one number for all of them, or one for each."""
+        count = len(columns)
+        low, high = _spread(lower, count), _spread(upper, count)
+        status = self._highs.changeColsBounds(count, _indices(columns), low, high)
+        checked(status, "column bounds")
+
+    def costs(self, columns: Ints, costs: npt.ArrayLike) -> None:
+        """New objective coefficients for some columns."""
+        count = len(columns)
+        status = self._highs.changeColsCost(count, _indices(columns), _spread(costs, count))
+        checked(status, "costs")
+
+    def add_rows(self, rows: sparse.csr_array, lower: Floats, upper: Floats) -> None:
+        """More rows, `lower <= rows @ x <= upper`."""
+        status = self._highs.addRows(
+            rows.shape[0],
+            np.ascontiguousarray(lower, dtype=np.float64),
+            np.ascontiguousarray(upper, dtype=np.float64),
+            rows.nnz,
+            _indices(rows.indptr[:-1]),
+            _indices(rows.indices),
+            np.ascontiguousarray(rows.data, dtype=np.float64),
+        )
+        checked(status, "rows")
+
+    def delete_rows(self, rows: Ints) -> None:
+        """Take rows away; those after them move up."""
+        checked(self._highs.deleteRows(len(rows), _indices(rows)), "to delete rows")
+
+    @property
+    def row_count(self) -> int:
+        """Number of rows now."""
+        return int(self._highs.getNumRow())
+
+    def solve(self, time_limit: float | None = None, cutoff: float | None = None) -> LPResult:
+        """Solve from the last basis; give up above `cutoff` or after `time_limit` seconds.
+
+        Raises SolverError for an unbounded program and where HiGHS fails even from scratch.
+        """
+        began = time.perf_counter()
+        if self._left_running:
+            return LPResult("limit", _INFINITY, 0.0)
+        if self._hopeless:
+            return LPResult("infeasible", _INFINITY, 0.0)
+        most = _INFINITY if cutoff is None else float(cutoff)
+        if most != self._cutoff:
+            set_option(self._highs, "objective_bound", most)
+            self._cutoff = most
+        until = _INFINITY if time_limit is None else began + max(time_limit, 0.0)
+        ended = self._run(until)
+        if self._left_running:
+            return LPResult("limit", _INFINITY, time.perf_counter() - began)
+        if ended == Ended.kUnboundedOrInfeasible:
+            ended = self._without_presolve(until)
+        if ended not in _ENDS and ended != Ended.kUnbounded:
+            # numerical trouble: forget the basis
+            checked(self._highs.clearSolver(), "to forget the basis")
+            ended = self._run(until)
+        if ended not in _ENDS:
+            words = self._highs.modelStatusToString(ended)
+            raise SolverError(f"HiGHS could not solve a linear program: {words}")
+        self._warm = True
+        return self._result(ended, most, time.perf_counter() - began)
+
+    def _result(self, ended: Ended, cutoff: float, seconds: float) -> LPResult:
+        if _ENDS[ended] != "optimal":
+            return LPResult(_ENDS[ended], _INFINITY, seconds)
+        empty = ended == Ended.kModelEmpty
+        objective = self._offset if empty else float(self._highs.getObjectiveValue())
+        if objective > cutoff:
+            # the bound is only looked at between iterations
+            return LPResult("cutoff", _INFINITY, seconds)
+        return LPResult("optimal", objective, seconds, self._highs.getSolution())
+
+    def _run(self, until: float) -> Ended:
+        """Run until it ends, the time is up or `stop` is true.
+
+        Asking `stop` in every iteration would slow small programs down by a third, so a warm solve
+        runs without for a moment; on reaching a limit HiGHS keeps its basis.
+        """
+        watched = self._stop is not None and not self._warm
+        while True:
+            quiet = self._stop is not None and not watched
+            self._watch(on=watched)
+            now = time.perf_counter()
+            ended = self._once(min(until, now + _QUIET) if quiet else until, now)
+            if ended != Ended.kTimeLimit or not quiet or time.perf_counter() >= until:
+                return ended
+            watched = True
+
+    def _once(self, until: float, now: float) -> Ended:
+        highs = self._highs
+        if until <= now:
+            return Ended.kTimeLimit
+        # HiGHS counts the seconds of all its runs together
+        limit = until if until == _INFINITY else highs.getRunTime() + max(until - now, 0.0)
+        if limit != self._limit:
+            checked(highs.setOptionValue("time_limit", limit), "the time limit")
+            self._limit = limit
+        if self._large and not self._warm:
+            return self._apart(until)
+        try:
+            status = highs.run()
+        except KeyboardInterrupt:
+            # raised in the callback, through HiGHS: what it has begun is lost
+            highs.clearSolver()
+            raise
+        return Ended.kSolveError if status == highspy.HighsStatus.kError else highs.getModelStatus()
+
+    def _apart(self, until: float) -> Ended:
+        """Run attended by this thread, and leave it behind where it does not hear that it is over.
+
+        HiGHS looks at the time and at the callback between iterations, not while it presolves.
+        """
+        ends: list[highspy.HighsStatus] = []
+        deadline = None if until == _INFINITY else until
+        attendant = Attendant(deadline, asked=self._stop or (lambda: False))
+        if not attendant.run(lambda: ends.append(self._highs.run())):
+            self._left_running = True
+            return Ended.kTimeLimit
+        failed = ends[0] == highspy.HighsStatus.kError
+        return Ended.kSolveError if failed else self._highs.getModelStatus()
+
+    def _without_presolve(self, until: float) -> Ended:
+        set_option(self._highs, "presolve", "off")
+        ended = self._run(until)
+        set_option(self._highs, "presolve", "choose")
+        return ended
+
+    def _watch(self, *, on: bool) -> None:
+        if on != self._watched:
+            if on:
+                self._highs.cbSimplexInterrupt += self._interrupt
+            else:
+                self._highs.cbSimplexInterrupt -= self._interrupt
+            self._watched = on
+
+    def _interrupt(self, event: Any) -> None:
+        # said either way: HiGHS remembers the last answer, from earlier solves too
+        event.interrupt(self._stop is not None and self._stop())
+
+
+def _indices(places: npt.ArrayLike) -> npt.NDArray[np.int32]:
+    return np.ascontiguousarray(places, dtype=np.int32)
+
+
+def _spread(numbers: npt.ArrayLike, count: int) -> Floats:
+    return np.ascontiguousarray(np.broadcast_to(np.asarray(numbers, dtype=np.float64), (count,)))

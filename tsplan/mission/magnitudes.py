@@ -1,0 +1,70 @@
+"""Whether the numbers of a mission are numbers, and of a size that can be planned.
+
+For missions from files most of this is settled by the file's schema already, with its places; it
+is here for those that are made in Python, by the same limits.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from tsplan.limits import (
+    LARGEST,
+    LEAST_WEIGHT,
+    MOST_ROBOTS,
+    MOST_STEPS,
+    MOST_WEIGHT,
+    Range,
+    complaints,
+)
+from tsplan.mission.findings import Place, Problem
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from tsplan.mission.mission import Mission, SwarmRules
+
+_COUNT = Range(1, LARGEST, whole=True)
+_FROM_0 = Range(0, LARGEST, whole=True)
+_STEPS = Range(0, MOST_STEPS, whole=True)
+_ROBOTS = Range(0, MOST_ROBOTS, whole=True)
+_SHARE = Range(0, 1)
+_WEIGHT = Range(LEAST_WEIGHT, MOST_WEIGHT)
+
+
+def number_problems(mission: Mission) -> list[Problem]:
+    """Numbers of a mission that are none, or too small or too large."""
+    problems = [
+        Problem(("solver", name), words, "leave it out for its default")
+        for name, words in complaints(asdict(mission.solver)).items()
+    ]
+    found: list[tuple[Place, str | None]] = []
+    for number, group in enumerate(mission.team):
+        found += [
+            (("team", number, "at", state), _COUNT.complaint(count))
+            for state, count in group.starts
+        ]
+    for number, wish in enumerate(mission.prefer):
+        place = ("spec", "prefer", number)
+        found.append(((*place, "weight"), _WEIGHT.complaint(wish.weight)))
+        found.append(((*place, "level"), _FROM_0.complaint(wish.level)))
+    found.append((("horizon",), _STEPS.complaint(mission.horizon)))
+    if mission.swarm is not None:
+        found += _swarm_numbers(mission.swarm)
+    return problems + [Problem(place, words) for place, words in found if words is not None]
+
+
+def _swarm_numbers(rules: SwarmRules) -> Iterator[tuple[Place, str | None]]:
+    for name, bounds in rules.each.items():
+        yield ("swarms", name, "min_subswarm"), _COUNT.complaint(bounds.least)
+        yield ("swarms", name, "max_subswarms"), _given(bounds.most)
+    yield ("max_subswarms",), _given(rules.together)
+    margin = _SHARE if isinstance(rules.margin, Fraction) else _ROBOTS
+    yield ("margin",), margin.complaint(rules.margin)
+
+
+def _given(value: Any) -> str | None:
+    """What is wrong with a bound, if there is one."""
+    return None if value is None else _COUNT.complaint(value)

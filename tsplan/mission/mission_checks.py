@@ -1,0 +1,384 @@
+"""What has to fit together in a mission: team and map, formula and map, objective, horizon.
+
+Every check returns problems that name their place as a path in a mission file or as a node of
+the formula; who reads a file turns them into findings with lines and columns.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tsplan.errors import FormulaError, Nearest, nearest
+from tsplan.limits import MOST_ROBOTS, MOST_STEPS
+from tsplan.mission.costs import cost_problems
+from tsplan.mission.findings import FORMULA, Place, Problem, preferred
+from tsplan.mission.magnitudes import number_problems
+from tsplan.mission.mission import OBJECTIVES, SENSES, SWARM_OBJECTIVES, SwarmRules, TaskInterval
+from tsplan.mission.swarm_rules import swarm_problems
+
+if TYPE_CHECKING:
+    from tsplan.logic import Formula
+    from tsplan.mission.mission import Group, Mission, Preference
+    from tsplan.ts import TransitionSystem
+
+
+def problems_of(mission: Mission) -> list[Problem]:
+    """Everything that does not fit together in a mission."""
+    numbers = number_problems(mission)
+    if numbers:
+        return numbers  # with numbers that are none, nothing else can be judged
+    return [
+        *objective_problems(mission.objective, mission.swarm),
+        *wish_problems(mission.objective, mission.prefer, mission.swarm),
+        *team_problems(mission.team, mission.system, mission.swarm),
+        *map_problems(mission.system, mission.team),
+        *cost_problems(mission.system, mission.team, mission.horizon, mission.objective),
+        *formula_problems(mission.formula, mission.system, mission.team, mission.swarm),
+        *horizon_problems(mission.formula, mission.task_interval, mission.horizon),
+        *(
+            problem
+            for number, wish in enumerate(mission.prefer)
+            for problem in preferred_problems(wish, number, mission)
+        ),
+    ]
+
+
+def preferred_problems(wish: Preference, number: int, mission: Mission) -> list[Problem]:
+    """What does not fit in a preferred formula of a mission."""
+    found = [
+        *formula_problems(wish.formula, mission.system, mission.team, mission.swarm),
+        *horizon_problems(wish.formula, mission.task_interval, mission.horizon),
+    ]
+    return moved(found, preferred(number))
+
+
+def moved(problems: Iterable[Problem], place: Place) -> list[Problem]:
+    """Problems of a formula that stands elsewhere than the mission's own."""
+    return [replace(item, path=place) if item.path == FORMULA else item for item in problems]
+
+
+def wish_problems(
+    objective: Sequence[str], prefer: Sequence[Preference], swarm: SwarmRules | None
+) -> list[Problem]:
+    """Objectives about what holds that are out of place, and preferences of one name."""
+    problems = []
+    for place, name in enumerate(objective):
+        path: Place = ("objective", place)
+        if place and name in ("satisfaction", "preferences"):
+            what = f"'{name}' comes after other objectives"
+            problems.append(Problem(path, what, "name it first: it is settled first"))
+        if name == "preferences" and not prefer:
+            what = "'preferences' are an objective and none are there"
+            problems.append(Problem(path, what, "add 'prefer: [...]' to the spec"))
+        if name == "satisfaction" and swarm is not None and swarm.margin:
+            what = "a margin is head-room of what must hold, and nothing must hold wholly"
+            problems.append(Problem(path, what, "remove 'margin', or write it into the counts"))
+        if name == "satisfaction" and prefer:
+            what = "what must hold cannot hold in part"
+            remedy = "remove 'satisfaction', and prefer with 'partial: true' what may"
+            problems.append(Problem(path, what, remedy))
+    names = [wish.name for wish in prefer]
+    for number, name in enumerate(names):
+        if name in names[:number]:
+            path = ("spec", "prefer", number, "name")
+            problems.append(Problem(path, f"two preferences are called '{name}'", "rename one"))
+    return problems
+
+
+def objective_problems(objective: Sequence[str], swarm: SwarmRules | None) -> list[Problem]:
+    """Unknown and repeated objectives, and those of swarms for a team or the other way round."""
+    known = OBJECTIVES if swarm is None else SWARM_OBJECTIVES
+    problems = []
+    for place, name in enumerate(objective):
+        path = ("objective", place)
+        if name in SENSES and name not in known:
+            kinds = ("swarms", "a team") if swarm is None else ("teams", "a swarm")
+            what = f"objective '{name}' is for {kinds[0]}, and this mission is for {kinds[1]}"
+            problems.append(Problem(path, what, f"use {', '.join(known)}"))
+        elif name not in known:
+            problems.append(Problem(path, f"unknown objective '{name}'", nearest(name, known)))
+        elif name in objective[:place]:
+            problems.append(Problem(path, f"objective '{name}' is named twice", "remove one"))
+    return problems
+
+
+def team_problems(
+    team: Sequence[Group], system: TransitionSystem | None, swarm: SwarmRules | None
+) -> list[Problem]:
+    """Counts, classes and start states; without a map, only what does not need it."""
+    problems: list[Problem] = []
+    if not team:
+        problems.append(Problem(("team",), "the team is empty", "add at least one robot"))
+    places = [entry_place(number, team, swarm) for number in range(len(team))]
+    closest = Nearest(() if system is None else system.states)
+    for place, group in zip(places, team, strict=True):
+        if not group.starts:
+            problems.append(Problem((*place, "at"), "no start state", "say where the robots start"))
+        for state, count in group.starts:
+            if count < 1:
+                problems.append(
+                    Problem(
+                        (*place, "at", state),
+                        f"{count} robots at '{state}'",
+                        "a count is a whole number of at least 1",
+                    )
+                )
+            if system is not None:
+                problems += _start_problems(system, group, (*place, "at", state), closest)
+    size = sum(group.count for group in team)
+    if size > MOST_ROBOTS:
+        problems.append(
+            Problem(
+                places[0][:1], f"a team of {size:,} robots", f"at most {MOST_ROBOTS:,} are planned"
+            )
+        )
+    if system is not None:
+        problems += _crowds(team, places, system)
+    return problems + (_differing(team) if swarm is None else swarm_problems(team, places, swarm))
+
+
+def entry_place(number: int, team: Sequence[Group], swarm: SwarmRules | None) -> Place:
+    """Where the entry of a group stands in a mission file."""
+    if swarm is None:
+        return ("team", number)
+    single = len(team) == 1 and not team[0].capabilities
+    return ("swarm",) if single else ("swarms", number)
+
+
+def _start_problems(
+    system: TransitionSystem, group: Group, path: Place, closest: Nearest
+) -> list[Problem]:
+    state = str(path[-1])
+    if state not in system.states:
+        return [Problem(path, f"the map has no state '{state}'", closest(state))]
+    missing = sorted(system.states[state].needs - group.capabilities)
+    if not missing:
+        return []
+    needed = ", ".join(missing)
+    return [
+        Problem(
+            path,
+            f"class '{group.class_name}' may not be at '{state}', which needs {needed}",
+            "start elsewhere"
+            + (f" or give the class the capability {needed}" if path[0] == "team" else ""),
+        )
+    ]
+
+
+def _crowds(
+    team: Sequence[Group], places: Sequence[Place], system: TransitionSystem
+) -> list[Problem]:
+    """States at which more robots start than fit."""
+    starting: Counter[str] = Counter()
+    last: dict[str, Place] = {}
+    for place, group in zip(places, team, strict=True):
+        for state, count in group.starts:
+            starting[state] += count
+            last[state] = (*place, "at", state)
+    problems = []
+    for state, count in starting.items():
+        capacity = system.states[state].capacity if state in system.states else None
+        if capacity is not None and count > capacity:
+            problems.append(
+                Problem(
+                    last[state],
+                    f"{count} robots start at '{state}', which holds {capacity}",
+                    "start some of them elsewhere or raise the state's capacity",
+                )
+            )
+    return problems
+
+
+def _differing(team: Sequence[Group]) -> list[Problem]:
+    """Entries of one class that differ in their capabilities (a warning)."""
+    first: dict[str, Group] = {}
+    problems = []
+    for place, group in enumerate(team):
+        known = first.setdefault(group.class_name, group)
+        if known.capabilities != group.capabilities:
+            problems.append(
+                Problem(
+                    ("team", place, "capabilities"),
+                    f"class '{group.class_name}' has other capabilities here than in an earlier "
+                    "entry",
+                    "both are kept apart; give them different class names if that is meant",
+                    serious=False,
+                )
+            )
+    return problems
+
+
+def map_problems(system: TransitionSystem, team: Sequence[Group]) -> list[Problem]:
+    """Durations and costs that the map gives to classes the team does not have (warnings)."""
+    classes = {group.class_name for group in team} | {"default"}
+    unknown: dict[str, str] = {}
+    for edge in system.edges.values():
+        if isinstance(edge.duration, Mapping):
+            for name in edge.duration:
+                if name not in classes:
+                    unknown.setdefault(name, f"{edge.source} to {edge.target}")
+    return [
+        Problem(
+            ("map",),
+            f"the map gives a duration to class '{name}' (edge {where}), which the team lacks",
+            nearest(name, classes - {"default"}),
+            serious=False,
+        )
+        for name, where in unknown.items()
+    ]
+
+
+def formula_problems(
+    formula: Formula,
+    system: TransitionSystem | None,
+    team: Iterable[Group] | None,
+    swarm: SwarmRules | None,
+) -> list[Problem]:
+    """Labels, capabilities and kinds of atoms, as far as map and team are known."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    known: frozenset[str] = frozenset().union(*(group.capabilities for group in team or ()))
+    places = Nearest(() if system is None else {*system.labels, *system.states})
+    able = Nearest(known)
+    problems: list[Problem] = []
+    for node in logic.walk(formula):
+        problems += _refused(node)
+        problems += _percentages(node) if swarm is None and team is not None else []
+        if isinstance(node, logic.Count | logic.Task | logic.Limit):
+            problems += [] if system is None else _unplaced(node, node.label, system, places)
+            problems += [
+                _stranger(node, name, able if known or swarm is None else None, swarm)
+                for name in _capabilities(node)
+                if name not in known and team is not None
+            ]
+    return problems
+
+
+def _unplaced(
+    node: Formula, label: str, system: TransitionSystem, closest: Nearest
+) -> list[Problem]:
+    """A label of no state, or (a warning) one that is the name of a state without it."""
+    state = system.states.get(label)
+    if label not in system.labels and state is None:
+        what = f"no state of the map has the label '{label}'"
+        return [Problem(FORMULA, what, closest(label), node=node, word=label)]
+    if state is None or label not in system.labels or label in state.labels:
+        return []
+    carriers = ", ".join(system.labels[label][:3])
+    what = f"'{label}' is the label of {carriers}, and also the name of a state without it"
+    remedy = "the label is meant; give the state a label of its own to count there"
+    return [Problem(FORMULA, what, remedy, serious=False, node=node, word=label)]
+
+
+def _stranger(
+    node: Formula, name: str, closest: Nearest | None, swarm: SwarmRules | None
+) -> Problem:
+    """A capability that nobody has, which a share of a swarm cannot be taken of."""
+    remedy = f"leave '{name}' out: the one swarm has no name" if closest is None else closest(name)
+    if swarm is None:
+        what = f"no robot has the capability '{name}', so it always counts 0"
+        return Problem(FORMULA, what, remedy, serious=False, node=node, word=name)
+    return Problem(FORMULA, f"there is no swarm '{name}'", remedy, node=node, word=name)
+
+
+def _capabilities(node: Formula) -> tuple[str, ...]:
+    """The capabilities that an atom itself names, in order."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    if isinstance(node, logic.Task | logic.Limit):
+        return tuple(dict.fromkeys(name for name, _ in node.needs))
+    if isinstance(node, logic.Count) and node.capability is not None:
+        return (node.capability,)
+    return ()
+
+
+def _refused(node: Formula) -> list[Problem]:
+    """Atoms that have a meaning elsewhere but not for a team."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    if isinstance(node, logic.Linear):
+        return [
+            Problem(
+                FORMULA,
+                f"'{node}' speaks about signals, and a team has only counts of robots",
+                "write what is to be counted, for example sum(A) >= 2 for a label A",
+                node=node,
+            )
+        ]
+    if isinstance(node, logic.Task) and node.resources:
+        return [
+            Problem(
+                FORMULA,
+                f"'{node}' asks for resources, which are not planned",
+                "remove the last braces of the task",
+                node=node,
+            )
+        ]
+    return []
+
+
+def _percentages(node: Formula) -> list[Problem]:
+    """Shares of a team, which has none."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    if isinstance(node, logic.Count) and isinstance(node.bound, logic.Percent):
+        return [
+            Problem(
+                FORMULA,
+                f"'{node}' asks for a percentage, which only a swarm has",
+                "write the number of robots",
+                node=node,
+            )
+        ]
+    return []
+
+
+def horizon_problems(
+    formula: Formula, task_interval: TaskInterval, horizon: int | None
+) -> list[Problem]:
+    """A horizon that is too short to judge the formula."""
+    own, problems = formula_horizon(formula, task_interval)
+    if own is not None and max(own, horizon or 0) > MOST_STEPS:
+        path = FORMULA if own > MOST_STEPS else ("horizon",)
+        steps = max(own, horizon or 0)
+        problems.append(
+            Problem(path, f"a horizon of {steps:,} steps", f"at most {MOST_STEPS:,} are planned")
+        )
+    elif horizon is not None and own is not None and horizon < own:
+        problems.append(
+            Problem(
+                ("horizon",),
+                f"the horizon {horizon} is shorter than the formula's, {own}",
+                f"set it to at least {own} or leave it out",
+            )
+        )
+    return problems
+
+
+def formula_horizon(
+    formula: Formula, task_interval: TaskInterval
+) -> tuple[int | None, list[Problem]]:
+    """The last step the formula speaks about, or why it has no meaning in this interval."""
+    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+    if task_interval == "half-open":
+        empty = [
+            Problem(
+                FORMULA,
+                f"'{node}' is empty when tasks are half-open",
+                "give the task a duration of at least 1",
+                node=node,
+            )
+            for node in logic.walk(formula)
+            if isinstance(node, logic.Task) and node.duration < 1
+        ]
+        if empty:
+            return None, empty
+    try:
+        plain = logic.translate(formula, interval=task_interval)
+    except FormulaError:
+        return None, []  # `formula_problems` names what cannot be translated
+    return logic.horizon(plain), []

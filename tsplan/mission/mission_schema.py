@@ -1,0 +1,149 @@
+"""The shape of a mission file, `tsplan-mission/1`: keys and types, and nothing that needs a map."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
+
+from tsplan.document.fields import complaint, shown
+from tsplan.errors import nearest
+from tsplan.limits import (
+    LARGEST,
+    LEAST_WEIGHT,
+    MOST_GAP,
+    MOST_ROBOTS,
+    MOST_SECONDS,
+    MOST_SEED,
+    MOST_THREADS,
+    MOST_WEIGHT,
+)
+from tsplan.mission.mission import ORDERS
+
+FORMAT = "tsplan-mission/1"
+_SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
+
+
+def _name(value: Any) -> Any:
+    """A name may look like a whole number in YAML."""
+    return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def _margin(value: Any) -> Any:
+    """Head-room: `5%` is a fraction of the swarm, a whole number is one of agents."""
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= MOST_ROBOTS:
+        return value
+    match = _SHARE.fullmatch(value.strip()) if isinstance(value, str) else None
+    share = Fraction(match[1]) / 100 if match else None
+    if share is None or share > 1:
+        raise complaint(
+            f"{shown(value)} is no head-room", "write a percentage, as in 5%, or a number of agents"
+        )
+    return share
+
+
+def _starts(value: Any) -> Any:
+    """A single start state stands for a mapping to the group's count, which the reader fills in."""
+    one = isinstance(value, str | int) and not isinstance(value, bool)
+    return {str(value): 1} if one else value
+
+
+def _aim(value: Any) -> Any:
+    """An objective with an order, `{satisfaction: weighted}`, is read as one text."""
+    if not isinstance(value, dict):
+        return value
+    order = value.get("satisfaction")
+    if set(value) != {"satisfaction"}:
+        remedy = "write its name, or {satisfaction: weighted}"
+        raise complaint("a mapping is no objective", remedy)
+    if order not in ORDERS:
+        remedy = nearest(str(order), ORDERS)
+        raise complaint(f"{shown(order)} is no order of satisfaction", remedy)
+    return f"satisfaction: {order}"
+
+
+Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
+Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
+Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
+
+
+class Member(_Part):
+    """One entry of the team: robots of one class."""
+
+    class_name: Name = Field(alias="class")
+    count: Count | None = None
+    at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
+    capabilities: list[Name] = []
+
+
+class Swarm(_Part):
+    """A swarm: how many agents, where they start, and how far they may divide."""
+
+    size: Count
+    at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
+    max_subswarms: Count | None = None
+    min_subswarm: Count = 1
+
+
+class NamedSwarm(Swarm):
+    """One of several swarms; atoms take its name as a capability."""
+
+    name: Name
+
+
+class Wish(_Part):
+    """A preferred formula; the formula itself is read elsewhere."""
+
+    formula: Any
+    weight: Annotated[float, Field(ge=LEAST_WEIGHT, le=MOST_WEIGHT, allow_inf_nan=False)] = 1
+    name: Name | None = None
+    level: Whole = 0
+    partial: bool = False
+
+
+class Spec(_Part):
+    """The formula and its language. The formula itself is read elsewhere, with its places."""
+
+    language: Literal["catl", "mtl", "stl"]
+    formula: Any = None
+    must: Any = None
+    prefer: list[Wish] = []
+
+
+class Solver(_Part):
+    """What the mission asks of the solver."""
+
+    name: Name | None = None
+    time_limit: Annotated[float, Field(gt=0, le=MOST_SECONDS, allow_inf_nan=False)] | None = None
+    gap: Annotated[float, Field(ge=0, le=MOST_GAP, allow_inf_nan=False)] | None = None
+    threads: Annotated[int, Field(strict=True, ge=1, le=MOST_THREADS)] | None = None
+    seed: Annotated[int, Field(strict=True, ge=0, le=MOST_SEED)] | None = None
+
+
+class MissionFile(_Part):
+    """A whole mission file."""
+
+    format: Literal["tsplan-mission/1"]
+    name: Annotated[str, BeforeValidator(_name)] = ""
+    map: Any
+    team: Annotated[list[Member], Field(min_length=1)] = []
+    swarm: Swarm | None = None
+    swarms: Annotated[list[NamedSwarm], Field(min_length=1)] = []
+    max_subswarms: Count | None = None
+    min_subswarm: Any = None  # belongs into a swarm, which the reader says
+    margin: Annotated[Any, BeforeValidator(_margin)] = 0
+    spec: Spec
+    objective: list[Annotated[Name, BeforeValidator(_aim)]] | None = None
+    task_interval: Literal["closed", "half-open"] = "closed"
+    horizon: Whole | None = None
+    solver: Solver | None = None
+
+
+# what stands for a part of a file that is wrong, so that the others can be judged
+STAND_INS = {"format": FORMAT, "map": {}, "spec": {"language": "catl", "formula": "true"}}

@@ -1,0 +1,1 @@
+"""Plans: paths and moves of all agents, their files, and their summary in words."""

@@ -1,0 +1,392 @@
+"""The plan: where every agent is at every step, and what was proven about it.
+
+A plan's outcome is two facts: what is known (`Status`) and what stopped the search
+(`StoppedBy`). Pairs that contradict each other cannot be constructed.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass, field, fields
+from enum import StrEnum
+from fractions import Fraction
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from tsplan.asked import step_within
+from tsplan.errors import Finding, InputError, PlanError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from tsplan.draw.canvas import Picture
+    from tsplan.explanation.why.requirements import Requirement
+    from tsplan.explanation.why.witness_tree import Evidence
+    from tsplan.milp.model import Ints
+    from tsplan.mission import Mission
+    from tsplan.plans.moves import Move, Node
+    from tsplan.plans.satisfaction import Fulfilment, Satisfaction
+    from tsplan.plans.subswarms import SubSwarm
+    from tsplan.protocol.simulation import Simulation
+
+Stay: TypeAlias = tuple[int, int, str]
+"""`(from, to, state)`: at that state at every step from..to, both included."""
+
+
+class Status(StrEnum):
+    """What is known when planning ends."""
+
+    OPTIMAL = "optimal"
+    FEASIBLE = "feasible"
+    INFEASIBLE = "infeasible"
+    NO_PLAN_FOUND = "no_plan_found"
+    ERROR = "error"
+
+
+class StoppedBy(StrEnum):
+    """What ended a search before its question was settled.
+
+    PRECISION: the solver's arithmetic cannot tell whether there is something better.
+    """
+
+    TIME_LIMIT = "time_limit"
+    GAP = "gap"
+    INTERRUPT = "interrupt"
+    MEMORY = "memory"
+    PRECISION = "precision"
+
+
+_LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}
+_POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
+    Status.OPTIMAL: frozenset({None}),
+    Status.FEASIBLE: frozenset(StoppedBy),
+    Status.INFEASIBLE: frozenset({None}),
+    Status.NO_PLAN_FOUND: _LIMITS,
+    Status.ERROR: frozenset({None, *_LIMITS}),
+}
+_WITH_PATHS = frozenset({Status.OPTIMAL, Status.FEASIBLE})
+
+
+@dataclass(frozen=True, slots=True)
+class AgentPlan:
+    """The path of one agent.
+
+    Between two stays the agent is on the one edge from the first state to the second, and at no
+    state. `heading` is the state it is travelling to when its last stay ends before the horizon.
+    """
+
+    id: str
+    class_name: str
+    capabilities: frozenset[str]
+    stays: tuple[Stay, ...]
+    heading: str | None = None
+
+    def state_at(self, step: int) -> str | None:
+        """The agent's state at `step`; None while it is travelling.
+
+        Raises InputError for what is no step. The horizon is known to the plan alone: after it
+        the answer here is None.
+
+        >>> agent = AgentPlan("a-1", "a", frozenset(), ((0, 2, "p"), (4, 5, "q")))
+        >>> [agent.state_at(step) for step in (2, 3, 4)]
+        ['p', None, 'q']
+        """
+        asked = step_within(step, None)
+        place = bisect_right(self.stays, asked, key=lambda stay: stay[0]) - 1
+        if place < 0:
+            return None
+        _, last, state = self.stays[place]
+        return state if asked <= last else None
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectiveValue:
+    """Value of one objective in the plan, and the proven bound on what any plan can reach."""
+
+    name: str
+    value: float | None
+    bound: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class MissionRef:
+    """Which mission a plan belongs to: its name and the SHA-256 of its text."""
+
+    name: str
+    sha256: str
+
+
+@dataclass(frozen=True, slots=True)
+class SolverUse:
+    """The solver that found the plan, its version and the options it ran with."""
+
+    name: str
+    version: str = ""
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class ModelSize:
+    """Size of the model that was solved, and of the map it was built on."""
+
+    columns: int = 0
+    integers: int = 0
+    rows: int = 0
+    nonzeros: int = 0
+    states: int = 0
+    edges: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Timings:
+    """Seconds spent in each stage, to the microsecond."""
+
+    load: float = 0.0
+    parse: float = 0.0
+    reduce: float = 0.0
+    build: float = 0.0
+    solve: float = 0.0
+    extract: float = 0.0
+    verify: float = 0.0
+    total: float = 0.0
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            object.__setattr__(self, item.name, round(getattr(self, item.name), 6))
+
+
+@dataclass(frozen=True, slots=True)
+class Bundle:
+    """Agents of one class that share one path; `agents` are their places in `Plan.agents`."""
+
+    class_name: str
+    capabilities: frozenset[str]
+    stays: tuple[Stay, ...]
+    heading: str | None
+    agents: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What planning a mission ended with.
+
+    `agents` is empty unless `status` is optimal or feasible. `availability` is the counting
+    robustness of the formula at step 0, None where it is infinite. `verified` says that the
+    independent check accepted the paths. `notes` are sentences for the reader of the plan.
+    `satisfaction` and `preferences` tell what holds where the mission does not demand it all.
+
+    The plan of a swarm mission has the `moves` of every swarm, by its name, and `groups`, the
+    sub-swarms that they make; `agents` are there if they were asked for, or are few.
+
+    Raises PlanError for a status that contradicts `stopped_by` or the presence of paths.
+    """
+
+    status: Status
+    mission: MissionRef
+    horizon: int
+    stopped_by: StoppedBy | None = None
+    objective: tuple[ObjectiveValue, ...] = ()
+    availability: float | None = None
+    verified: bool = False
+    agents: tuple[AgentPlan, ...] = ()
+    moves: Mapping[str, tuple[Move, ...]] = field(default_factory=dict, hash=False)
+    groups: tuple[SubSwarm, ...] = ()
+    solver: SolverUse = field(default_factory=lambda: SolverUse(""))
+    size: ModelSize = field(default_factory=ModelSize)
+    timings: Timings = field(default_factory=Timings)
+    notes: tuple[str, ...] = ()
+    satisfaction: Satisfaction | None = None
+    preferences: tuple[Fulfilment, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "status", Status(self.status))
+        if self.stopped_by is not None:
+            object.__setattr__(self, "stopped_by", StoppedBy(self.stopped_by))
+        findings = contradictions(
+            self.status, self.stopped_by, paths=bool(self.agents or self.moves)
+        )
+        if self.verified and not self.has_paths:
+            findings.append(Finding(f"a plan of status {self.status} cannot be verified"))
+        if findings:
+            raise PlanError(findings)
+
+    @property
+    def has_paths(self) -> bool:
+        """Whether there is a path for every agent, or the moves of every swarm."""
+        return self.status in _WITH_PATHS
+
+    @cached_property
+    def agent(self) -> Mapping[str, AgentPlan]:
+        """The agents by their ids."""
+        return MappingProxyType({agent.id: agent for agent in self.agents})
+
+    @cached_property
+    def bundles(self) -> tuple[Bundle, ...]:
+        """The agents grouped by identical class and path, in order of first appearance."""
+        from tsplan.plans.bundles import bundles  # noqa: PLC0415  (imports this module)
+
+        return bundles(self.agents)
+
+    @cached_property
+    def states(self) -> tuple[str, ...]:
+        """Every state at which some agent stays, sorted."""
+        seen = {stay[2] for bundle in self.bundles for stay in bundle.stays}
+        if self.by_groups:
+            seen.update(group.state for group in self.groups if group.state is not None)
+        return tuple(sorted(seen))
+
+    def state_at(self, step: int) -> dict[str, str | None]:
+        """The state of every agent at `step` by its id; None for agents that are travelling.
+
+        Without agents, the state of every sub-swarm that exists at `step`, by its id. Raises
+        InputError for what is no step of the plan.
+        """
+        step = step_within(step, self.horizon)
+        if not self.agents:
+            return {group.id: group.state for group in self.groups_at(step)}
+        return {agent.id: agent.state_at(step) for agent in self.agents}
+
+    @property
+    def by_groups(self) -> bool:
+        """Whether the sub-swarms tell who is where; PlanError where nothing does."""
+        if self.moves and not self.groups and not self.agents:
+            what = "the plan names the moves of swarms, but not the sub-swarms they make"
+            raise PlanError([Finding(what, "fill them in with certify(mission, plan)")])
+        return bool(self.groups)
+
+    def groups_at(self, step: int) -> tuple[SubSwarm, ...]:
+        """The sub-swarms that exist at a step; InputError for what is no step of the plan."""
+        step = step_within(step, self.horizon)
+        return tuple(group for group in self.groups if group.first <= step <= group.last)
+
+    @cached_property
+    def shares(self) -> Mapping[str, Mapping[Node, tuple[tuple[str, Fraction], ...]]]:
+        """For every swarm, which part of it leaves a state at a step by which edge.
+
+        `shares[swarm][state, step]` has pairs of a target and a fraction; the fractions sum to 1.
+        """
+        from tsplan.plans.moves import shares  # noqa: PLC0415  (plans of teams have none)
+
+        return {swarm: shares(moves) for swarm, moves in self.moves.items()}
+
+    def counts(self, capability: str | None = None, *, states: Iterable[str] | None = None) -> Ints:
+        """Agents with a capability (all agents for None) at each state and step.
+
+        The array has one row for each of `states` (by default `Plan.states`) and one column for
+        each step 0..horizon. States outside the plan have rows of zeros: a plan does not know its
+        map. In the plan of several swarms a capability is the name of one.
+
+        Raises InputError for a capability that nobody in the plan has, and for `states` that are
+        no names.
+
+        >>> agent = AgentPlan("a-1", "a", frozenset({"see"}), ((0, 1, "p"), (3, 3, "q")))
+        >>> made = Plan(Status.FEASIBLE, MissionRef("", ""), 3, StoppedBy.GAP, agents=(agent,))
+        >>> made.counts("see", states=["q"]).tolist()
+        [[0, 0, 0, 1]]
+        """
+        from tsplan.checking.traffic import asked_counts  # noqa: PLC0415  (numpy takes 0.1 s)
+
+        return asked_counts(self, states, capability)
+
+    def explain(self, mission: Mission) -> Evidence:
+        """Why the plan satisfies the formula of its mission, as a tree that prints itself.
+
+        Every node says where it holds, by how many agents, and what it rests on there: which step,
+        which agents. It comes from the evaluator and the counts alone. Raises PlanError for a
+        plan without paths or of another mission.
+        """
+        from tsplan.explanation.why.witness_tree import explain  # noqa: PLC0415  (the parser is slow to import)
+
+        return explain(self, mission)
+
+    def plot(self, mission: Mission | None = None, *, view: str = "", ax: Any = None) -> Picture:
+        """A picture of the plan: its matplotlib figure and axes.
+
+        `view` is one of `paths` (the default with a mission), `timeline` (the default, and all
+        that there is, without one), `requirements`, `flow` and `map`. Without `ax` there is a
+        figure of its own that pyplot does not know. Raises PlotUnavailableError without
+        matplotlib, InputError for an unknown view, and PlanError for a plan without paths or of
+        another mission.
+        """
+        from tsplan.draw.timeline import draw_timeline  # noqa: PLC0415  (draws this)
+        from tsplan.draw.views import draw_view  # noqa: PLC0415  (as above)
+
+        if mission is not None:
+            return draw_view(self, mission, view or "paths", ax)
+        if view not in ("", "timeline"):
+            remedy = "give the mission too: plan.plot(mission, ...)"
+            raise InputError([Finding(f"the view '{view}' needs the map of the mission", remedy)])
+        return draw_timeline(self, None, ax)
+
+    def requirements(self, mission: Mission) -> tuple[Requirement, ...]:
+        """What the formula's atoms ask of the counts and what the plan gives, over all steps.
+
+        Raises PlanError for a plan without paths or of another mission.
+        """
+        from tsplan.explanation.why.requirements import requirements  # noqa: PLC0415  (as above)
+
+        return requirements(self, mission)
+
+    def view(self, mission: Mission, path: str | Path | None = None) -> Path:
+        """Show the plan in the browser: one page that plays it, whose path is returned.
+
+        With a `path` the page is written there and no browser is opened. Raises PlanError for a
+        plan without paths and for one that does not fit the mission's map.
+        """
+        from tsplan.viewer.browser import open_page, write_page  # noqa: PLC0415  (imports this)
+
+        written = write_page(mission, self, None if path is None else Path(path))
+        if path is None:
+            open_page(written)
+        return written
+
+    def simulate(self, mission: Mission, *, runs: int = 1000, seed: int = 0) -> Simulation:
+        """How often the plan's mission holds if every agent follows the shares at random.
+
+        See `tsplan.simulate`; raises PlanError for a plan without moves of swarms.
+        """
+        from tsplan.protocol.simulation import simulate  # noqa: PLC0415  (imports this module)
+
+        return simulate(mission, self, runs=runs, seed=seed)
+
+    def _repr_html_(self) -> str:
+        """The plan as notebooks show it: what is known, and who is where when."""
+        from tsplan.draw.notebook import plan_html  # noqa: PLC0415  (for notebooks only)
+
+        return plan_html(self)
+
+    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
+        """The plan in every form a notebook may ask for."""
+        words = f"<Plan of {self.mission.name!r}: {self.status}, {len(self.agents)} agents>"
+        return {"text/plain": words, "text/html": self._repr_html_()}
+
+    def to_json(self) -> str:
+        """The plan as a `tsplan-plan/1` document, one agent a line."""
+        from tsplan.plans.plan_file import plan_to_json  # noqa: PLC0415  (imports this module)
+
+        return plan_to_json(self)
+
+    @classmethod
+    def from_json(cls, text: str, source: str = "plan") -> Plan:
+        """Read a `tsplan-plan/1` document; raises PlanError with everything wrong with it."""
+        from tsplan.plans.plan_file import plan_from_json  # noqa: PLC0415  (imports this module)
+
+        return plan_from_json(text, source)
+
+
+def contradictions(status: Status, stopped_by: StoppedBy | None, *, paths: bool) -> list[Finding]:
+    """What is impossible about a status together with its reason and the presence of paths."""
+    findings = []
+    possible = _POSSIBLE[status]
+    if stopped_by not in possible:
+        words = ", ".join(sorted(str(item) if item else "null" for item in possible))
+        given = stopped_by or "null"
+        findings.append(
+            Finding(f"status {status} contradicts stopped_by {given}", f"possible: {words}")
+        )
+    if paths != (status in _WITH_PATHS):
+        shape = "needs the agents' paths" if status in _WITH_PATHS else "cannot hold agents' paths"
+        findings.append(Finding(f"a plan of status {status} {shape}"))
+    return findings

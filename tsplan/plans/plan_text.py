@@ -1,0 +1,150 @@
+"""From the text of a plan file to its checked content, with every finding at its place."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from tsplan.document.kinds import PLAN, kind_of_data, kind_of_text
+from tsplan.errors import Finding, InputError, PlanError
+from tsplan.limits import DIGITS
+from tsplan.names import nfc
+
+if TYPE_CHECKING:
+    from tsplan.document import Document
+    from tsplan.plans.plan_schema import PlanFile
+
+FORMAT = "tsplan-plan/1"
+_LOCATED = 2_000_000  # characters up to which a faulty file is read again for lines and columns
+_REMEDY = f'a plan has "format": "{FORMAT}"'
+
+
+def plan_file(text: str, source: str) -> PlanFile:
+    """The content of a plan file; raises PlanError with every finding for a text that is none."""
+    from pydantic import ValidationError  # noqa: PLC0415  (slow to import)
+
+    from tsplan.plans.plan_schema import PlanFile  # noqa: PLC0415  (needs pydantic)
+
+    text = text.removeprefix("\ufeff")
+    refuse_other(text, source)
+    data = _parsed(text, source)
+    if not isinstance(data, dict):
+        raise _refusal("this is no plan: it is no mapping of keys to values", _REMEDY, source)
+    if data.get("format") != FORMAT:
+        raise _refusal(f"this is no plan: {_other_format(data)}", _REMEDY, source)
+    try:
+        return PlanFile.model_validate(data)
+    except ValidationError as error:
+        raise PlanError(_located(error, text, source)) from None
+
+
+def spelled(text: str) -> str:
+    """The text of a plan file with all names in the form in which names are compared.
+
+    Escapes of characters beyond ASCII are written out: they may be parts of such a name.
+    """
+    return nfc(_ESCAPE.sub(_character, text) if "\\u" in text else text)
+
+
+_ESCAPE = re.compile(r"(?<!\\)((?:\\\\)*)\\u([0-9a-fA-F]{4})")
+
+
+def _character(escape: re.Match[str]) -> str:
+    code = int(escape[2], 16)
+    ours = code < _BEYOND_ASCII or code in _SURROGATES
+    return escape[0] if ours else escape[1] + chr(code)
+
+
+_BEYOND_ASCII = 0x80
+_SURROGATES = range(0xD800, 0xE000)
+
+
+def refuse_other(text: str, source: str) -> None:
+    """Raise PlanError for the beginning of a file that is no JSON, named for what it is."""
+    if text.lstrip()[:1] in ("{", "["):
+        return
+    kind = kind_of_text(text) or _yaml_kind(text)
+    if kind is not None:
+        raise _refusal(f"this is no plan: it is {kind}", _REMEDY, source)
+
+
+def _yaml_kind(text: str) -> str | None:
+    """What a text in YAML is by the keys at its beginning, if it is ours."""
+    keys = [line.partition(":")[0] for line in text[:_GLANCE].split("\n") if line[:1].isalpha()]
+    return kind_of_data(dict.fromkeys(keys))
+
+
+_GLANCE = 4096  # characters of a text that are looked at
+
+
+def _other_format(data: dict[str, Any]) -> str:
+    """What a file is that is not in the format of plans."""
+    given, kind = data.get("format"), kind_of_data(data)
+    if given is not None:
+        return f"its format is {given!r}"
+    return "it names no format" if kind in (None, PLAN) else f"it is {kind}"
+
+
+def _parsed(text: str, source: str) -> Any:
+    try:
+        return json.loads(
+            text, object_pairs_hook=_unrepeated, parse_constant=_not_json, parse_int=_whole
+        )
+    except json.JSONDecodeError as error:
+        place = Finding(f"this is not JSON: {error.msg}", "", source, error.lineno, error.colno)
+        raise PlanError([place]) from None
+    except RecursionError:
+        raise _refusal("the JSON is nested too deeply for a plan", "", source) from None
+    except ValueError as error:
+        raise _refusal(str(error), "correct the file", source) from None
+
+
+def _whole(text: str) -> int:
+    if len(text) > DIGITS:
+        raise ValueError(f"a number of {len(text):,} digits means nothing in a plan")
+    return int(text)
+
+
+def _unrepeated(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    made = dict(pairs)
+    if len(made) < len(pairs):
+        times = Counter(name for name, _ in pairs)
+        twice = next(name for name in times if times[name] > 1)
+        raise ValueError(f"the key '{twice}' is there twice")
+    return made
+
+
+def _not_json(word: str) -> NoReturn:
+    raise ValueError(f"{word} is not a JSON number")
+
+
+def _located(error: Any, text: str, source: str) -> list[Finding]:
+    """The schema's findings, with lines and columns unless the file is very large."""
+    document = _document(text, source) if len(text) <= _LOCATED else None
+    findings = []
+    for item in error.errors(include_url=False, include_input=False):
+        path = tuple(item["loc"])
+        line, column = document.place(path) if document is not None else (None, None)
+        where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path)
+        message = str(item["msg"]).removeprefix("Value error, ")
+        message = message[:1].lower() + message[1:]
+        findings.append(
+            Finding(f"{where.lstrip('.') or 'plan'}: {message}", "", source, line, column)
+        )
+    return findings
+
+
+def _document(text: str, source: str) -> Document | None:
+    """JSON is YAML too, whose reader knows the place of every value."""
+    from tsplan.document import parse_document  # noqa: PLC0415  (needed for faulty files only)
+
+    try:
+        return parse_document(text, source)
+    except InputError:
+        return None
+
+
+def _refusal(message: str, remedy: str, source: str) -> PlanError:
+    return PlanError([Finding(message, remedy, source)])

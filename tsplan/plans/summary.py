@@ -1,0 +1,235 @@
+"""A plan in words and one table, for people."""
+
+from __future__ import annotations
+
+import math
+import re
+from textwrap import shorten
+from typing import TYPE_CHECKING
+
+from tsplan.mission.mission import SENSES
+from tsplan.plans.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
+from tsplan.plans.split_history import timeline
+from tsplan.words import number, visible
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+    from fractions import Fraction
+
+    from rich.console import Console, RenderableType
+
+    from tsplan.plans.satisfaction import Node
+
+MOST_PATHS = 40
+"""Distinct paths that are listed; the rest is only counted."""
+
+MOST_PARTS = 40
+"""Parts of a formula that are listed with how much of them holds."""
+
+_LONGEST = 80  # letters of a part of a formula
+_NUMBERED = re.compile(r"(.*-)(\d+)\Z")
+_LIMITS = {
+    StoppedBy.TIME_LIMIT: "at the time limit",
+    StoppedBy.GAP: "within the accepted gap",
+    StoppedBy.INTERRUPT: "when interrupted",
+    StoppedBy.MEMORY: "out of memory",
+    StoppedBy.PRECISION: "at the limits of the solver's arithmetic",
+}
+
+
+def print_summary(plan: Plan, console: Console) -> None:
+    """Print outcome, objectives and paths of a plan."""
+    for part in summary(plan):
+        if isinstance(part, str):
+            console.out(part, highlight=False)
+            continue
+        with console.capture() as text:
+            console.print(part, highlight=False, markup=False)
+        for line in text.get().splitlines() or [""]:
+            console.out(line.rstrip(), highlight=False)
+
+
+def summary(plan: Plan) -> list[RenderableType]:
+    """The lines of a plan's summary, and the table of its paths."""
+    title = f"{plan.mission.name or 'mission'}: {outcome(plan)}"
+    lines: list[str] = [title, *(f"  {note}" for note in plan.notes)]
+    if plan.has_paths:
+        endless = infinite_word(plan)
+        lines += [f"  {objective_line(item, endless)}" for item in plan.objective]
+        if all(item.name != "availability" for item in plan.objective):
+            lines.append(f"  availability {number(plan.availability, endless)}")
+        lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
+        paths = [*_happenings(plan)] if plan.groups else _table(plan)
+        return [*_visible([*lines, ""]), *paths, "", *_work(plan)]
+    return [*_visible(lines), *_work(plan)]
+
+
+def _visible(lines: Iterable[str]) -> Iterator[str]:
+    """Lines as they are shown: a name with a control character acts on nothing."""
+    return (visible(line) for line in lines)
+
+
+def outcome(plan: Plan) -> str:
+    """What is known, in words."""
+    judged = "accepted by the independent check" if plan.verified else "not checked"
+    stop = "" if plan.stopped_by is None else f", search ended {_LIMITS[plan.stopped_by]}"
+    words = {
+        Status.OPTIMAL: f"optimal plan ({judged})",
+        Status.FEASIBLE: f"plan, optimality open{stop} ({judged})",
+        Status.INFEASIBLE: "infeasible: it is proven that no plan satisfies the mission",
+        Status.NO_PLAN_FOUND: f"no plan found{stop}; whether there is one stays open",
+        Status.ERROR: f"failed{stop}",
+    }
+    return words[plan.status]
+
+
+def infinite_word(plan: Plan) -> str:
+    """What an availability without a number is: nothing can fail, or nothing has to hold.
+
+    A formula that does not hold, or of which no part is met, has no robots to spare.
+    """
+    made = plan.satisfaction
+    whole = made is None or made.fraction == 1
+    some = not plan.preferences or any(item.met for item in plan.preferences)
+    return "unbounded" if whole and some else "open"
+
+
+def objective_line(item: ObjectiveValue, infinite: str = "unbounded") -> str:
+    """One objective: its value, and what is proven about it; `infinite` is one without a number."""
+    value = number(item.value, infinite)
+    if item.value is None or item.bound is None:
+        return f"{item.name} {value}"
+    if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
+        return f"{item.name} {value} (proven: no plan does better)"
+    side = "at most" if SENSES.get(item.name) == "maximise" else "at least"
+    gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
+    return f"{item.name} {value} (any plan has {side} {number(item.bound)}; gap {gap:.1%})"
+
+
+def satisfaction_lines(plan: Plan) -> list[str]:
+    """What holds of a mission that need not hold as a whole, and when."""
+    lines = []
+    if plan.satisfaction is not None:
+        made = plan.satisfaction
+        lines.append(f"  satisfied: {made.fraction} ({made.order})")
+        if made.depths:
+            counts = ", ".join(f"{item.value} at depth {item.depth}" for item in made.depths)
+            lines.append(f"  by depth: {counts}")
+        lines += _node_lines(made.nodes)
+    for item in plan.preferences:
+        gain = f"weight {number(float(item.weight))}, level {item.level}"
+        lines.append(f"  {item.name}: {_share(item.fraction)} ({gain})")
+        lines += _node_lines(item.nodes) if item.partial and not item.met else []
+    return lines
+
+
+def _node_lines(nodes: Sequence[Node]) -> list[str]:
+    """The parts that hold and do not lie in one that does, and what they lie in."""
+    lines: list[str] = []
+    inside: int | None = None  # the depth of a part that is told as one
+    for node in nodes:
+        if inside is not None and node.depth > inside:
+            continue
+        inside = node.depth if node.met or not node.fraction or not node.counted else None
+        when = (
+            f"step {node.first}" if node.first == node.last else f"steps {node.first}-{node.last}"
+        )
+        other = "" if node.counted else ", another part stands for it"
+        indent = "    " + "  " * node.depth
+        text = shorten(node.text, _LONGEST, placeholder=" ...")
+        lines.append(f"{indent}{_share(node.fraction)}: {text} ({when}{other})")
+    if len(lines) > MOST_PARTS:
+        rest = len(lines) - MOST_PARTS
+        return [*lines[:MOST_PARTS], f"    ... and {rest:,} more parts; the JSON plan has them all"]
+    return lines
+
+
+def _share(fraction: Fraction) -> str:
+    if fraction == 1:
+        return "met"
+    return f"{fraction} met" if fraction else "not met"
+
+
+def path_words(bundle: Bundle) -> str:
+    """A path as text: each state with its steps, `q1:0-4, q2:5`, and where it is heading.
+
+    >>> path_words(Bundle("a", frozenset(), ((0, 4, "q1"), (5, 5, "q2")), "q3", (0,)))
+    'q1:0-4, q2:5, then on the way to q3'
+    """
+    stays = [
+        f"{state}:{first}" if first == last else f"{state}:{first}-{last}"
+        for first, last, state in bundle.stays
+    ]
+    if bundle.heading is not None:
+        stays.append(f"then on the way to {bundle.heading}")
+    return ", ".join(stays)
+
+
+def names(ids: Sequence[str], most: int = 3) -> str:
+    """Agents' names, with runs of numbers joined and the rest counted.
+
+    >>> names(["a-1", "a-2", "a-3", "a-7"])
+    'a-1..3, a-7'
+    """
+    runs: list[tuple[str, str, int, int]] = []  # stem, first name, last number, agents
+    for name in ids:
+        match = _NUMBERED.match(name)
+        stem, digits = match.groups() if match else (name, "0")
+        place = int(digits)
+        if match and runs and runs[-1][0] == stem and runs[-1][2] + 1 == place:
+            stem, first, _, agents = runs.pop()
+            runs.append((stem, first, place, agents + 1))
+        else:
+            runs.append((stem, name, place, 1))
+    shown = [f"{first}..{last}" if agents > 1 else first for _, first, last, agents in runs[:most]]
+    rest = sum(run[3] for run in runs[most:])
+    return ", ".join([*shown, *([f"{rest} more"] if rest else [])])
+
+
+def _happenings(plan: Plan) -> list[str]:
+    """How the sub-swarms of a plan split and merge."""
+    lines = list(_visible(timeline(plan)))
+    if len(lines) <= MOST_PATHS:
+        return lines
+    rest = f"  ... and {len(lines) - MOST_PATHS:,} more splits and merges until the end:"
+    return [*lines[: MOST_PATHS - 1], rest, lines[-1]]
+
+
+def _table(plan: Plan) -> list[RenderableType]:
+    from rich.table import Table  # noqa: PLC0415  (slow to import)
+    from rich.text import Text  # noqa: PLC0415
+
+    table = Table(box=None, pad_edge=False, show_edge=False, padding=(0, 1))
+    table.add_column("agents", overflow="fold")
+    table.add_column("class", overflow="fold")
+    table.add_column("path (state:steps)", overflow="fold", ratio=1)
+    for bundle in plan.bundles[:MOST_PATHS]:
+        ids = [plan.agents[place].id for place in bundle.agents]
+        cells = _visible((names(ids), bundle.class_name, path_words(bundle)))
+        table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
+    hidden = plan.bundles[MOST_PATHS:]
+    if not hidden:
+        return [table]
+    agents = sum(len(bundle.agents) for bundle in hidden)
+    rest = f"  ... and {agents:,} agents on {len(hidden):,} more paths; the JSON plan has them all"
+    return [table, rest]
+
+
+def _work(plan: Plan) -> list[str]:
+    """With what and how long, as far as it is known."""
+    size, time = plan.size, plan.timings
+    begin = plan.groups_at(0)
+    agents = sum(group.size for group in begin) if begin else len(plan.agents)
+    lines = [f"  horizon {plan.horizon}" + (f", {agents:,} agents" if agents else "")]
+    if plan.solver.name:
+        lines.append(
+            f"  {plan.solver.name} {plan.solver.version}: {size.columns:,} columns "
+            f"({size.integers:,} integer), {size.rows:,} rows, {size.nonzeros:,} nonzeros"
+        )
+    stages = [
+        f"{name} {seconds:.2f}"
+        for name in ("load", "parse", "reduce", "build", "solve", "extract", "verify")
+        if (seconds := getattr(time, name)) >= 0.005  # noqa: PLR2004  (what two digits can show)
+    ]
+    inside = f" ({', '.join(stages)})" if stages else ""
+    return [*lines, f"  {time.total:.2f} s{inside}"] if time.total else lines

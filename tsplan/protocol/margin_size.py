@@ -1,0 +1,137 @@
+"""How much head-room makes the distributed protocol succeed with a given probability.
+
+Under the protocol of `tsplan.protocol.simulation` the agents are independent, so the number of them
+at the states of a label at a step is a sum of independent 0/1 variables, expected to be the planned
+number. Among all such sums with one mean the binomial has the heaviest tails at a distance of one
+or more from the mean (W. Hoeffding, "On the distribution of the number of successes in independent
+trials", Annals of Mathematical Statistics 27, 1956, theorem 4). A demand for m of n agents, planned
+with h to spare, therefore fails with probability at most P(X < m) for X ~ Binomial(n, (m + h)/n).
+One for at most m is a demand for n - m elsewhere. Where all agents are to be, or none, nothing is
+left to chance.
+
+A plan meets a formula by some demands at some steps. The probabilities that one of them fails are
+added up (Boole's inequality), because how they depend on each other is not known: at every step of
+an always, on all sides of an and; of an or the worse side counts.
+"""
+
+from __future__ import annotations
+
+from functools import singledispatch
+
+from tsplan.errors import Finding, MissionError
+from tsplan.logic import (
+    Always,
+    And,
+    Constant,
+    Count,
+    Eventually,
+    Formula,
+    Or,
+    Release,
+    Until,
+    fold,
+    positive,
+    simplify,
+)
+from tsplan.mission import Mission
+
+
+def margin_for(mission: Mission, probability: float = 0.95) -> int:
+    """The least margin, in agents, with which the protocol is sure to succeed so often.
+
+    Every plan of the mission with this `margin` meets its formula with at least `probability`
+    when each agent follows the plan's shares by chance. The bound holds whatever the plan, so
+    most plans do with less; it says nothing of `min_subswarm`. Raises MissionError for a mission
+    of a team and ValueError for a probability that is not between 0 and 1.
+    """
+    if not 0 < probability < 1:
+        raise ValueError(f"a probability between 0 and 1 is needed, not {probability}")
+    if mission.swarm is None:
+        what = "only the agents of a swarm go by chance, and the mission has a team"
+        raise MissionError([Finding(what, "describe a swarm")])
+    formula = simplify(positive(mission.counted))
+    low, high = -1, mission.size  # with all agents to spare nothing is left to chance
+    while high - low > 1:
+        middle = (low + high) // 2
+        if failing(mission, formula, middle) <= 1 - probability:
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+def failing(mission: Mission, formula: Formula, spare: int) -> float:
+    """A bound on the probability that a plan with so many agents to spare misses a formula.
+
+    `formula` is one over the mission's map and swarms, in positive normal form.
+    """
+    bound: float = fold(formula, lambda node, below: risk(node, below, (mission, spare)))
+    return min(bound, 1.0)
+
+
+@singledispatch
+def risk(node: Formula, _below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    """The bound of a node from those of its children."""
+    raise TypeError(f"{type(node).__name__} does not occur in positive normal form")
+
+
+@risk.register
+def _(_node: Constant, _below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    return 0.0
+
+
+@risk.register
+def _(node: Count, _below: tuple[float, ...], given: tuple[Mission, int]) -> float:
+    mission, spare = given
+    agents = mission.having(node.capability)
+    assert isinstance(node.bound, int)
+    needed = node.bound if node.relation == ">=" else agents - node.bound
+    # `min >=` and `max <=` speak about every state with the label, the others about one or all
+    every = (node.function, node.relation) in {("min", ">="), ("max", "<=")}
+    places = len(mission.system.labels[node.label]) if every else 1
+    return places * shortfall(agents, needed, spare)
+
+
+@risk.register
+def _(_node: And, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    return sum(below)
+
+
+@risk.register
+def _(_node: Or, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    return max(below)
+
+
+@risk.register
+def _(_node: Eventually, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    return below[0]
+
+
+@risk.register
+def _(node: Always, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    return (node.high - node.low + 1) * below[0]
+
+
+@risk.register
+def _(node: Until, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    return node.high * below[0] + below[1]
+
+
+@risk.register
+def _(node: Release, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
+    return below[0] + (node.high - node.low + 1) * below[1]
+
+
+def shortfall(agents: int, needed: int, spare: int) -> float:
+    """P(X < needed) for X ~ Binomial(agents, (needed + spare) / agents).
+
+    0 where any number does or where all or more are needed, which is left to no chance.
+
+    >>> round(shortfall(100, 50, 0), 3), round(shortfall(100, 50, 10), 3)
+    (0.46, 0.017)
+    """
+    from scipy.special import bdtr  # noqa: PLC0415  (slow to import)
+
+    if needed <= 0 or needed + spare >= agents:
+        return 0.0
+    return float(bdtr(needed - 1, agents, (needed + spare) / agents))

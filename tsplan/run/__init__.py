@@ -1,0 +1,1 @@
+"""One planning run: from a mission to a verified plan, its events and its child process."""

@@ -1,0 +1,125 @@
+"""Plan a mission: encode, solve, split into paths, and have the plan judged before it is shown."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tsplan.encode.own_constraints import worth
+from tsplan.encode.read_back import class_flow, moves_of
+from tsplan.errors import Finding, MissionError, SolverError
+from tsplan.exact import digits
+from tsplan.mission import Mission
+from tsplan.plans.decomposition import decompose
+from tsplan.plans.plan import AgentPlan, Plan
+from tsplan.run.problem import Problem, Tuning
+from tsplan.run.run import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
+from tsplan.search.clock import Clock
+from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Point, Reached
+from tsplan.words import known
+
+
+def plan(
+    mission: Mission | Problem,
+    *,
+    time_limit: float | None = None,
+    solver: str | None = None,
+    gap: float | None = None,
+    threads: int | None = None,
+    seed: int | None = None,
+    encoding: str = "tight",
+    without: tuple[str, ...] = (),
+    on_event: Listener | None = None,
+) -> Plan:
+    """Plan a mission, or a `Problem` made from one: a verified plan, or why there is none.
+
+    `time_limit` is in seconds, `gap` relative; what is None comes from the mission. `on_event` is
+    called with every `Event`; when it returns True the search stops and the best plan is kept.
+    Ctrl-C does the same. What `on_event` raises ends the search and is raised here. `without` names
+    ideas of the tight encoding to switch off. The plan of a swarm mission has its moves and
+    sub-swarms, and the agents' paths too if there are at most 1,000; `assign` makes them for more.
+
+    Raises MissionError for unknown names, InputError for numbers out of range,
+    SolverUnavailableError for a solver that cannot be used, and SolverError when a solver fails or
+    a plan is refused by the independent check.
+    """
+    asked = Settings(solver, time_limit, gap, threads, seed)
+    tuning = Tuning.named(encoding, without)
+    if isinstance(mission, Mission) and mission.swarm is not None:
+        from tsplan.run.swarming import SwarmRun  # noqa: PLC0415  (teams do not need it)
+
+        _refuse_tuning(tuning)
+        return SwarmRun(mission, asked.over(mission), on_event).plan()
+    problem = mission if isinstance(mission, Problem) else Problem(mission, tuning)
+    return TeamRun(problem, asked.over(problem.mission), on_event).plan()
+
+
+class TeamRun(Run[Point]):
+    """One planning run for a team."""
+
+    def __init__(self, problem: Problem, settings: Settings, listener: Listener | None) -> None:
+        super().__init__(problem.mission, settings, listener)
+        self._problem = problem
+        self._reached: dict[str, Reached] = {}
+
+    def prepare(self) -> None:
+        """Sort the team into classes and reduce their maps."""
+        self._problem.prepared(self._clock)
+
+    def search(self, effort: Effort, clock: Clock, tell: Tell[Point]) -> Result[Point]:
+        """Run all objectives of the problem."""
+        outcome = self._problem.solve(effort, clock, tell)
+        self._reached = {item.name: item for item in outcome.reached}
+        return Result(
+            outcome.point,
+            outcome.reached,
+            outcome.proven,
+            outcome.infeasible,
+            outcome.stopped_by,
+            outcome.size,
+            None if outcome.point is None else claimed_depths(self._mission, outcome.levels),
+            outcome.notes,
+        )
+
+    def ways(self, found: Point) -> Ways:
+        """One path per agent, in the order of the team."""
+        setting = self._problem.setting
+        mission = self._mission
+        begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
+        agents: list[AgentPlan | None] = [None] * mission.size
+        for item, moves in moves_of(setting, found.encoded, found.values, reduced=found.tight):
+            flow = class_flow(setting, item, moves)
+            made = decompose(flow, setting.horizon, self._settings.seed)
+            taken = 0
+            for group in item.groups:
+                count = mission.team[group].count
+                agents[begins[group] : begins[group] + count] = made[taken : taken + count]
+                taken += count
+        return Ways(agents=tuple(agent for agent in agents if agent is not None))
+
+    def _certified(self, made: Plan) -> Plan:
+        """The plan after the check of the mission and of the user's own constraints."""
+        plan = super()._certified(made)
+        if not plan.has_paths:
+            return plan
+        if broken := self._problem.broken(plan):
+            raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
+        own = self._problem.own
+        if not own.expression.terms:
+            return plan
+        value = own.expression.constant + worth(
+            own.expression.terms, plan, self._problem.mission.system
+        )
+        bound = known(self._reached["own"].bound) if "own" in self._reached else None
+        what = "own objective, maximised:" if own.maximised else "own objective"
+        note = f"{what} {digits(value)} (bound {'open' if bound is None else digits(bound)})"
+        return replace(plan, notes=(note, *plan.notes))
+
+
+def _refuse_tuning(tuning: Tuning) -> None:
+    """Swarms have one encoding, whose ideas cannot be switched off."""
+    if tuning != Tuning():
+        what = "a swarm mission has one encoding, which cannot be chosen or changed"
+        raise MissionError([Finding(what, "leave out the encoding and its ideas")])

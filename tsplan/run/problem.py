@@ -1,0 +1,221 @@
+"""A mission as an optimisation problem that can be looked at, extended and solved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from reprlib import repr as clipped
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+
+from tsplan.encode.assemble import Encoded, Setting, prepare, reference, tight
+from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
+from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.encode.own_constraints import checked_term, checked_terms, within_reach, worth
+from tsplan.encode.partial.partial_stages import is_soft, plan_soft, prepare_soft
+from tsplan.encode.read_back import Measure
+from tsplan.errors import Finding, MissionError, nearest
+from tsplan.milp.model import Model
+from tsplan.milp.solver import solver as solver_named
+from tsplan.mission import Mission
+from tsplan.search.clock import Clock
+from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Outcome, Point, Stages
+
+if TYPE_CHECKING:
+    from tsplan.plans.plan import Plan
+
+Encoding: TypeAlias = Literal["tight", "reference"]
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """How a problem is to be encoded: by which encoding, and without which of its ideas."""
+
+    encoding: Encoding = "tight"
+    without: frozenset[Idea] = frozenset()
+
+    @classmethod
+    def named(cls, encoding: str, without: Iterable[str] = ()) -> Tuning:
+        """Tuning from plain words; MissionError names those that do not exist."""
+        known = [idea.value for idea in Idea]
+        findings = [
+            Finding(f"there is no idea '{name}' to switch off", nearest(name, known))
+            for name in without
+            if name not in known
+        ]
+        if encoding not in ("tight", "reference"):
+            remedy = nearest(encoding, ["tight", "reference"])
+            findings.append(Finding(f"there is no encoding '{encoding}'", remedy))
+        if findings:
+            raise MissionError(findings)
+        return cls(
+            "tight" if encoding == "tight" else "reference",
+            frozenset(Idea(name) for name in without),
+        )
+
+
+class Problem:
+    """The mission of a team with a user's own constraints and objective terms.
+
+    Raises MissionError for the mission of a swarm. What an own constraint or objective cannot mean
+    is a MissionError in the line that says it: unknown names, steps outside the mission, numbers
+    that are not finite, and whatever is no sum of counts times numbers.
+
+    >>> import tsplan
+    >>> from tsplan.ts.builders import grid
+    >>> corridor = grid(1, 3, labels={(0, 2): "dock"}, name="corridor")
+    >>> team = [tsplan.Group.of("cart", {"r0c0": 4})]
+    >>> mission = tsplan.Mission.of(
+    ...     map=corridor, team=team, formula="F[0,5] dock", language="mtl", objective=["travel"]
+    ... )
+    >>> problem = tsplan.Problem(mission)
+    >>> problem.add(problem.count("dock", step=5).between(2, 3))
+    >>> problem.add(problem.count("r0c1", step=5) == 1, "one waits outside")
+    >>> plan = tsplan.plan(problem, time_limit=10)
+    >>> plan.counts(states=["r0c1", "r0c2"])[:, 5].tolist()
+    [1, 2]
+    >>> problem.maximise(problem.count("dock", step=5))
+    >>> tsplan.plan(problem, time_limit=10).notes
+    ('own objective, maximised: 3 (bound 3)',)
+    """
+
+    def __init__(self, mission: Mission, tuning: Tuning = Tuning()) -> None:
+        if mission.swarm is not None:
+            what = "a swarm mission is not the problem of a team"
+            raise MissionError([Finding(what, "plan the mission itself")])
+        self.mission = mission
+        self.tuning = tuning
+        self._constraints: list[Constraint] = []
+        self._objective = Expression()
+        self._maximised = False
+        self._setting: Setting | None = None
+
+    def count(self, place: str, capability: str | None = None, *, step: int) -> Expression:
+        """Agents with a capability (None: all) at a state, or at a label's states, at a step.
+
+        Where a state and a label have the same name, the state is meant. Raises MissionError for
+        names that the mission does not know, and for what is no step of it.
+        """
+        term = checked_term(CountTerm(place, capability, step), self.mission)
+        return Expression(((term, Fraction(1)),))
+
+    def add(self, constraint: Constraint, name: str = "constraint") -> None:
+        """Demand a linear constraint over counts of every plan.
+
+        Constraints are comparisons of expressions: `<=`, `>=`, `==`, `<`, `>`, and
+        `expression.between(low, high)`. They mean exactly what they say: `count > 1.5` is
+        `count >= 2`. Raises MissionError for anything else.
+        """
+        if not isinstance(constraint, Constraint):
+            remedy = "compare counts: problem.add(problem.count(place, step=5) >= 2)"
+            raise MissionError([Finding(f"{clipped(constraint)} is not a constraint", remedy)])
+        checked_terms(constraint.terms, self.mission)
+        self._constraints.append(within_reach(replace(constraint, name=name), self.mission.size))
+        self._setting = None
+
+    def minimise(self, expression: Expression) -> None:
+        """Add a linear term over counts, minimised before the mission's own objectives.
+
+        Only `satisfaction` (with the availability of what holds) and `preferences`, which say what
+        is to hold, come before it. Several terms are added up. Raises MissionError for what is no
+        expression over counts.
+
+        >>> import tsplan
+        >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
+        >>> problem.minimise(problem.count("dock", step=0) + problem.count("dock", step=1))
+        """
+        self._extend(expression, maximised=False)
+
+    def maximise(self, expression: Expression) -> None:
+        """Add a linear term over counts, maximised; otherwise as `minimise`.
+
+        Together with terms to minimise, it is taken off these, and the difference is minimised.
+
+        >>> import tsplan
+        >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
+        >>> problem.maximise(problem.count("dock", step=5))
+        >>> tsplan.plan(problem, time_limit=10).notes[0].startswith("own objective, maximised:")
+        True
+        """
+        self._extend(expression, maximised=True)
+
+    def _extend(self, expression: Expression, *, maximised: bool) -> None:
+        if not isinstance(expression, Expression) or not expression.terms:
+            remedy = "give a sum of counts, such as 2 * problem.count(place, step=5)"
+            raise MissionError([Finding(f"{clipped(expression)} is not an objective", remedy)])
+        checked_terms(expression.terms, self.mission)
+        first = not self._objective.terms
+        self._maximised = maximised and (first or self._maximised)
+        self._objective += -expression if maximised else expression
+        self._setting = None
+
+    @property
+    def own(self) -> Own:
+        """The objective that `minimise` and `maximise` have made, in its own sense."""
+        maximised = self._maximised
+        return Own(-self._objective if maximised else self._objective, maximised)
+
+    def broken(self, plan: Plan) -> tuple[str, ...]:
+        """The own constraints that a plan does not keep, in words; told by the agents' paths."""
+        system = self.mission.system
+        sums = [(item, worth(item.terms, plan, system)) for item in self._constraints]
+        return tuple(
+            f"'{item.name}' asks for {item}, and it comes to {total}"
+            for item, total in sums
+            if not item.holds(total)
+        )
+
+    @property
+    def setting(self) -> Setting:
+        """The team in classes, on reduced maps; made when first needed."""
+        return self.prepared(Clock())
+
+    def prepared(self, clock: Clock) -> Setting:
+        """The same, made within the time of a clock; raises Halted when that is over."""
+        if self._setting is None:
+            terms = self._objective.terms
+            watched = Constraint(tuple((term, 1) for term, _ in terms), None, None, "objective")
+            constraints = [*self._constraints, *([watched] if terms else [])]
+            make = prepare_soft if is_soft(self.mission) else prepare
+            ideas = ALL_IDEAS - self.tuning.without
+            self._setting = make(self.mission, constraints, ideas, clock=clock)
+        return self._setting
+
+    def encode(self, level: int = 0) -> Encoded:
+        """The model of all plans with availability at least `level`, without an objective."""
+        if self.tuning.encoding == "tight":
+            return tight(self.setting, level)
+        return reference(self.setting, (level, level))
+
+    @property
+    def model(self) -> Model:
+        """The arrays of the model."""
+        return self.encode().model
+
+    def native(self, solver: str = "highs") -> Any:
+        """The model as the solver's own object, for example a `gurobipy.Model`."""
+        return solver_named(solver).native(self.model)
+
+    def solve(
+        self,
+        effort: Effort,
+        clock: Clock,
+        tell: Callable[[str, Point | None, float | None, float | None], None],
+    ) -> Outcome:
+        """Run all objectives; `tell` hears of stages, points and bounds."""
+        objective = self.mission.objective
+        if self._objective.terms:
+            objective = ("own", *objective)
+        setting = replace(self.prepared(clock), clock=clock)
+        stages = Stages(
+            setting=setting,
+            effort=replace(effort, ideas=setting.ideas),
+            clock=clock,
+            measure=Measure(setting),
+            tell=tell,
+            objective=objective,
+            own=self.own,
+            tight=self.tuning.encoding == "tight",
+        )
+        return plan_soft(stages) if is_soft(self.mission) else stages.run()

@@ -1,0 +1,119 @@
+"""The LP-guided dive: whole witnesses from a fractional solution, by fixing one at a time.
+
+Solve the LP, fix a fractional indicator to 1, solve again from the last basis, and so on; where the
+LP becomes infeasible or too dear, the last decision is turned to 0 (depth first).
+
+Where the LP is tight, a handful of LPs is enough with the indicator of the largest value. Where it
+is not, as under an always, decisions in the order of time do better: what a wrong one makes
+impossible shows soon after it, while it is still among the last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from tsplan.milp.lp import LPResult, WarmLP
+from tsplan.milp.model import Floats, Ints
+from tsplan.search.clock import Clock
+
+TOLERANCE = 1e-6
+
+Picker: TypeAlias = Callable[[Floats, Ints], int]
+"""Chooses the column to fix, from an LP's values and the columns that are fractional."""
+
+
+@dataclass(frozen=True, eq=False)
+class Dived:
+    """A point with whole indicators, or None; `refuted` if the dive proved there is none."""
+
+    values: Floats | None
+    refuted: bool = False
+
+
+def fractional(values: Floats, columns: Ints) -> Ints:
+    """Those of `columns` that are not whole numbers in `values`."""
+    part = values[columns]
+    return columns[np.abs(part - np.round(part)) > TOLERANCE]
+
+
+def largest(values: Floats, open_: Ints) -> int:
+    """The fractional column of the largest value."""
+    return int(open_[np.argmax(values[open_])])
+
+
+@dataclass(frozen=True, eq=False)
+class Earliest:
+    """Of the choice whose fractional columns begin first, the one of the largest value."""
+
+    indicators: Ints
+    steps: Ints
+    groups: Sequence[Ints]
+
+    def __call__(self, values: Floats, open_: Ints) -> int:
+        """The column to fix next."""
+        steps = self.steps[np.searchsorted(self.indicators, open_)]
+        first = open_[np.argmin(steps)]
+        group = next((group for group in self.groups if first in group), open_)
+        return largest(values, np.intersect1d(group, open_))
+
+
+def dive(
+    lp: WarmLP,
+    indicators: Ints,
+    result: LPResult,
+    clock: Clock,
+    *,
+    cutoff: float | None = None,
+    pick: Picker = largest,
+    turns: int | None = None,
+) -> Dived:
+    """Fix indicators until all are whole; the LP's bounds are restored before returning.
+
+    `result` is the LP's solution now; points that do not beat `cutoff` are not looked for. `pick`
+    chooses among the fractional columns. A dive that goes wrong more than `turns` times is better
+    left to a full search.
+    """
+    decisions: list[tuple[int, float]] = []
+    try:
+        while not clock.over:
+            if result.status == "optimal" and (cutoff is None or result.objective < cutoff):
+                assert result.values is not None
+                open_ = fractional(result.values, indicators)
+                if not len(open_):
+                    return Dived(result.values)
+                column = pick(result.values, open_)
+                _fix(lp, column, 1.0)
+                decisions.append((column, 1.0))
+            elif result.status == "limit":
+                break
+            else:
+                if not _turn(lp, decisions):
+                    return Dived(None, refuted=True)
+                turns = None if turns is None else turns - 1
+                if turns is not None and turns < 0:
+                    break
+            result = lp.solve(time_limit=clock.left, cutoff=cutoff)
+    finally:
+        for column, _ in decisions:
+            lp.bounds(np.array([column]), np.array([0.0]), np.array([1.0]))
+    return Dived(None)
+
+
+def _fix(lp: WarmLP, column: int, value: float) -> None:
+    lp.bounds(np.array([column]), np.array([value]), np.array([value]))
+
+
+def _turn(lp: WarmLP, decisions: list[tuple[int, float]]) -> bool:
+    """Undo decisions up to the last 1 and make it 0; False if there is none left."""
+    while decisions:
+        column, value = decisions.pop()
+        lp.bounds(np.array([column]), np.array([0.0]), np.array([1.0]))
+        if value > 0.5:  # noqa: PLR2004 - decisions are 0 or 1
+            _fix(lp, column, 0.0)
+            decisions.append((column, 0.0))
+            return True
+    return False

@@ -1,0 +1,397 @@
+"""Minimise one linear objective over an encoded problem: LP, cuts, dive, tree, then the solver.
+
+Flows are continuous at first. With the witnesses fixed each class is a network flow, so its
+solution is nearly always whole; where it is not, the witnesses are fixed and the flows made
+integer, and if that fails the full integer model decides. An answer is only ever given for whole
+agents; a bound of the relaxation is a bound of the problem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import sparse
+
+from tsplan.encode.arrival_cuts import violated
+from tsplan.encode.assemble import Encoded
+from tsplan.encode.options import Idea
+from tsplan.errors import SolverError
+from tsplan.exact import digits
+from tsplan.gap import relative_gap
+from tsplan.milp.confirmation import confirmed
+from tsplan.milp.lp import LPResult, WarmLP
+from tsplan.milp.model import Floats, Model, Tag
+from tsplan.milp.solution import Progress, Solution, Status, StoppedBy
+from tsplan.search.branch_and_bound import Grown, Tree, Witnessing
+from tsplan.search.clock import Clock
+from tsplan.search.dive import Earliest, Picker, dive, largest
+from tsplan.search.effort import Effort
+from tsplan.search.rounding import Wholes
+from tsplan.search.target import Target
+
+_ROUNDS = 12  # of separation at the root
+_PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
+_LONG = 2.0  # seconds at the root after which a second dive is worth its while
+_REST = 0.5  # of what the tree has gained may be left for it to go on
+_SMALL = 50_000  # nonzeros up to which a model counts as small
+_FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many, or one for each
+# so many nonzeros: larger programs take longer, but their trees are more often done soon
+_TURNS = 1.0  # seconds after which the tree searches alone
+_SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
+_FORGIVEN = 1e-6  # by which a point may violate a row of numbers that are not whole
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """The best point known, a true lower bound, and whether the search was carried to its end.
+
+    `objective` and `bound` are values of the target. `proven` without values means that there is
+    no point, with values that none is better; a search that was `stopped_by` a gap is not.
+    """
+
+    values: Floats | None
+    objective: float | None
+    bound: float
+    proven: bool
+    stopped_by: StoppedBy | None = None
+
+
+Reporter = Callable[[Floats | None, float | None, float | None], None]
+
+
+class Search:
+    """One search for the least value of a target on one model.
+
+    `scout` and `rescue`, where set, are asked for the flows of some plan: before the first LP, and
+    after it if there may be a plan and none is known.
+    """
+
+    def __init__(
+        self, encoded: Encoded, target: Target, effort: Effort, clock: Clock, report: Reporter
+    ) -> None:
+        self._encoded = encoded
+        self._target = target
+        self._model = encoded.model.with_objective(target.vector)
+        self._effort = effort
+        self._clock = clock
+        self._report = report
+        self._values: Floats | None = None
+        self._value = np.inf
+        self._bound = -np.inf
+        self._refuted = encoded.refuted
+        self._first = False
+        self._lp: WarmLP | None = None
+        self._wholes = Wholes(encoded, target, effort, clock)
+        self._began = clock.elapsed
+        self.scout: Callable[[], Floats | None] | None = None
+        self.rescue: Callable[[], Floats | None] | None = None
+        self.patience = _PATIENCE
+
+    def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
+        """The least value, or with `first` any point. `start` is a known point of this model."""
+        self._first = first
+        if start is not None:
+            self._accept(start)
+        if not self._done:
+            self._send(self.scout)
+        if not self._done and self._effort.ideas & {Idea.DIVE, Idea.TREE}:
+            try:
+                self._by_lp()
+            except SolverError:  # numerical trouble: the solver's own search may do without
+                self._lp = None
+        if not self._done and not self._clock.over:
+            self._by_solver(self._clock)
+        return self._found()
+
+    @property
+    def _done(self) -> bool:
+        """Whether the question is answered."""
+        return self._refuted or self._closed or (self._first and self._values is not None)
+
+    def know(self, bound: float) -> None:
+        """Take over a bound that has been proven elsewhere, as a value of the target."""
+        self._bound = max(self._bound, bound)
+
+    def dive_for(self, pick: Picker) -> Floats | None:
+        """The point that a dive by `pick` finds, however often it goes wrong, or None."""
+        if self._encoded.refuted:
+            return None
+        lp = self._warm()
+        root = lp.solve(time_limit=self._clock.left)
+        if root.status == "optimal":
+            dived = dive(lp, self._encoded.indicators, root, self._clock, pick=pick)
+            if dived.values is not None:
+                self._keep(dived.values)
+        return self._values
+
+    def _send(self, scout: Callable[[], Floats | None] | None) -> None:
+        """Keep the point of this model that has the flows which `scout` brings, if there is one."""
+        flows = scout() if scout is not None and self._values is None else None
+        if flows is not None:
+            self.adopt(flows)
+
+    def adopt(self, flows: Floats) -> Floats | None:
+        """Keep and return the best point of this model with the given flows, if there is one."""
+        values = self._wholes.carrying(self._model, flows, self._values)
+        if values is not None:
+            self._accept(values)
+        return values
+
+    def _accept(self, values: Floats) -> None:
+        """Keep a point of whole agents if it is one, and better than the one known."""
+        values = np.where(self._model.integer, np.round(values), values)
+        value = self._target.value(values)
+        if not self._target.better(value, self._value):
+            return
+        if self._model.violation(values) > _FORGIVEN:
+            return
+        if self._target.refutes(value, self._bound):
+            raise SolverError(
+                f"a plan of value {digits(value)} is better than the bound {digits(self._bound)} "
+                "that was proven: the solver's arithmetic fails on this mission"
+            )
+        self._values, self._value = values, value
+        self._report(values, value, self._bound if np.isfinite(self._bound) else None)
+
+    def _raise_bound(self, bound: float) -> None:
+        """Take in what a linear program or a solver says, as far as it can be believed.
+
+        A bound that the known point refutes says nothing.
+        """
+        proven = self._target.proven(bound)
+        if proven > self._bound and not self._target.refutes(self._value, proven):
+            self._bound = min(proven, self._value)
+            self._report(None, None if self._values is None else self._value, self._bound)
+
+    @property
+    def _closed(self) -> bool:
+        """Whether nothing better by the wanted gap can exist."""
+        if self._values is None:
+            return False
+        return self._target.closed(self._value, self._bound) or self._near
+
+    @property
+    def _near(self) -> bool:
+        """Whether the gap that was asked for is reached."""
+        if not self._effort.gap or not np.isfinite(self._bound) or self._values is None:
+            return False
+        own = self._target.own
+        gap = relative_gap(own(self._value), own(self._bound))
+        return gap is not None and gap <= self._effort.gap
+
+    @property
+    def _cutoff(self) -> float | None:
+        """Only points below this are of interest to the LPs."""
+        return None if self._values is None else self._target.cutoff(self._value)
+
+    def _found(self) -> Found:
+        if self._values is None:
+            bound = np.inf if self._refuted else self._bound
+            return Found(None, None, bound, self._refuted, None if self._refuted else self._why)
+        proven = self._target.closed(self._value, self._bound)
+        bound = self._value if proven else self._bound
+        stopped = StoppedBy.GAP if self._near else self._why
+        return Found(self._values, self._value, bound, proven, None if proven else stopped)
+
+    @property
+    def _why(self) -> StoppedBy | None:
+        """What ended a search that answers nothing; None for the first point that was asked for."""
+        if self._clock.over:
+            return self._clock.stopped_by
+        return None if self._first and self._values is not None else StoppedBy.PRECISION
+
+    # --- the LP side -------------------------------------------------------------------------
+
+    def _by_lp(self) -> None:
+        """Root LP with cuts, dive, tree."""
+        lp = self._warm()
+        root = lp.solve(time_limit=self._clock.left)
+        if root.status == "optimal":
+            root = self._tighten(lp, root)
+        if root.status == "infeasible":
+            self._none_below(self._cutoff)
+        if root.status != "optimal":
+            return
+        self._raise_bound(root.objective)
+        if not self._done:
+            self._send(self.rescue)
+        if not self._done and Idea.DIVE in self._effort.ideas:
+            self._dive(lp, root)
+        if not self._done and Idea.TREE in self._effort.ideas:
+            self._grow(lp)
+
+    def _none_below(self, cutoff: float | None) -> None:
+        """There is no point below the cutoff, or none at all without one."""
+        if cutoff is None:
+            self._refuted = True
+        else:
+            self._raise_bound(cutoff)
+
+    def _dive(self, lp: WarmLP, root: LPResult) -> None:
+        """Look for points by diving, or find that there is none."""
+        encoded = self._encoded
+        turns = 20 + len(encoded.indicators) // 10
+        pickers: list[Picker] = [largest]
+        if self._clock.elapsed - self._began > _LONG:  # a tree will not get far soon
+            pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.groups))
+        for pick in pickers:
+            cutoff = self._cutoff
+            dived = dive(
+                lp,
+                encoded.indicators,
+                root,
+                self._clock,
+                cutoff=cutoff,
+                turns=turns,
+                pick=pick,
+            )
+            if dived.values is not None:
+                self._keep(dived.values)
+            if dived.refuted:
+                self._none_below(cutoff)
+            if self._done:
+                break
+
+    def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
+        """Add violated visit cuts, to the LP and to the model, while they raise the bound."""
+        if Idea.LAZY not in self._effort.ideas or self._first:
+            return root
+        for _ in range(_ROUNDS):
+            assert root.values is not None
+            columns = self._model.size.columns
+            cuts = violated(self._encoded.families, root.values, columns)
+            if cuts is None or self._clock.over:
+                break
+            lp.add_rows(cuts, np.zeros(cuts.shape[0]), np.full(cuts.shape[0], np.inf))
+            self._model = _with_cuts(self._model, cuts)
+            before = root.objective
+            root = lp.solve(time_limit=self._clock.left)
+            if root.status != "optimal" or root.objective < before + 1e-3 * max(abs(before), 1.0):
+                break
+        return root
+
+    def _grow(self, lp: WarmLP) -> None:
+        root = lp.solve(time_limit=self._clock.left)
+        if root.status != "optimal":
+            return
+        witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
+        tree = Tree(lp, witnessing, self._target, root)
+        budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
+        self._take_turns(tree, _TURNS)
+        if not self._done:
+            grown = self._climb(tree, budget)
+            if not self._done and self._nearly(grown, root.objective):
+                self._climb(tree, budget)
+
+    def _take_turns(self, tree: Tree, seconds: float) -> None:
+        """Let the tree and the general solver search in turn while the model is small.
+
+        Either may be many times faster than the other. Each turn of the solver is as long as all
+        that went before, and each of the tree four times its last one, so that neither costs more
+        than about the time that the other takes.
+        """
+        most = max(_FEW, self._model.matrix.nnz // _EACH)
+        while self._model.matrix.nnz <= _SMALL and not self._clock.over:
+            self._climb(tree, seconds, most)
+            spent = self._clock.elapsed - self._began
+            if self._done or spent > seconds:
+                return
+            self._by_solver(self._clock.within(max(spent, _SPRINT)))
+            if self._done:
+                return
+            most *= 4
+
+    def _climb(self, tree: Tree, seconds: float, most: float = np.inf) -> Grown:
+        """Let the tree search for so many seconds or programs, and take in what it finds."""
+        blind = self._values is None
+        clock = self._clock.within(seconds)
+        grown = tree.grow(clock, self._value, first=self._first, most=most)
+        if grown.done and grown.values is None and blind:
+            self._refuted = True
+            return grown
+        self._raise_bound(grown.bound)
+        if grown.values is not None and grown.done:
+            self._whole(grown.values)
+        elif grown.values is not None:
+            self._keep(grown.values)
+        return grown
+
+    def _nearly(self, grown: Grown, root: float) -> bool:
+        """Whether the tree has closed most of the gap, so that it may well close the rest."""
+        best = self._value if grown.values is None else self._target.value(grown.values)
+        left = best - self._target.step - grown.bound
+        return bool(np.isfinite(best)) and left <= _REST * (grown.bound - root)
+
+    def _keep(self, values: Floats) -> None:
+        """Keep a point whose indicators are whole, its flows made whole where they are not."""
+        near = self._wholes.near(self._warm(), self._model, values)
+        if near is None:
+            near = self._wholes.best(self._model, values, self._values)
+        if near is not None:
+            self._accept(near)
+
+    def _whole(self, values: Floats) -> None:
+        """Keep such a point; a better one of its witnesses is looked for if it is not the best."""
+        near = self._wholes.near(self._warm(), self._model, values)
+        if near is not None:
+            self._accept(near)
+        if not self._done:
+            best = self._wholes.best(self._model, values, self._values)
+            if best is not None:
+                self._accept(best)
+
+    def _warm(self) -> WarmLP:
+        if self._lp is None:
+            self._lp = WarmLP(self._model, self._clock.stop)
+        return self._lp
+
+    # --- the solver's side -------------------------------------------------------------------
+
+    def _by_solver(self, clock: Clock) -> None:
+        """The general MIP solver: continuous flows first, then whole agents if need be."""
+        model = self._model
+        if Idea.CONTINUOUS in self._effort.ideas:
+            loose = model.integer.copy()
+            loose[self._encoded.flows] = False
+            relaxed = model.with_integrality(loose)
+            solution = self._ask(relaxed, clock)
+            if solution.values is not None and solution.status is Status.OPTIMAL:
+                self._whole(solution.values)
+            elif solution.values is not None:
+                self._keep(solution.values)
+            if self._done or clock.over:
+                return
+        self._ask(model, clock)
+
+    def _ask(self, model: Model, clock: Clock) -> Solution:
+        """The solver's answer about the whole question, confirmed; all of it is taken in."""
+        options = self._effort.options(clock, self._target, self._values)
+        options = replace(options, first=self._first)
+        solution = confirmed(self._effort.solver, model, options, self._watch)
+        if solution.status is Status.INFEASIBLE:
+            if self._values is not None:
+                raise SolverError("the solver calls a model infeasible of which a plan is known")
+            self._refuted = True
+        elif solution.bound is not None:
+            self._raise_bound(solution.bound)
+        if solution.values is not None and model is self._model:
+            self._accept(solution.values)
+        return solution
+
+    def _watch(self, progress: Progress) -> bool:
+        if progress.bound is not None:
+            self._raise_bound(progress.bound)
+        return self._clock.stop()
+
+
+def _with_cuts(model: Model, cuts: sparse.csr_array) -> Model:
+    count, more = model.matrix.shape[0], cuts.shape[0]
+    return replace(
+        model,
+        matrix=sparse.csr_array(sparse.vstack([model.matrix, cuts], format="csr")),
+        row_lower=np.append(model.row_lower, np.zeros(more)),
+        row_upper=np.append(model.row_upper, np.full(more, np.inf)),
+        tags=(*model.tags, Tag("visit", count, count + more)),
+    )

@@ -1,0 +1,1 @@
+"""Map files: one module for each format, which is recognised by its content."""

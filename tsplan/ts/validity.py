@@ -1,0 +1,169 @@
+"""What makes states and edges a transition system, checked all at once."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from tsplan.errors import Finding, Nearest
+from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, is_finite
+from tsplan.ts.edges import Edge, State
+
+# the fewest corners of a shape
+CORNERS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One thing wrong with the state or edge number `index` of what was given.
+
+    `part` is the field that is wrong, or None for the whole. `first` is the number of the earlier
+    one that a repetition repeats.
+    """
+
+    kind: Literal["system", "state", "edge"]
+    index: int
+    part: str | None
+    message: str
+    remedy: str
+    first: int | None = None
+
+    def finding(self) -> Finding:
+        """The problem without a place, as for systems built in Python."""
+        return Finding(self.message, self.remedy)
+
+
+def in_order(findings: Iterable[Finding]) -> list[Finding]:
+    """Findings by place in the file, each once."""
+    return sorted(dict.fromkeys(findings), key=lambda item: (item.line or 0, item.column or 0))
+
+
+def problems(states: Sequence[State], edges: Sequence[Edge]) -> Iterator[Problem]:
+    """Everything that keeps these states and edges from being a transition system."""
+    if not states:
+        yield Problem("system", 0, "states", "the map has no states", "add at least one state")
+    seen: dict[str, int] = {}
+    for index, state in enumerate(states):
+        yield from _state(index, state)
+        if state.name in seen:
+            message = f"the state '{state.name}' is defined twice"
+            yield Problem("state", index, None, message, "keep one of them", seen[state.name])
+        seen.setdefault(state.name, index)
+    yield from _edges(edges, seen)
+
+
+def _edges(edges: Sequence[Edge], names: Collection[str]) -> Iterator[Problem]:
+    known: dict[tuple[str, str], int] = {}
+    closest = Nearest(map(str, names))
+    repeated: set[tuple[str, str]] = set()
+    for index, edge in enumerate(edges):
+        for part, name in (("source", edge.source), ("target", edge.target)):
+            if name not in names and names:
+                message = f"no state is called '{name}'"
+                yield Problem("edge", index, part, message, closest(str(name)))
+        if not (type(edge.duration) is int and 1 <= edge.duration <= MOST_STEPS):
+            yield from _duration(index, edge)
+        yield from _cost(index, edge.cost)
+        yield from _capacity("edge", index, edge.capacity)
+        if edge.pair in known:
+            message = f"a second edge leads from '{edge.source}' to '{edge.target}'"
+            remedy = "keep one, or put a state between"
+            yield Problem("edge", index, None, message, remedy, known[edge.pair])
+            repeated.add(edge.pair)
+        known.setdefault(edge.pair, index)
+    yield from _pairs(edges, known, repeated)
+
+
+def _pairs(
+    edges: Sequence[Edge],
+    known: Mapping[tuple[str, str], int],
+    repeated: Collection[tuple[str, str]],
+) -> Iterator[Problem]:
+    """Each edge of both directions needs its reverse, equal to it in everything else."""
+    for index, edge in enumerate(edges):
+        if not edge.both_ways:
+            continue
+        if edge.is_wait:
+            message = f"the edge from '{edge.source}' to itself cannot go both ways"
+            yield Problem("edge", index, "both_ways", message, "drop both_ways")
+            continue
+        if (edge.target, edge.source) in repeated:
+            continue
+        back = known.get((edge.target, edge.source))
+        if back is None or edges[back] != edge.reverse():
+            message = f"the edge from '{edge.source}' to '{edge.target}' lacks its equal reverse"
+            yield Problem(
+                "edge", index, "both_ways", message, "add edge.reverse(), or drop both_ways"
+            )
+
+
+def _state(index: int, state: State) -> Iterator[Problem]:
+    if not isinstance(state.name, str) or not state.name:
+        message = f"{state.name!r} cannot be the name of a state"
+        yield Problem("state", index, "name", message, "use text of at least one character")
+    if state.at is not None and not _is_point(state.at):
+        message = f"at: {state.at} is not a pair of finite numbers"
+        yield Problem("state", index, "at", message, "write it as [x, y]")
+    if state.shape is not None and not _is_polygon(state.shape):
+        message = f"shape: not {CORNERS} or more pairs of finite numbers"
+        yield Problem("state", index, "shape", message, "write it as [[x, y], [x, y], [x, y]]")
+    yield from _capacity("state", index, state.capacity)
+
+
+def _duration(index: int, edge: Edge) -> Iterator[Problem]:
+    remedy = "durations are whole numbers of steps, at least 1"
+    if isinstance(edge.duration, Mapping):
+        if not edge.duration:
+            message = "duration: no class is listed, so nobody can use this edge"
+            yield Problem("edge", index, "duration", message, "list a class, or drop the edge")
+        for class_name, value in edge.duration.items():
+            words = _steps(value)
+            if words:
+                message = f"duration: {value} for '{class_name}' is {words}"
+                yield Problem("edge", index, "duration", message, remedy)
+    else:
+        message = f"duration: {edge.duration} is {_steps(edge.duration)}"
+        yield Problem("edge", index, "duration", message, remedy)
+
+
+def _steps(value: Any) -> str:
+    """What keeps a value from being a duration; empty if nothing does."""
+    if type(value) is not int or value < 1:
+        return "not a whole number from 1 on"
+    return f"more than {MOST_STEPS:,} steps" if value > MOST_STEPS else ""
+
+
+def _capacity(kind: Literal["state", "edge"], index: int, value: Any) -> Iterator[Problem]:
+    if value is not None and (type(value) is not int or value < 0):
+        message = f"capacity: {value} is not a whole number of at least 0"
+        yield Problem(kind, index, "capacity", message, "write how many agents fit, as in 2")
+    elif value is not None and value > LARGEST:
+        message = f"capacity: {value:.3e} is more than {LARGEST:,}"
+        yield Problem(kind, index, "capacity", message, "leave it out where all agents fit")
+
+
+def _cost(index: int, value: Any) -> Iterator[Problem]:
+    remedy = "write a number such as 2.5"
+    if value is None:
+        return
+    if not _is_number(value) or value < 0:
+        message = f"cost: {value} is not a finite number of at least 0"
+        yield Problem("edge", index, "cost", message, remedy)
+    elif value >= MOST_COST:
+        message = (
+            f"cost: {float(value):g} is not below {MOST_COST:g}, which solvers take for infinity"
+        )
+        yield Problem("edge", index, "cost", message, remedy)
+
+
+def _is_point(value: Any) -> bool:
+    return isinstance(value, tuple) and len(value) == 2 and all(map(_is_number, value))  # noqa: PLR2004 - x and y
+
+
+def _is_polygon(value: Any) -> bool:
+    return isinstance(value, tuple) and len(value) >= CORNERS and all(map(_is_point, value))
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and is_finite(value)

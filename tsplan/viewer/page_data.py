@@ -1,0 +1,183 @@
+"""What the page shows, as plain JSON data: numbers in lists, names once, places by number."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from tsplan.checking.fitting import refuse_misfit
+from tsplan.draw.layout import places
+from tsplan.draw.palette import PLAIN, Paint, Palette
+from tsplan.plans.plan import ObjectiveValue
+from tsplan.plans.summary import infinite_word, objective_line, outcome
+from tsplan.viewer.formula_rows import Part, formula_parts
+from tsplan.viewer.tracks import movers
+from tsplan.words import number
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.plans.plan import Plan
+    from tsplan.ts import Edge, State, TransitionSystem
+
+Json: TypeAlias = dict[str, Any]
+
+MOST_IDS = 20_000
+"""Agents up to which each one's own name goes into the page; above, only their bundles' names."""
+
+
+def page_data(mission: Mission, plan: Plan) -> Json:
+    """Everything the page needs to know; raises PlanError for a plan that does not fit the map."""
+    refuse_misfit(plan, mission)
+    system = mission.system
+    lanes = movers(mission, plan)
+    places_of = {state: place for place, state in enumerate(system.states)}
+    classes = _classes(mission)
+    kind = {entry["name"]: place for place, entry in enumerate(classes)}
+    named = sum(mover.count for mover in lanes) <= MOST_IDS
+    endless = infinite_word(plan)
+    return {
+        "title": plan.mission.name or mission.name or system.name or "plan",
+        "outcome": outcome(plan),
+        "facts": [
+            {"text": fact_words(item, endless), "about": objective_line(item, endless)}
+            for item in plan.objective
+        ],
+        "horizon": plan.horizon,
+        "map": map_data(system),
+        "classes": classes,
+        "movers": [
+            {
+                "class": kind[mover.class_name],
+                "count": mover.count,
+                "name": mover.name,
+                "ids": list(mover.ids) if named else [],
+                "end": mover.end,
+                "stops": [
+                    value
+                    for stop in mover.stops
+                    for value in (stop.first, stop.last, places_of[stop.state], stop.slot)
+                ],
+            }
+            for mover in lanes
+        ],
+        "formula": [_part(part, places_of) for part in formula_parts(mission, plan)],
+    }
+
+
+def fact_words(item: ObjectiveValue, infinite: str = "unbounded") -> str:
+    """An objective's value, and in one word whether it is proven.
+
+    >>> fact_words(ObjectiveValue("travel", 12.0, 12.0)), fact_words(ObjectiveValue("cost", 8, 6))
+    ('travel 12 · proven', 'cost 8 · bound 6')
+    """
+    words = f"{item.name} {number(item.value, infinite)}"
+    if item.value is None or item.bound is None:
+        return words
+    same = math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9)
+    return f"{words} \u00b7 proven" if same else f"{words} \u00b7 bound {number(item.bound)}"
+
+
+def map_data(system: TransitionSystem) -> Json:
+    """States with their places, and edges; those in both directions alike once."""
+    number = {state: place for place, state in enumerate(system.states)}
+    where = places(system)
+    paints = Palette(system).states
+    states = [_state(state, where[name], paints[name]) for name, state in system.states.items()]
+    edges = []
+    for (source, target), edge in system.edges.items():
+        back = system.edges.get((target, source))
+        alike = back is not None and back.duration == edge.duration
+        if source == target or (alike and number[target] < number[source]):
+            continue
+        edges.append(
+            {
+                "from": number[source],
+                "to": number[target],
+                "words": duration_words(edge),
+                "oneWay": back is None,
+            }
+        )
+    return {"name": system.name, "states": states, "edges": edges}
+
+
+def _state(state: State, at: tuple[float, float], paint: Paint) -> Json:
+    return {
+        "name": state.name,
+        "x": at[0],
+        "y": at[1],
+        "labels": sorted(state.labels),
+        "shape": [list(point) for point in state.shape] if state.shape else None,
+        "color": None if paint == PLAIN else paint.colour,
+        "capacity": state.capacity,
+    }
+
+
+def duration_words(edge: Edge) -> str:
+    """What is written on an edge: nothing for one step, a range where classes differ."""
+    if not isinstance(edge.duration, Mapping):
+        return "" if edge.duration == 1 else str(edge.duration)
+    least, most = min(edge.duration.values()), max(edge.duration.values())
+    return str(least) if least == most else f"{least}\u2013{most}"
+
+
+def _part(part: Part, number: Mapping[str, int]) -> Json:
+    return {
+        "text": part.heading,
+        "whole": part.text,
+        "depth": part.depth,
+        "when": span_words(part.needed),
+        "duties": part.duties,
+        "settled": part.settled,
+        "failed": part.failed,
+        "needed": part.needed,
+        "states": [number[state] for state in part.states],
+        "hidden": part.hidden,
+        "charts": [
+            {
+                "text": chart.text,
+                "bound": chart.bound,
+                "counts": chart.counts,
+                "needed": chart.needed,
+                "windows": chart.possible,
+            }
+            for chart in part.charts
+        ],
+    }
+
+
+def span_words(spans: tuple[tuple[int, int], ...]) -> str:
+    """Steps in words: the span, or the first and the last step where there are several.
+
+    >>> span_words(((3, 5), (9, 9))), span_words(((4, 4),)), span_words(())
+    ('3…9', '4', '')
+    """
+    if not spans:
+        return ""
+    first, last = spans[0][0], spans[-1][1]
+    if first == last:
+        return str(first)
+    return f"{first}\u2013{last}" if len(spans) == 1 else f"{first}\u2026{last}"
+
+
+def _classes(mission: Mission) -> list[Json]:
+    able = {group.class_name: sorted(group.capabilities) for group in mission.team}
+    agents: Counter[str] = Counter()
+    for group in mission.team:
+        agents[group.class_name] += group.count
+    return [
+        {
+            "name": name,
+            "capabilities": able.get(name, []),
+            "agents": agents[name],
+            "color": color,
+            "mark": place,
+        }
+        for place, (name, color) in enumerate(class_colors(mission).items())
+    ]
+
+
+def class_colors(mission: Mission) -> dict[str, str]:
+    """A colour for every class of the team, in its order."""
+    return {name: paint.colour for name, paint in Palette.of(mission).classes.items()}
