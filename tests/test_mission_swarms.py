@@ -141,12 +141,6 @@ def test_from_python(folder):
         (ONE, ("margin: 5%", "margin: -1"), "4:9", ["no head-room"]),
         (ONE, ("margin: 5%", "max_subswarms: 3"), "4:1", ["several swarms", "inside 'swarm'"]),
         (ONE, ("margin: 5%", "min_subswarm: 3"), "4:1", ["one swarm", "inside the swarm"]),
-        (
-            ONE,
-            ("margin: 5%", "objective: [splits, availability]"),
-            "4:21",
-            ["for teams", "balance"],
-        ),
         (ONE, ("margin: 5%", "objective: [split]"), "4:13", ["'split'", "'splits'"]),
         (ONE, ("sum(green)", "sum(green, scouts)"), "7:30", ["no swarm 'scouts'", "has no name"]),
         (ONE, ("60%", "160%"), "7:33", ["100"]),
@@ -195,9 +189,7 @@ def test_a_mistake_about_what_is_preferred_is_found_at_its_place(folder, change,
     assert any(line.startswith(words) for line in found), found
 
 
-def test_teams_and_swarms_are_kept_apart(folder):
-    both = ONE.replace("margin: 5%", "team: [{class: a, at: dock}]")
-    assert any(line.startswith("3:1: the mission has 'swarm'") for line in findings(folder, both))
+def test_what_is_said_of_swarms_needs_one(folder):
     team = (
         "format: tsplan-mission/1\nmap: yard.yaml\nteam: [{class: a, at: dock}]\nmargin: 5%\n"
         "max_subswarms: 2\nobjective: [splits, travel]\n"

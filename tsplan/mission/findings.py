@@ -9,8 +9,10 @@ from tsplan.errors import Finding, Spot
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
+    from tsplan.mission.mission import Group
 
 Place: TypeAlias = "tuple[str | int, ...]"
+Entry: TypeAlias = "tuple[Place, Group]"  # a group, and where it stands in the mission
 FORMULA: Place = ("spec", "formula")
 
 

@@ -118,12 +118,12 @@ class SwarmBounds:
 
 @dataclass(frozen=True)
 class SwarmRules:
-    """What makes the team a team of swarms: each of its classes is one swarm.
+    """What makes classes of the team swarms, each of which moves as sub-swarms.
 
-    `each` has the bounds of every swarm by its class name, `together` bounds the sub-swarms of
-    all swarms at one step, and `margin` is the head-room by which the counts of a plan are kept
-    away from what the formula needs: a Fraction is one of the swarm, a whole number is of
-    agents. `Mission.goal` is tightened by it already.
+    `each` has the bounds of every swarm by its class name; other classes are ordinary robots.
+    `together` bounds the sub-swarms of all swarms at one step, and `margin` is the head-room by
+    which the counts of a plan are kept away from what the formula needs: a Fraction is one of the
+    agents that are counted, a whole number is of agents. `Mission.goal` is tightened by it already.
     """
 
     each: Mapping[str, SwarmBounds] = field(hash=False)
@@ -183,7 +183,9 @@ class Mission:
     then `preferences` comes first among the objectives.
     A state that a formula names where no state has such a label gets its name as a label of the
     mission's own map, so that everything made from the mission counts there alike.
-    With `swarm` rules every class of the team is a swarm, whose agents move as sub-swarms.
+    A name of a class that is nobody's capability is one of its own robots, if a formula or the
+    map asks for it. The `swarm` rules say which classes are swarms, whose agents move as
+    sub-swarms.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
 
@@ -210,9 +212,14 @@ class Mission:
 
     def __post_init__(self) -> None:
         from tsplan.mission.mission_checks import problems_of  # noqa: PLC0415  (imports this module)
-        from tsplan.mission.named_states import with_named_places  # noqa: PLC0415  (needs the logic)
+        from tsplan.mission.named_parts import (  # noqa: PLC0415  (imports this module)
+            with_named_classes,
+            with_named_states,
+        )
 
-        object.__setattr__(self, "system", with_named_places(self.system, self._formulas))
+        team = with_named_classes(self.team, self.system, self._formulas)
+        object.__setattr__(self, "team", team)
+        object.__setattr__(self, "system", with_named_states(self.system, self._formulas))
         if self.prefer and "preferences" not in self.objective:
             object.__setattr__(self, "objective", ("preferences", *self.objective))
         errors = [problem for problem in problems_of(self) if problem.serious]
@@ -228,7 +235,7 @@ class Mission:
     def counted(self) -> Formula:
         """The formula as written, over numbers of agents: tasks translated, percentages resolved.
 
-        A percentage is one of the swarm that its atom names, or of all swarms together.
+        A percentage is one of all agents that its atom counts.
         """
         from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
 
@@ -292,6 +299,10 @@ class Mission:
             if capability is None or capability in group.capabilities
         )
 
+    def group_bounds(self, class_name: str) -> SwarmBounds | None:
+        """How a class may divide into sub-swarms; None for ordinary robots."""
+        return None if self.swarm is None else self.swarm.each.get(class_name)
+
     def plot(self, ax: Any = None) -> Picture:
         """The map with the team's starts: the matplotlib figure and its axes.
 
@@ -324,8 +335,9 @@ class Mission:
         """A mission from Python values, with the same checks as a file.
 
         `map` is a transition system or the path of a map file. Each member of `team` is a Group
-        or a mapping with the keys of a mission file; instead of a team there may be one `swarm`
-        or several `swarms`, mappings with those keys, and for them `max_subswarms` and `margin`.
+        or a mapping with the keys of a mission file; instead of a team or beside it there may be
+        one `swarm` or several `swarms`, mappings with those keys, and for them `max_subswarms`
+        and `margin`.
         `formula` is a text, several texts (their conjunction) or a parsed formula; `must` is
         another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
         and that of swarms "mtl". Raises MissionError with all findings.

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from tsplan.errors import FormulaError, Nearest, nearest
 from tsplan.limits import MOST_ROBOTS, MOST_STEPS
 from tsplan.mission.costs import cost_problems
-from tsplan.mission.findings import FORMULA, Place, Problem, preferred
+from tsplan.mission.findings import FORMULA, Entry, Place, Problem, preferred
 from tsplan.mission.magnitudes import number_problems
-from tsplan.mission.mission import OBJECTIVES, SENSES, SWARM_OBJECTIVES, SwarmRules, TaskInterval
-from tsplan.mission.swarm_rules import swarm_problems
+from tsplan.mission.mission import OBJECTIVES, SENSES, SwarmRules, TaskInterval
+from tsplan.mission.swarm_rules import ONE_SWARM, swarm_problems
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
@@ -33,7 +33,7 @@ def problems_of(mission: Mission) -> list[Problem]:
     return [
         *objective_problems(mission.objective, mission.swarm),
         *wish_problems(mission.objective, mission.prefer, mission.swarm),
-        *team_problems(mission.team, mission.system, mission.swarm),
+        *team_problems(entries_of(mission), mission.system, mission.swarm),
         *map_problems(mission.system, mission.team),
         *cost_problems(mission.system, mission.team, mission.horizon, mission.objective),
         *formula_problems(mission.formula, mission.system, mission.team, mission.swarm),
@@ -89,14 +89,13 @@ def wish_problems(
 
 
 def objective_problems(objective: Sequence[str], swarm: SwarmRules | None) -> list[Problem]:
-    """Unknown and repeated objectives, and those of swarms for a team or the other way round."""
-    known = OBJECTIVES if swarm is None else SWARM_OBJECTIVES
+    """Unknown and repeated objectives, and those of swarms where there is none."""
+    known = OBJECTIVES if swarm is None else SENSES
     problems = []
     for place, name in enumerate(objective):
         path = ("objective", place)
         if name in SENSES and name not in known:
-            kinds = ("swarms", "a team") if swarm is None else ("teams", "a swarm")
-            what = f"objective '{name}' is for {kinds[0]}, and this mission is for {kinds[1]}"
+            what = f"objective '{name}' is for swarms, and this mission is for a team"
             problems.append(Problem(path, what, f"use {', '.join(known)}"))
         elif name not in known:
             problems.append(Problem(path, f"unknown objective '{name}'", nearest(name, known)))
@@ -106,15 +105,14 @@ def objective_problems(objective: Sequence[str], swarm: SwarmRules | None) -> li
 
 
 def team_problems(
-    team: Sequence[Group], system: TransitionSystem | None, swarm: SwarmRules | None
+    entries: Sequence[Entry], system: TransitionSystem | None, swarm: SwarmRules | None
 ) -> list[Problem]:
     """Counts, classes and start states; without a map, only what does not need it."""
     problems: list[Problem] = []
-    if not team:
+    if not entries:
         problems.append(Problem(("team",), "the team is empty", "add at least one robot"))
-    places = [entry_place(number, team, swarm) for number in range(len(team))]
     closest = Nearest(() if system is None else system.states)
-    for place, group in zip(places, team, strict=True):
+    for place, group in entries:
         if not group.starts:
             problems.append(Problem((*place, "at"), "no start state", "say where the robots start"))
         for state, count in group.starts:
@@ -128,24 +126,26 @@ def team_problems(
                 )
             if system is not None:
                 problems += _start_problems(system, group, (*place, "at", state), closest)
-    size = sum(group.count for group in team)
+    size = sum(group.count for _, group in entries)
     if size > MOST_ROBOTS:
-        problems.append(
-            Problem(
-                places[0][:1], f"a team of {size:,} robots", f"at most {MOST_ROBOTS:,} are planned"
-            )
-        )
+        path, remedy = entries[0][0][:1], f"at most {MOST_ROBOTS:,} are planned"
+        problems.append(Problem(path, f"a team of {size:,} robots", remedy))
     if system is not None:
-        problems += _crowds(team, places, system)
-    return problems + (_differing(team) if swarm is None else swarm_problems(team, places, swarm))
+        problems += _crowds(entries, system)
+    problems += _differing([entry for entry in entries if entry[0][0] == "team"])
+    return problems + ([] if swarm is None else swarm_problems(entries, swarm))
 
 
-def entry_place(number: int, team: Sequence[Group], swarm: SwarmRules | None) -> Place:
-    """Where the entry of a group stands in a mission file."""
-    if swarm is None:
-        return ("team", number)
-    single = len(team) == 1 and not team[0].capabilities
-    return ("swarm",) if single else ("swarms", number)
+def entries_of(mission: Mission) -> list[Entry]:
+    """The groups of a mission with the places that a mission file has for them."""
+    swarms = () if mission.swarm is None else mission.swarm.each
+    made: dict[str, list[Entry]] = {"team": [], "swarms": []}
+    for group in mission.team:
+        kind = "swarms" if group.class_name in swarms else "team"
+        made[kind].append(((kind, len(made[kind])), group))
+    if [group.class_name for _, group in made["swarms"]] == [ONE_SWARM]:
+        made["swarms"] = [(("swarm",), group) for _, group in made["swarms"]]
+    return made["team"] + made["swarms"]
 
 
 def _start_problems(
@@ -168,13 +168,11 @@ def _start_problems(
     ]
 
 
-def _crowds(
-    team: Sequence[Group], places: Sequence[Place], system: TransitionSystem
-) -> list[Problem]:
+def _crowds(entries: Sequence[Entry], system: TransitionSystem) -> list[Problem]:
     """States at which more robots start than fit."""
     starting: Counter[str] = Counter()
     last: dict[str, Place] = {}
-    for place, group in zip(places, team, strict=True):
+    for place, group in entries:
         for state, count in group.starts:
             starting[state] += count
             last[state] = (*place, "at", state)
@@ -192,16 +190,16 @@ def _crowds(
     return problems
 
 
-def _differing(team: Sequence[Group]) -> list[Problem]:
+def _differing(entries: Sequence[Entry]) -> list[Problem]:
     """Entries of one class that differ in their capabilities (a warning)."""
     first: dict[str, Group] = {}
     problems = []
-    for place, group in enumerate(team):
+    for place, group in entries:
         known = first.setdefault(group.class_name, group)
         if known.capabilities != group.capabilities:
             problems.append(
                 Problem(
-                    ("team", place, "capabilities"),
+                    (*place, "capabilities"),
                     f"class '{group.class_name}' has other capabilities here than in an earlier "
                     "entry",
                     "both are kept apart; give them different class names if that is meant",
@@ -240,20 +238,15 @@ def formula_problems(
     """Labels, capabilities and kinds of atoms, as far as map and team are known."""
     from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
 
-    known: frozenset[str] = frozenset().union(*(group.capabilities for group in team or ()))
     places = Nearest(() if system is None else {*system.labels, *system.states})
-    able = Nearest(known)
+    names = None if team is None else _Names.of(team, swarm)
     problems: list[Problem] = []
     for node in logic.walk(formula):
         problems += _refused(node)
         problems += _percentages(node) if swarm is None and team is not None else []
         if isinstance(node, logic.Count | logic.Task | logic.Limit):
             problems += [] if system is None else _unplaced(node, node.label, system, places)
-            problems += [
-                _stranger(node, name, able if known or swarm is None else None, swarm)
-                for name in _capabilities(node)
-                if name not in known and team is not None
-            ]
+            problems += [] if names is None else names.problems(node)
     return problems
 
 
@@ -273,15 +266,49 @@ def _unplaced(
     return [Problem(FORMULA, what, remedy, serious=False, node=node, word=label)]
 
 
-def _stranger(
-    node: Formula, name: str, closest: Nearest | None, swarm: SwarmRules | None
-) -> Problem:
-    """A capability that nobody has, which a share of a swarm cannot be taken of."""
-    remedy = f"leave '{name}' out: the one swarm has no name" if closest is None else closest(name)
-    if swarm is None:
+@dataclass(frozen=True)
+class _Names:
+    """What atoms may name: capabilities, and the classes of robots and swarms."""
+
+    capabilities: frozenset[str]
+    classes: Mapping[str, frozenset[str]]  # with their capabilities
+    robots: bool  # whether there are robots beside swarms, or nothing else
+    single: bool  # whether there is nothing but a swarm without a name of its own
+    closest: Nearest
+
+    @classmethod
+    def of(cls, team: Iterable[Group], swarm: SwarmRules | None) -> _Names:
+        classes: dict[str, frozenset[str]] = {}
+        for group in team:
+            able = classes.get(group.class_name, frozenset())
+            classes[group.class_name] = able | group.capabilities
+        known: frozenset[str] = frozenset().union(*classes.values())
+        robots = swarm is None or not classes.keys() <= swarm.each.keys()
+        single = not robots and classes.keys() == {ONE_SWARM}
+        return cls(known, classes, robots, single, Nearest(known.union(classes)))
+
+    def problems(self, node: Formula) -> list[Problem]:
+        """The names in an atom that nobody has, and those of which one meaning is lost."""
+        strange = (
+            name
+            for name in _capabilities(node)
+            if name not in self.classes.get(name, self.capabilities)
+        )
+        return [self._stranger(node, name) for name in strange]
+
+    def _stranger(self, node: Formula, name: str) -> Problem:
+        """A capability that nobody has, or (a warning) one that is the name of other robots."""
+        if name in self.capabilities:
+            what = f"'{name}' is a capability, and also the name of a class without it"
+            remedy = "the capability is meant; call the class something else to count it"
+            return Problem(FORMULA, what, remedy, serious=False, node=node, word=name)
+        remedy = self.closest(name)
+        if self.single:
+            remedy = f"leave '{name}' out: the one swarm has no name"
+        if not self.robots:
+            return Problem(FORMULA, f"there is no swarm '{name}'", remedy, node=node, word=name)
         what = f"no robot has the capability '{name}', so it always counts 0"
         return Problem(FORMULA, what, remedy, serious=False, node=node, word=name)
-    return Problem(FORMULA, f"there is no swarm '{name}'", remedy, node=node, word=name)
 
 
 def _capabilities(node: Formula) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from tsplan.errors import Finding, InputError, MissionError
 from tsplan.mission.costs import cost_problems
-from tsplan.mission.findings import Place, Problem
+from tsplan.mission.findings import Entry, Place, Problem
 from tsplan.mission.formulas import Formulas, spelled_out
 from tsplan.mission.mission import (
     DEFAULT_OBJECTIVE,
@@ -22,6 +22,7 @@ from tsplan.mission.mission import (
     Order,
     Preference,
     SolverChoice,
+    SwarmBounds,
     SwarmRules,
 )
 from tsplan.mission.mission_checks import (
@@ -34,7 +35,9 @@ from tsplan.mission.mission_checks import (
     team_problems,
     wish_problems,
 )
-from tsplan.mission.swarm_rules import KINDS, kind_problems, swarm_rules, total_problems
+from tsplan.mission.named_parts import with_named_classes
+from tsplan.mission.swarm_rules import KINDS, ONE_SWARM, kind_problems, total_problems
+from tsplan.names import nfc
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -117,7 +120,7 @@ class _Draft:
     warnings: list[Finding] = field(default_factory=list)
     known: dict[Finding, bool] = field(default_factory=dict)  # by whether they are serious
     system: TransitionSystem | None = None
-    team: tuple[Group, ...] | None = ()  # None where what is said of it is wrong
+    entries: list[Entry] | None = None  # None where what is said of them is wrong
     swarm: SwarmRules | None = None
     seconds: float = 0.0
 
@@ -156,35 +159,40 @@ class _Draft:
             )
 
     def read_agents(self, file: MissionFile) -> None:
-        """The groups of the team or of the swarms, and the rules of swarms."""
+        """The groups of the team and of the swarms, and the rules of swarms."""
+        team: list[Entry] = [
+            (("team", n), self._group(member, ("team", n))) for n, member in enumerate(file.team)
+        ]
+        taken: frozenset[str] = frozenset().union(*(group.capabilities for _, group in team))
+        swarms: list[tuple[Place, str, Swarm]] = [
+            (("swarms", n), self._word(entry.name, ("swarms", n, "name")), entry)
+            for n, entry in enumerate(file.swarms)
+        ]
         if file.swarm is not None:
-            self.team = (self._swarm(file.swarm, "swarm", ("swarm",)),)
-        elif file.swarms:
-            self.team = tuple(
-                self._swarm(entry, self._word(entry.name, ("swarms", n, "name")), ("swarms", n))
-                for n, entry in enumerate(file.swarms)
-            )
-        else:
-            self.team = self.read_team(file.team)
-            return
-        entries = [file.swarm] if file.swarm is not None else file.swarms
-        names = [group.class_name for group in self.team or ()]
-        self.swarm = swarm_rules(names, entries, file.max_subswarms, file.margin)
+            swarms = [(("swarm",), ONE_SWARM, file.swarm)]
+        for path, name, entry in swarms:
+            able = frozenset({nfc(name)}) - taken if path[0] == "swarms" else frozenset()
+            team.append((path, Group(name, able, self._swarm_starts(entry, path))))
+        self.entries = team
+        if swarms:
+            each = {
+                name: SwarmBounds(one.max_subswarms, one.min_subswarm) for _, name, one in swarms
+            }
+            self.swarm = SwarmRules(each, file.max_subswarms, file.margin)
 
-    def _swarm(self, entry: Swarm, name: str, path: Place) -> Group:
-        """A swarm as one group; of several, each has its name as capability."""
+    @property
+    def team(self) -> tuple[Group, ...] | None:
+        """The groups, as far as they are known."""
+        return None if self.entries is None else tuple(group for _, group in self.entries)
+
+    def _swarm_starts(self, entry: Swarm, path: Place) -> tuple[tuple[str, int], ...]:
         if isinstance(self.document.at((*path, "at")), dict):
             starts = tuple(entry.at.items())
             for problem in total_problems(entry.size, starts, path):
                 self.file(problem)
-        else:
-            (state,) = entry.at
-            starts = ((self._word(state, (*path, "at")), entry.size),)
-        return Group(name, frozenset() if path == ("swarm",) else frozenset({name}), starts)
-
-    def read_team(self, members: Iterable[Member]) -> tuple[Group, ...]:
-        """The groups of the team; names as they are written."""
-        return tuple(self._group(member, ("team", n)) for n, member in enumerate(members))
+            return starts
+        (state,) = entry.at
+        return ((self._word(state, (*path, "at")), entry.size),)
 
     def _group(self, member: Member, path: Place) -> Group:
         if isinstance(self.document.at((*path, "at")), dict):
@@ -212,18 +220,21 @@ class _Draft:
             return
         if not faulty.intersection(KINDS) and any(kind in self.document.data for kind in KINDS):
             self.read_agents(file)
-        else:
-            self.team = None
         self.judge(file)
 
     def judge(self, file: MissionFile) -> None:
         """Report what does not fit together, as far as the parts are known."""
+        if self.entries is not None:
+            formulas = [formula for _, formula in self.formulas.all()]
+            named = with_named_classes(self.team or (), self.system, formulas)
+            places = (place for place, _ in self.entries)
+            self.entries = list(zip(places, named, strict=True))
         names, wishes = self.objective(file), self.preferences(file.spec.prefer)
         problems = []
-        if self.team is not None:
+        if self.entries is not None:
             problems += objective_problems(names, self.swarm)
             problems += wish_problems(names, wishes, self.swarm)
-            problems += team_problems(self.team, self.system, self.swarm)
+            problems += team_problems(self.entries, self.system, self.swarm)
         if self.system is not None and self.team is not None:
             problems += map_problems(self.system, self.team)
         for where, formula in self.formulas.all():

@@ -4,57 +4,43 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from tsplan.mission.findings import Place, Problem
+from tsplan.mission.findings import Entry, Place, Problem
 from tsplan.mission.mission import SwarmBounds, SwarmRules
 
 if TYPE_CHECKING:
     from tsplan.mission.mission import Group
-    from tsplan.mission.mission_schema import Swarm
 
 KINDS = ("team", "swarm", "swarms")
-
-
-def swarm_rules(
-    names: Sequence[str],
-    entries: Sequence[Swarm],
-    together: int | None,
-    margin: Fraction | int,
-) -> SwarmRules:
-    """The rules of the swarms of a mission file, in their order."""
-    each = {
-        name: SwarmBounds(entry.max_subswarms, entry.min_subswarm)
-        for name, entry in zip(names, entries, strict=True)
-    }
-    return SwarmRules(each, together, margin)
+ONE_SWARM = "swarm"  # the class of a swarm that has no name of its own
 
 
 def kind_problems(data: Any) -> list[Problem]:
-    """Whether a mission file is for one of a team, a swarm and several swarms, and consistently."""
+    """Whether a mission file has a team or swarms, or both, and one spelling of its swarms."""
     if not isinstance(data, dict):
         return []
     given = [kind for kind in KINDS if kind in data]
     if not given:
         remedy = "add 'team: ...', or 'swarm: ...' for a swarm that may split"
         return [Problem((), "'team' is missing", remedy)]
-    problems = [
-        Problem((kind,), f"the mission has '{kind}' beside '{given[0]}'", "keep one of them")
-        for kind in given[1:]
-    ]
+    problems = []
+    if "swarm" in given and "swarms" in given:
+        what = "the mission has 'swarms' beside 'swarm'"
+        problems.append(Problem(("swarms",), what, "keep one of them"))
     return problems + list(_misplaced(data, given))
 
 
 def _misplaced(data: dict[str, Any], given: Sequence[str]) -> Iterator[Problem]:
     """Keys at the top that belong to another kind of mission or into an entry."""
-    if "margin" in data and given == ["team"]:
+    swarmless = given == ["team"]
+    if "margin" in data and swarmless:
         what = "'margin' is head-room for a swarm, and this mission has a team"
         yield Problem(("margin",), what, "remove it, or describe a swarm")
-    if "max_subswarms" in data and given == ["team"]:
+    if "max_subswarms" in data and swarmless:
         what = "'max_subswarms' bounds swarms, and this mission has a team"
         yield Problem(("max_subswarms",), what, "remove it, or describe a swarm")
-    if "max_subswarms" in data and given == ["swarm"]:
+    if "max_subswarms" in data and "swarm" in given and "swarms" not in given:
         what = "'max_subswarms' stands here only to bound several swarms together"
         yield Problem(("max_subswarms",), what, "write it inside 'swarm'")
     if "min_subswarm" in data:
@@ -71,23 +57,25 @@ def total_problems(size: int, starts: Sequence[tuple[str, int]], path: Place) ->
     return [Problem((*path, "size"), what, f"write {total} or correct the start states")]
 
 
-def swarm_problems(
-    team: Sequence[Group], places: Sequence[Place], rules: SwarmRules
-) -> list[Problem]:
+def swarm_problems(entries: Sequence[Entry], rules: SwarmRules) -> list[Problem]:
     """Names that repeat, rules without a swarm, and what makes every plan impossible (warnings)."""
     problems = []
-    times = Counter(group.class_name for group in team)
-    for place, group in zip(places, team, strict=True):
-        if times[group.class_name] > 1:
-            what = f"several swarms are called '{group.class_name}'"
+    classes = Counter(group.class_name for _, group in entries)
+    if not rules.each or not rules.each.keys() <= classes.keys():
+        remedy = f"give bounds for {', '.join(sorted(classes)) or 'none'}"
+        return [Problem(("swarm",), "the rules are not about the swarms", remedy)]
+    robots = {group.class_name for place, group in entries if place[0] == "team"}
+    swarms = [(place, group) for place, group in entries if place[0] != "team"]
+    for place, group in swarms:
+        name = group.class_name
+        if name in robots:
+            what = f"a class of the team is called '{name}', as the swarm is"
             problems.append(Problem((*place, "name"), what, "give each a name of its own"))
-    if set(rules.each) != set(times):
-        remedy = f"give bounds for {', '.join(sorted(times)) or 'none'}"
-        problems.append(Problem(("swarm",), "the rules are not about the swarms", remedy))
-        return problems
-    for place, group in zip(places, team, strict=True):
-        problems += _impossible(group, rules.each[group.class_name], place)
-    begin = sum(len(group.starts) for group in team)
+        elif classes[name] > 1:
+            what = f"several swarms are called '{name}'"
+            problems.append(Problem((*place, "name"), what, "give each a name of its own"))
+        problems += _impossible(group, rules.each[name], place)
+    begin = sum(len(group.starts) for _, group in swarms)
     if rules.together is not None and begin > rules.together:
         what = f"the swarms start in {begin} places, and together only {rules.together} are allowed"
         problems.append(Problem(("max_subswarms",), what, _HOPELESS, serious=False))

@@ -1,0 +1,75 @@
+"""Names of states and classes in formulas, which stand for what is called so.
+
+A name that is no label is a state's, and one that is no capability is a class's. This is settled
+once, when a mission is made: the state gets its own name as a label, in the mission's map alone,
+and the class its own name as a capability, in its team. Whatever reads the mission afterwards
+(encoding, check, reasons, pictures) finds a label or a capability like any other.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from tsplan.logic import Formula
+    from tsplan.mission.mission import Group
+    from tsplan.ts import TransitionSystem
+
+
+def with_named_states(system: TransitionSystem, formulas: Iterable[Formula]) -> TransitionSystem:
+    """The map in which every state that a formula names has its name as a label.
+
+    A name that some state has as a label means that label. The same map where nothing changes.
+
+    >>> from tsplan.logic import parse
+    >>> from tsplan.ts import Edge, State, TransitionSystem
+    >>> yard = TransitionSystem.build([State("dock"), State("gate")], [Edge("dock", "gate")])
+    >>> with_named_states(yard, [parse("F[0,2] gate")]).labels
+    mappingproxy({'gate': ('gate',)})
+    """
+    from tsplan.logic.symbols import labels  # noqa: PLC0415  (the parser is slow to import)
+
+    named = {
+        name
+        for formula in formulas
+        for name in labels(formula)
+        if name not in system.labels and name in system.states
+    }
+    if not named:
+        return system
+    states = {
+        name: replace(state, labels=state.labels | {name}) if name in named else state
+        for name, state in system.states.items()
+    }
+    return replace(system, states=states)
+
+
+def with_named_classes(
+    team: Iterable[Group], system: TransitionSystem | None, formulas: Iterable[Formula]
+) -> tuple[Group, ...]:
+    """The team in which every class that a formula or the map names has its name as a capability.
+
+    A name that some robot has as a capability means that capability.
+
+    >>> from tsplan.logic import parse
+    >>> from tsplan.mission import Group
+    >>> with_named_classes([Group.of("scout", {"q1": 3})], None, [parse("sum(A, scout) > 1")])
+    (Group(class_name='scout', capabilities=frozenset({'scout'}), starts=(('q1', 3),)),)
+    """
+    from tsplan.logic.symbols import capabilities  # noqa: PLC0415  (the parser is slow to import)
+
+    team = tuple(team)
+    named = {name for formula in formulas for name in capabilities(formula)}
+    if system is not None:
+        named.update(*(state.needs for state in system.states.values()))
+        named.update(*(edge.needs for edge in system.edges.values()))
+    named.difference_update(*(group.capabilities for group in team))
+    return tuple(
+        replace(group, capabilities=group.capabilities | {group.class_name})
+        if group.class_name in named
+        else group
+        for group in team
+    )
