@@ -19,7 +19,7 @@ from tsplan import Mission
 from tsplan.checking.plan_check import check
 from tsplan.errors import MissionError
 from tsplan.mission import Group
-from tsplan.mission.mission import SENSES
+from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import Plan
 from tsplan.ts import TransitionSystem
 
@@ -106,7 +106,7 @@ def judge(mission: Mission, plan: Plan) -> str:
         if plan.status == "optimal":
             assert item.bound == item.value
         elif item.bound is not None:
-            sign = 1 if SENSES[item.name] == "minimise" else -1
+            sign = 1 if OBJECTIVES[item.name].sense == "minimise" else -1
             assert sign * item.value >= sign * item.bound
     if plan.status != "optimal":
         assert plan.stopped_by == "precision"

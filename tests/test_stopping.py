@@ -13,7 +13,7 @@ from tests.random_missions import random_mission
 from tsplan import Mission
 from tsplan.checking.plan_check import check, objective_values
 from tsplan.mission import load_mission
-from tsplan.mission.mission import SENSES
+from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import Plan
 from tsplan.run.events import Event, Incumbent, Stage
 
@@ -84,8 +84,8 @@ def judge(mission: Mission, plan: Plan) -> None:
             assert item.bound == item.value
         if item.bound is not None and item.value is not None:
             assert math.isfinite(item.bound)
-            assert (item.value <= item.bound) or SENSES[item.name] == "minimise"
-            assert (item.value >= item.bound) or SENSES[item.name] == "maximise"
+            assert (item.value <= item.bound) or OBJECTIVES[item.name].sense == "minimise"
+            assert (item.value >= item.bound) or OBJECTIVES[item.name].sense == "maximise"
 
 
 def agree(mission: Mission, event: Event) -> None:
@@ -94,14 +94,16 @@ def agree(mission: Mission, event: Event) -> None:
         return
     for number in (event.objective, event.bound, event.gap):
         assert number is None or math.isfinite(number)
-    if isinstance(event, Incumbent) and event.plan is not None and event.stage in SENSES:
+    if isinstance(event, Incumbent) and event.plan is not None and event.stage in OBJECTIVES:
         plan = event.plan()
         assert plan.verified
         actual = objective_values(mission, plan)[event.stage]
         assert event.objective == (actual if math.isfinite(actual) else None)
-    if event.objective is not None and event.bound is not None and event.stage in SENSES:
+    if event.objective is not None and event.bound is not None and event.stage in OBJECTIVES:
         over = event.objective > event.bound
-        assert event.objective == event.bound or over == (SENSES[event.stage] == "minimise")
+        assert event.objective == event.bound or over == (
+            OBJECTIVES[event.stage].sense == "minimise"
+        )
 
 
 def stop_everywhere(mission: Mission, every: int = 1) -> int:

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from tsplan.exact import digits, exact
-from tsplan.mission.mission import SENSES, Mission
+from tsplan.mission.mission import Mission
+from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import ObjectiveValue, Plan, Status
 
 
@@ -49,8 +50,7 @@ def _bound(item: ObjectiveValue, actual: Fraction | float, status: Status) -> It
     if item.bound is None or not math.isfinite(actual) or item.bound == float(actual):
         return
     value, bound = shown(actual), shown(item.bound)
-    over = actual > exact(item.bound)
-    if over == (SENSES[item.name] == "maximise"):
+    if OBJECTIVES[item.name].is_better(actual, exact(item.bound)):
         yield f"{item.name} {value} is better than its bound {bound}"
     elif status is Status.OPTIMAL:
         yield f"{item.name} is called optimal at {value} with the bound {bound}"

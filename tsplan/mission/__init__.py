@@ -2,10 +2,7 @@
 
 from tsplan.mission.mission import (
     LANGUAGES,
-    OBJECTIVES,
     ORDERS,
-    SENSES,
-    SWARM_OBJECTIVES,
     TASK_INTERVALS,
     Agent,
     Group,
@@ -15,22 +12,23 @@ from tsplan.mission.mission import (
     SwarmBounds,
     SwarmRules,
 )
+from tsplan.mission.objectives import OBJECTIVES, Objective, register
 from tsplan.mission.read import load_mission, mission_from_text
 
 __all__ = [
     "LANGUAGES",
     "OBJECTIVES",
     "ORDERS",
-    "SENSES",
-    "SWARM_OBJECTIVES",
     "TASK_INTERVALS",
     "Agent",
     "Group",
     "Mission",
+    "Objective",
     "Preference",
     "SolverChoice",
     "SwarmBounds",
     "SwarmRules",
     "load_mission",
     "mission_from_text",
+    "register",
 ]

@@ -13,10 +13,10 @@ from functools import cached_property
 from hashlib import sha256
 from math import ceil
 from numbers import Integral
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, cast
 
 from tsplan.errors import Finding, MissionError
+from tsplan.mission.objectives import DEFAULT_OBJECTIVE
 from tsplan.names import nfc
 
 if TYPE_CHECKING:
@@ -30,37 +30,10 @@ if TYPE_CHECKING:
 Language: TypeAlias = Literal["catl", "mtl", "stl"]
 TaskInterval: TypeAlias = Literal["closed", "half-open"]
 Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
-Sense: TypeAlias = Literal["maximise", "minimise"]
 
 LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl")
 TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
 ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
-OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
-    {
-        "satisfaction": "maximise",
-        "preferences": "maximise",
-        "availability": "maximise",
-        "travel": "minimise",
-        "cost": "minimise",
-        "makespan": "minimise",
-        "agents": "minimise",
-    }
-)
-DEFAULT_OBJECTIVE = ("travel",)
-SWARM_OBJECTIVES: Mapping[str, Sense] = MappingProxyType(
-    {
-        "satisfaction": "maximise",
-        "preferences": "maximise",
-        "splits": "minimise",
-        "travel": "minimise",
-        "moves": "minimise",
-        "balance": "maximise",
-        "makespan": "minimise",
-    }
-)
-DEFAULT_SWARM_OBJECTIVE = ("splits", "travel")
-SENSES: Mapping[str, Sense] = MappingProxyType({**OBJECTIVES, **SWARM_OBJECTIVES})
-"""Every objective, of teams and of swarms; those with the same name mean the same."""
 
 
 class Agent(NamedTuple):

@@ -16,7 +16,8 @@ from tsplan.limits import MOST_ROBOTS, MOST_STEPS
 from tsplan.mission.costs import cost_problems
 from tsplan.mission.findings import FORMULA, Entry, Place, Problem, preferred
 from tsplan.mission.magnitudes import number_problems
-from tsplan.mission.mission import OBJECTIVES, SENSES, SwarmRules, TaskInterval
+from tsplan.mission.mission import SwarmRules, TaskInterval
+from tsplan.mission.objectives import OBJECTIVES, objectives_for
 from tsplan.mission.swarm_rules import ONE_SWARM, swarm_problems
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def wish_problems(
     problems = []
     for place, name in enumerate(objective):
         path: Place = ("objective", place)
-        if place and name in ("satisfaction", "preferences"):
+        if place and name in OBJECTIVES and OBJECTIVES[name].first:
             what = f"'{name}' comes after other objectives"
             problems.append(Problem(path, what, "name it first: it is settled first"))
         if name == "preferences" and not prefer:
@@ -90,11 +91,11 @@ def wish_problems(
 
 def objective_problems(objective: Sequence[str], swarm: SwarmRules | None) -> list[Problem]:
     """Unknown and repeated objectives, and those of swarms where there is none."""
-    known = OBJECTIVES if swarm is None else SENSES
+    known = objectives_for(swarms=swarm is not None)
     problems = []
     for place, name in enumerate(objective):
         path = ("objective", place)
-        if name in SENSES and name not in known:
+        if name in OBJECTIVES and name not in known:
             what = f"objective '{name}' is for swarms, and this mission is for a team"
             problems.append(Problem(path, what, f"use {', '.join(known)}"))
         elif name not in known:

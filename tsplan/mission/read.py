@@ -14,8 +14,6 @@ from tsplan.mission.costs import cost_problems
 from tsplan.mission.findings import Entry, Place, Problem
 from tsplan.mission.formulas import Formulas, spelled_out
 from tsplan.mission.mission import (
-    DEFAULT_OBJECTIVE,
-    DEFAULT_SWARM_OBJECTIVE,
     ORDERS,
     Group,
     Mission,
@@ -36,6 +34,7 @@ from tsplan.mission.mission_checks import (
     wish_problems,
 )
 from tsplan.mission.named_parts import with_named_classes
+from tsplan.mission.objectives import DEFAULT_OBJECTIVE, DEFAULT_SWARM_OBJECTIVE
 from tsplan.mission.swarm_rules import KINDS, ONE_SWARM, kind_problems, total_problems
 from tsplan.names import nfc
 

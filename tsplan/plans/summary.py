@@ -7,7 +7,7 @@ import re
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
-from tsplan.mission.mission import SENSES
+from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
 from tsplan.plans.split_history import timeline
 from tsplan.words import number, visible
@@ -101,7 +101,8 @@ def objective_line(item: ObjectiveValue, infinite: str = "unbounded") -> str:
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
         return f"{item.name} {value} (proven: no plan does better)"
-    side = "at most" if SENSES.get(item.name) == "maximise" else "at least"
+    maximised = item.name in OBJECTIVES and OBJECTIVES[item.name].sense == "maximise"
+    side = "at most" if maximised else "at least"
     gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
     return f"{item.name} {value} (any plan has {side} {number(item.bound)}; gap {gap:.1%})"
 
