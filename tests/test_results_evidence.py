@@ -11,8 +11,6 @@ from tests.random_missions import LABELS, random_map, random_text
 from tests.test_logic_registrations import node_classes
 from tsplan import Mission
 from tsplan.checking.count_traces import count_trace
-from tsplan.checking.plan_check import formula_robustness
-from tsplan.checking.traffic import counted
 from tsplan.errors import PlanError
 from tsplan.explanation.why.requirements import requirements, runs
 from tsplan.explanation.why.witness_tree import Presence, explain
@@ -23,6 +21,7 @@ from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, Release, Until
 from tsplan.mission import Group
 from tsplan.plans.plan import AgentPlan, MissionRef, Plan
+from tsplan.plans.presence import counted
 from tsplan.ts import Edge, State, TransitionSystem
 
 NAMES = ("home", "east", "west", "hill")
@@ -308,7 +307,7 @@ def test_random_evidence_settles_the_formula_and_agrees_with_the_evaluator(seed)
     mission, plan = random_case(seed)
     top = explain(plan, mission)
     trace = everything(mission, plan)
-    assert top.availability == (formula_robustness(mission, plan.bundles, plan.horizon),)
+    assert top.availability == (float(robustness(mission.counted, trace)[0]),)
     for _, node in top.walk():
         if not node.steps:  # nothing rests on it; it may even look beyond the horizon
             continue

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_results_swarms import VALUES
 
+from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check
 from tsplan.mission import Mission
-from tsplan.plans.assignment import assign
 from tsplan.plans.moves import Move, merges
 from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
 from tsplan.ts import Edge, State, TransitionSystem

@@ -10,10 +10,10 @@ import pytest
 from rich.console import Console
 from test_results_swarms import MOVES, SYSTEM, mission, plan
 
+from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check
 from tsplan.errors import PlanError
 from tsplan.mission import Mission
-from tsplan.plans.assignment import assign
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import Plan
 from tsplan.plans.plan_file import load_plan, save_plan

@@ -7,10 +7,10 @@ from fractions import Fraction
 
 import pytest
 
+from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check, objective_values
 from tsplan.errors import InputError, PlanError, SolverError
 from tsplan.mission import Mission
-from tsplan.plans.assignment import assign
 from tsplan.plans.moves import Move, merges, shares, splits
 from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
 from tsplan.plans.subswarms import SubSwarm, subswarms

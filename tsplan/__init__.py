@@ -15,6 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from tsplan.checking.assignment import assign
     from tsplan.checking.plan_check import check
     from tsplan.errors import (
         Finding,
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from tsplan.explanation.whynot.explaining import explain
     from tsplan.logic import parse
     from tsplan.mission import Group, Mission, SolverChoice, load_mission
-    from tsplan.plans.assignment import assign
     from tsplan.plans.moves import Move
     from tsplan.plans.plan import AgentPlan, Plan
     from tsplan.plans.plan_file import load_plan, save_plan
@@ -61,7 +61,7 @@ _HOMES = {
     "tsplan.logic": ("parse",),
     "tsplan.mission": ("Group", "Mission", "SolverChoice", "load_mission"),
     "tsplan.run.planner": ("plan",),
-    "tsplan.plans.assignment": ("assign",),
+    "tsplan.checking.assignment": ("assign",),
     "tsplan.plans.moves": ("Move",),
     "tsplan.plans.plan": ("AgentPlan", "Plan"),
     "tsplan.plans.plan_file": ("load_plan", "save_plan"),

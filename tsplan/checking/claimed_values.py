@@ -34,8 +34,9 @@ def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str
     """Objectives of a plan that is called optimal and does not say what proves them."""
     for item in plan.objective if plan.status is Status.OPTIMAL else ():
         actual = values.get(item.name, math.inf)
-        by_depth = item.name == "satisfaction" and _settled_by_depth(plan)
-        if item.bound is None and math.isfinite(actual) and not by_depth:
+        if item.bound is not None or not math.isfinite(actual):
+            continue
+        if not (OBJECTIVES[item.name].first and _settled_by_depth(plan)):
             yield f"{item.name} is called optimal at {shown(actual)}, and no bound proves it"
 
 
@@ -64,6 +65,6 @@ def shown(value: Fraction | float, infinite: str = "unbounded") -> str:
 
 
 def _settled_by_depth(plan: Plan) -> bool:
-    """Whether a satisfaction is proven depth by depth, in place of a bound on the whole."""
+    """Whether what holds is proven depth by depth, in place of a bound on the whole."""
     depths = () if plan.satisfaction is None else plan.satisfaction.depths
     return bool(depths) and all(item.bound == item.value for item in depths)

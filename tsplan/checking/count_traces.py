@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from tsplan.logic import Formula
     from tsplan.logic.traces import CountTrace
     from tsplan.ts import TransitionSystem
 
@@ -23,12 +22,3 @@ def count_trace(system: TransitionSystem, counts: Mapping[str | None, Any]) -> C
         for label, members in system.labels.items()
     }
     return CountTrace(counts, labels)
-
-
-def counts_robustness(
-    system: TransitionSystem, formula: Formula, counts: Mapping[str | None, Any]
-) -> float:
-    """Counting robustness at step 0 of a formula, on counts (states of the map, steps)."""
-    from tsplan.logic.evaluation import robustness  # noqa: PLC0415  (the parser is slow to import)
-
-    return float(robustness(formula, count_trace(system, counts))[0])

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING
 from tsplan.errors import Finding, PlanError, nearest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
 
@@ -40,30 +38,24 @@ def refuse_impossible(plan: Plan, mission: Mission, source: str = "plan") -> Non
 _OTHER = "name the mission that was planned"
 
 
-def _impossible(plan: Plan, mission: Mission) -> Iterator[str]:
+def _impossible(plan: Plan, mission: Mission) -> list[str]:
     """What nobody could do on the map: paths of agents, moves of swarms, sub-swarms of none."""
-    from tsplan.checking.path_segments import read_path  # noqa: PLC0415  (needed here alone)
-    from tsplan.checking.swarm_judge import strange_swarms  # noqa: PLC0415  (needs numpy)
+    from tsplan.checking.group_check import misnamed  # noqa: PLC0415  (needed here alone)
+    from tsplan.checking.traffic import read_traffic  # noqa: PLC0415  (as above)
 
-    journeys = []
-    for bundle in plan.bundles:
-        path = read_path(mission.system, bundle, plan.horizon)
-        journeys.append((bundle, path.legs))
-        first = plan.agents[bundle.agents[0]].id
-        yield from (f"agent {first} {problem}" for problem in path.problems)
-    if mission.swarm is not None:
-        yield from strange_swarms(mission, plan, journeys)
-    elif plan.moves or plan.groups:
-        yield "the plan is one of swarms, and the mission has a team"
+    traffic, problems = read_traffic(mission, plan)
+    return problems if traffic is None else list(misnamed(plan.groups, traffic))
 
 
 def with_groups(plan: Plan, mission: Mission) -> Plan:
-    """The plan of a swarm mission with its sub-swarms, where its file leaves them out."""
-    if mission.swarm is None or plan.groups or not plan.moves:
-        return plan
-    from tsplan.checking.swarm_judge import swarm_completed  # noqa: PLC0415  (needs numpy)
+    """The plan with the sub-swarms of its swarms, where its file leaves them out."""
+    from tsplan.checking.plan_check import with_moves  # noqa: PLC0415  (needed here alone)
+    from tsplan.checking.traffic import read_traffic  # noqa: PLC0415  (as above)
 
-    return swarm_completed(mission, plan, [])
+    if plan.groups or not plan.moves:
+        return plan
+    traffic, _ = read_traffic(mission, plan)
+    return plan if traffic is None else with_moves(plan, traffic)
 
 
 def refuse_pathless(plan: Plan, source: str = "plan") -> None:

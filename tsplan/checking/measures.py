@@ -1,10 +1,7 @@
-"""Values of the objectives, computed from the agents' paths.
+"""What every objective is worth in a plan: a register of measures of traffic.
 
-Waits are self-loops. `travel` sums the durations of all other moves and `cost` the costs of all
-moves; a move entered before the horizon counts whole even if it ends after it. `makespan` is the
-step at which the last move that is not a wait arrives (0 without one, perhaps beyond the
-horizon), `agents` the number of agents that ever make one. All of them are exact: costs are the
-decimal numbers that the map's file writes.
+Waits are self-loops. A move entered before the horizon counts whole even if it ends after it. All
+values are exact: costs are the decimal numbers that the map's file writes.
 """
 
 from __future__ import annotations
@@ -13,52 +10,118 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeAlias
 
+from tsplan.checking.satisfaction_check import slack_of
 from tsplan.exact import exact
+from tsplan.mission.objectives import OBJECTIVES
+from tsplan.plans.moves import splits
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
+    from collections.abc import Callable, Mapping
 
-    from tsplan.checking.path_segments import Leg
-    from tsplan.plans.plan import Bundle
+    from tsplan.checking.traffic import Traffic
 
-Journey: TypeAlias = "tuple[Bundle, tuple[Leg, ...]]"
+Number: TypeAlias = Fraction | float
+Measure: TypeAlias = "Callable[[Traffic], Number | None]"
 
 
-def travel(journeys: Iterable[Journey]) -> int:
+def availability(traffic: Traffic) -> float:
+    """Agents that may fail at all that holds: what must, and what may and does."""
+    return slack_of(traffic.mission, traffic.trace, traffic.availability)
+
+
+def satisfaction(traffic: Traffic) -> Fraction | None:
+    """How much of the formula holds, where it need not hold as a whole."""
+    return None if traffic.satisfaction is None else traffic.satisfaction.fraction
+
+
+def preferences(traffic: Traffic) -> Fraction | None:
+    """What the preferences that hold are worth together."""
+    if not traffic.mission.prefer:
+        return None
+    return sum((item.worth for item in traffic.preferences), Fraction(0))
+
+
+def travel(traffic: Traffic) -> int:
     """Steps that all agents together spend on moves."""
-    return sum(
-        len(bundle.agents) * (leg.left - leg.entered)
-        for bundle, legs in journeys
-        for leg in legs
-        if not leg.edge.is_wait
-    )
+    return sum(item.agents * (item.left - item.entered) for item in traffic.away)
 
 
-def cost(journeys: Iterable[Journey]) -> Fraction:
+def cost(traffic: Traffic) -> Fraction:
     """Summed costs of every edge that every agent enters, waits included."""
     costs = (
-        len(bundle.agents) * leg.times * exact(leg.edge.cost_for(bundle.class_name))
-        for bundle, legs in journeys
-        for leg in legs
+        item.agents * item.times * exact(item.edge.cost_for(made.class_name))
+        for made in traffic.classes
+        for item in made.segments
     )
     return sum(costs, Fraction(0))
 
 
-def makespan(journeys: Iterable[Journey]) -> int:
-    """The step at which the last move arrives."""
-    return max(
-        (leg.left for _, legs in journeys for leg in legs if not leg.edge.is_wait), default=0
-    )
+def makespan(traffic: Traffic) -> int:
+    """The step at which the last move arrives, perhaps beyond the horizon; 0 without one."""
+    return max((item.left for item in traffic.away), default=0)
 
 
-def agents(journeys: Iterable[Journey]) -> int:
+def agents(traffic: Traffic) -> int:
     """How many agents ever move."""
-    return sum(
-        len(bundle.agents) for bundle, legs in journeys if any(not leg.edge.is_wait for leg in legs)
-    )
+    return sum(made.moving for made in traffic.classes)
 
 
-MEASURES: Mapping[str, Callable[[Iterable[Journey]], int | Fraction]] = MappingProxyType(
-    {"travel": travel, "cost": cost, "makespan": makespan, "agents": agents}
-)
-"""Every objective that paths alone determine; `availability` needs the formula too."""
+def split(traffic: Traffic) -> int:
+    """How often sub-swarms split: agents that leave by j edges, waits too, split j-1 times."""
+    return sum(splits(moves) for moves in traffic.moves.values())
+
+
+def moves(traffic: Traffic) -> int:
+    """How often a sub-swarm enters an edge that is no wait."""
+    return sum(not move.is_wait for made in traffic.moves.values() for move in made)
+
+
+def balance(traffic: Traffic) -> int | None:
+    """The size of the smallest sub-swarm at any step."""
+    return min((group.size for group in traffic.groups), default=None)
+
+
+_REGISTER: dict[str, Measure] = {
+    "satisfaction": satisfaction,
+    "preferences": preferences,
+    "availability": availability,
+    "travel": travel,
+    "cost": cost,
+    "makespan": makespan,
+    "agents": agents,
+    "splits": split,
+    "moves": moves,
+    "balance": balance,
+}
+
+MEASURES: Mapping[str, Measure] = MappingProxyType(_REGISTER)
+"""The measure of every objective by its name."""
+
+
+def register_measure(name: str, measure: Measure) -> None:
+    """Say what a registered objective is worth in a plan.
+
+    The measure gets the traffic of a plan (`tsplan.checking.traffic.Traffic`) and returns a whole
+    number, a Fraction, an infinite float, or None where the mission has no such thing. Raises
+    ValueError for a name without an objective and for one that has a measure.
+    """
+    if name not in OBJECTIVES:
+        raise ValueError(f"there is no objective '{name}' to measure")
+    if name in _REGISTER:
+        raise ValueError(f"the objective '{name}' has a measure already")
+    _REGISTER[name] = measure
+
+
+def measured(traffic: Traffic) -> dict[str, Number]:
+    """The value of every objective that the mission of some traffic may name; all are exact."""
+    swarms = traffic.mission.swarm is not None
+    found = {
+        name: measure(traffic)
+        for name, measure in MEASURES.items()
+        if swarms or not OBJECTIVES[name].of_groups
+    }
+    return {
+        name: Fraction(value) if not isinstance(value, float) else value
+        for name, value in found.items()
+        if value is not None
+    }

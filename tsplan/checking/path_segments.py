@@ -1,57 +1,73 @@
-"""What an agent does between and during its stays, read against the map."""
+"""What agents do between and during their stays, read against the map."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from tsplan.plans.plan import Bundle, Stay
     from tsplan.ts import Edge, TransitionSystem
 
 
-class Leg(NamedTuple):
-    """Time on one edge: at every step from `entered` on and before `left`, `times` in a row.
+class Segment(NamedTuple):
+    """Time of some agents on one edge: from step `entered` until `left`, `times` in a row.
 
-    `left` lies beyond the horizon when the agent is still on the edge there.
+    `left` lies beyond the horizon when the agents are still on the edge there.
     """
 
     edge: Edge
     entered: int
     left: int
-    times: int
+    agents: int
+    times: int = 1
 
 
 class Path(NamedTuple):
-    """The legs of a path in order, and what is wrong with it (then legs may be missing)."""
+    """The segments of a path in order, and what is wrong with it (then some may be missing)."""
 
-    legs: tuple[Leg, ...]
+    segments: tuple[Segment, ...]
     problems: tuple[str, ...]
 
 
+class Travellers(Protocol):
+    """Agents of one class with the same capabilities."""
+
+    @property
+    def class_name(self) -> str:
+        """The name of their class, by which edges know how long they take."""
+
+    @property
+    def capabilities(self) -> frozenset[str]:
+        """What they can do."""
+
+
 def read_path(system: TransitionSystem, bundle: Bundle, horizon: int) -> Path:
-    """The legs of a bundle's path, with everything the map does not allow about it."""
+    """The segments of a bundle's path, with everything the map does not allow about it."""
     problems = _out_of_order(bundle.stays, horizon)
     if problems:
         return Path((), tuple(problems))
-    legs: list[Leg] = []
+    agents = len(bundle.agents)
+    segments: list[Segment] = []
     for place, (first, last, state) in enumerate(bundle.stays):
-        problems += _unwelcome(system, bundle, state, first)
+        problems += unwelcome(system, bundle, state, first)
         if last > first:
-            wait = _usable(system, bundle, (state, state), first, problems)
+            wait = usable_edge(system, bundle, (state, state), first, problems)
             if wait is not None:
                 _same_duration(wait, bundle, (first, 1), problems)
-                legs.append(Leg(wait, first, last, last - first))
+                segments.append(Segment(wait, first, last, agents, last - first))
         if place + 1 < len(bundle.stays):
             arrival, _, target = bundle.stays[place + 1]
-            edge = _usable(system, bundle, (state, target), last, problems)
+            edge = usable_edge(system, bundle, (state, target), last, problems)
             if edge is not None:
                 _same_duration(edge, bundle, (last, arrival - last), problems)
-                legs.append(Leg(edge, last, arrival, 1))
-    legs += _unfinished(system, bundle, horizon, problems)
-    return Path(tuple(legs), tuple(dict.fromkeys(problems)))
+                segments.append(Segment(edge, last, arrival, agents))
+    segments += _unfinished(system, bundle, horizon, problems)
+    return Path(tuple(segments), tuple(dict.fromkeys(problems)))
 
 
-def _out_of_order(stays: tuple[Stay, ...], horizon: int) -> list[str]:
+def _out_of_order(stays: Sequence[Stay], horizon: int) -> list[str]:
     if not stays:
         return ["has no stays: the agent is lost"]
     problems = []
@@ -69,32 +85,32 @@ def _out_of_order(stays: tuple[Stay, ...], horizon: int) -> list[str]:
     return problems
 
 
-def _unwelcome(system: TransitionSystem, bundle: Bundle, state: str, step: int) -> list[str]:
-    """Whether the map has the state and lets the class be there."""
+def unwelcome(system: TransitionSystem, who: Travellers, state: str, step: int) -> list[str]:
+    """Whether the map has a state and lets somebody be there; what is wrong in words."""
     if state not in system.states:
         return [f"is at '{state}' at step {step}, which the map does not have"]
-    missing = sorted(system.states[state].needs - bundle.capabilities)
+    missing = sorted(system.states[state].needs - who.capabilities)
     return [f"is at {state} at step {step}, which needs {', '.join(missing)}"] if missing else []
 
 
-def _usable(
+def usable_edge(
     system: TransitionSystem,
-    bundle: Bundle,
+    who: Travellers,
     ends: tuple[str, str],
     step: int,
     problems: list[str],
 ) -> Edge | None:
-    """The edge between two states if the class may use it; what is wrong goes to `problems`."""
+    """The edge between two states if somebody may use it; what is wrong goes to `problems`."""
     edge = system.edges.get(ends)
     how = f"waits at {ends[0]}" if ends[0] == ends[1] else f"goes from {ends[0]} to {ends[1]}"
     if edge is None:
         problems.append(f"{how} at step {step}, and the map has no such edge")
         return None
-    missing = sorted(edge.needs - bundle.capabilities)
+    missing = sorted(edge.needs - who.capabilities)
     if missing:
         problems.append(f"{how} at step {step} by an edge that needs {', '.join(missing)}")
-    if edge.duration_for(bundle.class_name) is None:
-        problems.append(f"{how} at step {step} by an edge that class {bundle.class_name} lacks")
+    if edge.duration_for(who.class_name) is None:
+        problems.append(f"{how} at step {step} by an edge that class {who.class_name} lacks")
         return None
     return edge
 
@@ -111,15 +127,15 @@ def _same_duration(edge: Edge, bundle: Bundle, taken: tuple[int, int], problems:
 
 def _unfinished(
     system: TransitionSystem, bundle: Bundle, horizon: int, problems: list[str]
-) -> list[Leg]:
-    """The leg an agent is on at the horizon, if its last stay ends before it."""
+) -> list[Segment]:
+    """The segment an agent is on at the horizon, if its last stay ends before it."""
     _, last, state = bundle.stays[-1]
     if last == horizon:
         if bundle.heading is not None:
             problems.append(f"is at {state} at the horizon and also heads for {bundle.heading}")
         return []
     if bundle.heading is not None:
-        edge = _usable(system, bundle, (state, bundle.heading), last, problems)
+        edge = usable_edge(system, bundle, (state, bundle.heading), last, problems)
         duration = edge.duration_for(bundle.class_name) if edge else None
         if edge is None or duration is None:
             return []
@@ -128,9 +144,9 @@ def _unfinished(
                 f"left {state} for {bundle.heading} at step {last} and does not arrive at step "
                 f"{last + duration}"
             )
-        return [Leg(edge, last, last + duration, 1)]
+        return [Segment(edge, last, last + duration, len(bundle.agents))]
     options = [
-        Leg(edge, last, last + duration, 1)
+        Segment(edge, last, last + duration, len(bundle.agents))
         for edge in system.leaving(state)
         if edge.needs <= bundle.capabilities
         and (duration := edge.duration_for(bundle.class_name)) is not None

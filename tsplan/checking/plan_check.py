@@ -1,46 +1,33 @@
 """The independent check of a plan.
 
-It reads nothing but the map, the team, the formula and the agents' stays: it walks every path
-over the map, counts who is where, and evaluates the formula as written on those counts. Nothing
-of the model, the encoding or the solver enters, so a mistake there cannot hide here. A plan of
-swarms is judged by its moves where it has no agents.
+It reads nothing but the map, the team, the formula and what the plan says of its agents' paths and
+its swarms' moves: it follows them over the map, counts who is where, and evaluates the formula as
+written on those counts. Nothing of the model, the encoding or the solver enters, so a mistake there
+cannot hide here.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from fractions import Fraction
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
-import numpy as np
-
+from tsplan.checking.capacities import crowded
 from tsplan.checking.claimed_values import false_objectives, shown, unproven
-from tsplan.checking.measures import MEASURES
-from tsplan.checking.path_segments import Leg, read_path
-from tsplan.checking.satisfaction_check import (
-    completed,
-    count_trace,
-    false_claims,
-    fulfilments_of,
-    satisfaction_of,
-    spare_of,
-)
-from tsplan.checking.swarm_judge import Verdict, judged_swarms, swarm_completed, swarm_facts
-from tsplan.checking.traffic import interval_counts, state_counts
+from tsplan.checking.facts import facts_of
+from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
+from tsplan.checking.measures import Number, measured
+from tsplan.checking.satisfaction_check import completed, false_claims
+from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import Finding, SolverError
-from tsplan.mission.mission import Agent, Mission
-from tsplan.plans.plan import AgentPlan, Bundle, ObjectiveValue, Plan
-from tsplan.plans.summary import infinite_word
+from tsplan.plans.plan import ObjectiveValue, Plan
+from tsplan.words import known
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
-    from tsplan.logic.traces import CountTrace
-    from tsplan.plans.satisfaction import Fulfilment, Satisfaction
-    from tsplan.ts import TransitionSystem
-
-Journeys: TypeAlias = "list[tuple[Bundle, tuple[Leg, ...]]]"
+    from tsplan.mission.mission import Agent, Mission
+    from tsplan.plans.plan import AgentPlan
 
 _SHOWN = 20  # findings of one kind that are listed before the rest is only counted
 
@@ -50,8 +37,8 @@ class Report:
     """What the check found.
 
     `findings` is empty exactly if the plan is accepted. `availability` and `values` are computed
-    from the paths; they are None and empty when the paths themselves are wrong. `facts` says in
-    words what was found to hold.
+    from the paths and moves; they are None when these themselves are wrong. `facts` says in words
+    what was found to hold.
     """
 
     findings: tuple[Finding, ...]
@@ -66,200 +53,99 @@ class Report:
 
 
 def check(mission: Mission, plan: Plan) -> Report:
-    """Judge a plan against its mission by the agents' stays alone.
+    """Judge a plan against its mission by the agents' paths and the swarms' moves alone.
 
-    The report lists everything that is wrong at once; only when a path is impossible are the
-    counts, the formula and the objectives left out, because they would say nothing.
+    The report lists everything that is wrong at once; only when a path or a move is impossible are
+    the counts, the formula and the objectives left out, because they would say nothing.
     """
     if not plan.has_paths:
-        return Report((_finding(f"a plan of status {plan.status} has no paths to check"),), ())
-    findings, values = _judged(mission, plan)
-    if values is None:
-        return Report(_shortened(findings), ())
-    findings += _claims(mission, plan, values)
-    findings += [_finding(words) for words in unproven(plan, values.objectives)]
-    facts = _facts(mission, plan, values) if not findings else ()
-    measured = {name: float(value) for name, value in values.objectives.items()}
-    return Report(_shortened(findings), facts, values.availability, measured)
+        return Report(_findings([f"a plan of status {plan.status} has no paths to check"]), ())
+    traffic, problems = _judged(mission, plan)
+    if traffic is None:
+        return Report(_findings(problems), ())
+    values = measured(traffic)
+    problems += [*_false_claims(plan, traffic, values), *unproven(plan, values)]
+    facts = () if problems else facts_of(plan, traffic, values)
+    told = {name: float(value) for name, value in values.items()}
+    return Report(_findings(problems), facts, traffic.availability, told)
 
 
 def certify(mission: Mission, plan: Plan) -> Plan:
     """The plan marked as verified, if the check accepts it.
 
-    An availability or objective that the plan leaves open is filled in with its value; what it
-    claims is checked. Plans without paths are returned as they are. Raises SolverError with the
-    findings for a plan that is refused.
+    What the plan leaves open is filled in: its availability and objectives, what it satisfies, and
+    the moves and sub-swarms of swarms. What it claims is checked. Plans without paths are returned
+    as they are. Raises SolverError with the findings for a plan that is refused.
     """
     if not plan.has_paths:
         return plan
-    findings, values = _judged(mission, plan)
-    if values is not None:
-        plan = _completed(mission, plan, values)
-        if mission.swarm is not None:
-            plan = swarm_completed(mission, plan, _journeys(mission, plan)[0])
-        findings += _claims(mission, plan, values)
-    if findings:
-        listed = "\n".join(str(finding) for finding in _shortened(findings))
+    traffic, problems = _judged(mission, plan)
+    if traffic is not None:
+        values = measured(traffic)
+        plan = _completed(plan, traffic, values)
+        problems += _false_claims(plan, traffic, values)
+    if problems:
+        listed = "\n".join(str(finding) for finding in _findings(problems))
         raise SolverError(f"the plan that was found does not stand up to the check:\n{listed}")
     return replace(plan, verified=True)
 
 
-@dataclass(frozen=True)
-class _Worth:
-    """What a plan is worth: its formula's availability, its objectives, and what it satisfies.
-
-    Objectives are exact; only an availability may be infinite.
-    """
-
-    availability: float
-    objectives: Mapping[str, Fraction | float]
-    satisfaction: Satisfaction | None = None
-    preferences: tuple[Fulfilment, ...] = ()
-
-
-def _judged(mission: Mission, plan: Plan) -> tuple[list[Finding], _Worth | None]:
-    """What is wrong with the paths, and what they are worth unless a path is impossible."""
-    findings = _horizon(mission, plan)
-    if plan.agents or mission.swarm is None:
-        findings += _team(mission, plan)
-    if plan.moves and mission.swarm is None:
-        findings.append(_finding("the plan moves swarms, and the mission has a team"))
-    journeys, broken = _journeys(mission, plan)
-    findings += broken
-    if findings:
-        return findings, None
-    if mission.swarm is not None:
-        verdict = judged_swarms(mission, plan, journeys)
-        findings = [_finding(problem) for problem in verdict.problems]
-        return findings, _swarm_worth(mission, verdict)
-    findings += _crowded_states(mission.system, plan)
-    findings += _crowded_edges(mission.system, plan, journeys)
-    worth = _worth(mission, plan, journeys)
-    if worth.availability < 0 and not mission.partial:
-        findings.append(
-            _finding(f"the formula does not hold (its availability is {shown(worth.availability)})")
-        )
-    return findings, worth
-
-
-def _worth(mission: Mission, plan: Plan, journeys: Journeys) -> _Worth:
-    """What the paths of a plan are worth."""
-    values: dict[str, Fraction | float] = {
-        name: Fraction(measure(journeys)) for name, measure in MEASURES.items()
-    }
-    availability = formula_robustness(mission, plan.bundles, plan.horizon)
-    values["availability"] = availability
-    if not mission.partial and not mission.prefer:
-        return _Worth(availability, values)
-    trace = count_trace(mission, plan.bundles, plan.horizon)
-    return _with_satisfaction(mission, availability, values, trace)
-
-
-def _swarm_worth(mission: Mission, verdict: Verdict) -> _Worth | None:
-    """What the moves of swarms are worth, unless they are impossible."""
-    if verdict.values is None or verdict.trace is None:
-        return None
-    if not mission.partial and not mission.prefer:
-        return _Worth(verdict.values["availability"], verdict.values)
-    availability = verdict.values["availability"]
-    return _with_satisfaction(mission, availability, verdict.values, verdict.trace)
-
-
-def _with_satisfaction(
-    mission: Mission,
-    availability: float,
-    measured: Mapping[str, Fraction | float],
-    trace: CountTrace,
-) -> _Worth:
-    """Worth with what is satisfied; availability as an objective is that of what holds."""
-    values = dict(measured)
-    values["availability"] = spare_of(mission, trace, availability)
-    satisfaction, preferences = satisfaction_of(mission, trace), fulfilments_of(mission, trace)
-    if satisfaction is not None and satisfaction.fraction is not None:
-        values["satisfaction"] = satisfaction.fraction
-    values["preferences"] = sum((item.worth for item in preferences), Fraction(0))
-    return _Worth(availability, values, satisfaction, preferences)
-
-
-def _completed(mission: Mission, plan: Plan, worth: _Worth) -> Plan:
-    """The plan with what it leaves open filled in."""
-    finite = {
-        name: float(value) if math.isfinite(value) else None
-        for name, value in worth.objectives.items()
-    }
-    actual = worth.availability if math.isfinite(worth.availability) else None
-    items = plan.objective or tuple(ObjectiveValue(name, None) for name in mission.objective)
-    return replace(
-        plan,
-        availability=actual if plan.availability is None else plan.availability,
-        satisfaction=completed(plan.satisfaction, worth.satisfaction),
-        preferences=plan.preferences or worth.preferences,
-        objective=tuple(
-            replace(item, value=finite.get(item.name)) if item.value is None else item
-            for item in items
-        ),
-    )
-
-
 def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
-    """Every objective's value, by name, computed from the paths of a plan that fits the map."""
-    journeys, broken = _journeys(mission, plan)
-    if broken:
-        raise SolverError("\n".join(str(finding) for finding in broken))
-    if mission.swarm is not None:
-        verdict = judged_swarms(mission, plan, journeys)
-        found = _swarm_worth(mission, verdict)
-        if found is None:
-            raise SolverError("\n".join(verdict.problems))
-    else:
-        found = _worth(mission, plan, journeys)
-    return {name: float(value) for name, value in found.objectives.items()}
+    """Every objective's value, by name, computed from a plan that fits the map."""
+    traffic, problems = read_traffic(mission, plan)
+    if traffic is None:
+        raise SolverError("\n".join(problems))
+    return {name: float(value) for name, value in measured(traffic).items()}
 
 
-def formula_robustness(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> float:
-    """Counting robustness at step 0 of the mission's formula as written, on the agents' counts."""
-    from tsplan.logic.evaluation import robustness  # noqa: PLC0415  (the parser is slow to import)
-
-    return float(robustness(mission.counted, count_trace(mission, bundles, horizon))[0])
-
-
-def _horizon(mission: Mission, plan: Plan) -> list[Finding]:
-    if plan.horizon == mission.horizon:
-        return []
-    return [
-        _finding(f"the plan ends at step {plan.horizon} and the mission at step {mission.horizon}")
+def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
+    """What a plan does unless that is impossible, and everything that is wrong about it."""
+    ends = f"the plan ends at step {plan.horizon} and the mission at step {mission.horizon}"
+    problems = [] if plan.horizon == mission.horizon else [ends]
+    problems += _strangers(mission, plan)
+    traffic, impossible = read_traffic(mission, plan)
+    problems += impossible
+    if traffic is None or problems:
+        return None, problems
+    problems += [
+        *crowded(traffic),
+        *broken_bounds(traffic),
+        *_broken_formula(traffic),
+        *misnamed(plan.groups, traffic),
     ]
+    # relatives are told by the places of sub-swarms, which must be right for that
+    return traffic, problems or list(unrelated(plan.groups, traffic))
 
 
-def _team(mission: Mission, plan: Plan) -> list[Finding]:
-    """Whether the agents of the plan are exactly those of the mission, where they start."""
-    if len(plan.agents) == mission.size and all(map(_same, plan.agents, mission.agents)):
-        return []
-    findings = []
+def _strangers(mission: Mission, plan: Plan) -> Iterator[str]:
+    """Whether the agents of the plan are exactly those of the mission, where they start.
+
+    The agents of a swarm have paths all of them or none.
+    """
+    classes = {group.class_name for group in mission.team}
+    for swarm in classes.difference(agent.class_name for agent in plan.agents):
+        if mission.group_bounds(swarm) is not None:
+            classes.remove(swarm)
+    asked = mission.members(classes)
+    if len(plan.agents) == len(asked) and all(map(_same, plan.agents, asked)):
+        return
+    team = {agent.id: agent for agent in asked}
     seen: set[str] = set()
-    team = {agent.id: agent for agent in mission.agents}
     for planned in plan.agents:
         agent = team.get(planned.id)
         if agent is None:
-            findings.append(_finding(f"agent {planned.id} is not in the team"))
+            yield f"agent {planned.id} is not in the team"
             continue
         if planned.id in seen:
-            findings.append(_finding(f"agent {planned.id} is there twice"))
+            yield f"agent {planned.id} is there twice"
         seen.add(planned.id)
         if planned.class_name != agent.class_name:
-            findings.append(
-                _finding(
-                    f"agent {agent.id} is of class {agent.class_name}, not {planned.class_name}"
-                )
-            )
+            yield f"agent {agent.id} is of class {agent.class_name}, not {planned.class_name}"
         if planned.capabilities != agent.capabilities:
-            findings.append(_finding(f"agent {agent.id} has other capabilities in the mission"))
+            yield f"agent {agent.id} has other capabilities in the mission"
         if planned.stays and planned.stays[0][2] != agent.start:
-            start = planned.stays[0][2]
-            findings.append(_finding(f"agent {agent.id} starts at {agent.start}, not at {start}"))
-    if len(seen) < len(team):
-        findings += [_finding(f"agent {name} has no path") for name in team if name not in seen]
-    return findings
+            yield f"agent {agent.id} starts at {agent.start}, not at {planned.stays[0][2]}"
+    yield from (f"agent {name} has no path" for name in team if name not in seen)
 
 
 def _same(planned: AgentPlan, agent: Agent) -> bool:
@@ -273,113 +159,55 @@ def _same(planned: AgentPlan, agent: Agent) -> bool:
     )
 
 
-def _journeys(mission: Mission, plan: Plan) -> tuple[Journeys, list[Finding]]:
-    """Every path read against the map, one for all agents that share it."""
-    journeys: Journeys = []
-    findings = []
-    for bundle in plan.bundles:
-        path = read_path(mission.system, bundle, plan.horizon)
-        journeys.append((bundle, path.legs))
-        who = _who(plan, bundle)
-        findings += [_finding(f"{who} {problem}") for problem in path.problems]
-    return journeys, findings
+def _broken_formula(traffic: Traffic) -> Iterator[str]:
+    """Whether the formula holds, with the mission's margin, where it must hold as a whole."""
+    mission = traffic.mission
+    if mission.partial:
+        return
+    if traffic.availability < 0:
+        yield f"the formula does not hold (its availability is {shown(traffic.availability)})"
+    elif mission.swarm is not None and mission.swarm.margin:
+        slack = traffic.robustness(mission.goal)
+        if slack < 0:
+            short = f"{shown(-slack)} short of the mission's margin"
+            yield f"the formula holds, but some demand falls {short}"
 
 
-def _who(plan: Plan, bundle: Bundle) -> str:
-    first = f"agent {plan.agents[bundle.agents[0]].id}"
-    more = len(bundle.agents) - 1
-    return f"{first} (and {more} on the same path)" if more else first
+def _completed(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> Plan:
+    """The plan with what it leaves open filled in."""
+    finite = {name: known(float(value)) for name, value in values.items()}
+    items = plan.objective or [ObjectiveValue(name, None) for name in traffic.mission.objective]
+    actual = known(traffic.availability)
+    return replace(
+        with_moves(plan, traffic),
+        availability=actual if plan.availability is None else plan.availability,
+        satisfaction=completed(plan.satisfaction, traffic.satisfaction),
+        preferences=plan.preferences or traffic.preferences,
+        objective=tuple(
+            replace(item, value=finite.get(item.name)) if item.value is None else item
+            for item in items
+        ),
+    )
 
 
-def _crowded_states(system: TransitionSystem, plan: Plan) -> list[Finding]:
-    limited = [name for name, state in system.states.items() if state.capacity is not None]
-    counts = state_counts(plan.bundles, limited, plan.horizon)
-    findings = []
-    for name, row in zip(limited, counts, strict=True):
-        capacity = system.states[name].capacity
-        findings += _over(row, capacity or 0, f"at {name}")
-    return findings
+def with_moves(plan: Plan, traffic: Traffic) -> Plan:
+    """The plan with the moves and the sub-swarms of its swarms where it names none."""
+    return replace(
+        plan, moves={**traffic.moves, **plan.moves}, groups=plan.groups or traffic.groups
+    )
 
 
-def _crowded_edges(system: TransitionSystem, plan: Plan, journeys: Journeys) -> list[Finding]:
-    findings = []
-    for capacity, edges in system.capacity_groups:
-        group = frozenset(edges)
-        row = interval_counts(
-            (
-                (leg.entered, leg.left - 1, len(bundle.agents))
-                for bundle, legs in journeys
-                for leg in legs
-                if (leg.edge.source, leg.edge.target) in group
-            ),
-            plan.horizon,
-        )
-        source, target = edges[0]
-        where = f"on the edge from {source} to {target}"
-        findings += _over(row, capacity, where + (" and back" if len(edges) > 1 else ""))
-    return findings
-
-
-def _over(
-    row: np.ndarray[tuple[int, ...], np.dtype[np.int64]], limit: int, where: str
-) -> list[Finding]:
-    return [
-        _finding(f"{row[step]} agents are {where} at step {step}, which holds {limit}")
-        for step in np.flatnonzero(row > limit).tolist()
-    ]
-
-
-def _claims(mission: Mission, plan: Plan, worth: _Worth) -> list[Finding]:
-    """Whether what the plan says about itself is so."""
-    findings = false_claims(plan, worth.satisfaction, worth.preferences)
-    actual = worth.availability if math.isfinite(worth.availability) else None
+def _false_claims(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> list[str]:
+    """What the plan says about itself and is not so."""
+    problems = list(false_claims(plan, traffic.satisfaction, traffic.preferences))
+    actual = traffic.availability if math.isfinite(traffic.availability) else None
     if plan.availability != actual:
-        findings.append(
-            _finding(f"the plan claims availability {plan.availability} and has {actual}")
-        )
-    objectives = [_finding(text) for text in false_objectives(mission, plan, worth.objectives)]
-    return findings + objectives
+        problems.append(f"the plan claims availability {plan.availability} and has {actual}")
+    return [*problems, *false_objectives(traffic.mission, plan, values)]
 
 
-def _facts(mission: Mission, plan: Plan, worth: _Worth) -> tuple[str, ...]:
-    endless = infinite_word(plan)
-    values_found = (
-        *_held(worth, shown(worth.availability)),
-        *(f"{name} is {shown(worth.objectives[name], endless)}" for name in mission.objective),
-    )
-    if mission.swarm is not None:
-        return (*swarm_facts(mission, plan, worth.objectives), *values_found)
-    capacities = any(state.capacity is not None for state in mission.system.states.values())
-    fits = ["every capacity is kept"] if capacities or mission.system.capacity_groups else []
-    return (
-        f"the team is the mission's: {len(plan.agents)} agents, each with one path from its start",
-        f"every path follows the map's edges at their durations up to step {plan.horizon}",
-        *fits,
-        *values_found,
-    )
-
-
-def _held(worth: _Worth, availability: str) -> list[str]:
-    """What holds of the formula and of the preferences."""
-    if worth.satisfaction is not None and worth.satisfaction.fraction != 1:
-        facts = [f"the formula holds in part, with satisfaction {worth.satisfaction.fraction}"]
-    else:
-        facts = [f"the formula holds, with availability {availability}"]
-    return facts + [
-        f"preference '{item.name}' is met"
-        if item.met
-        else f"preference '{item.name}' is not met (its fraction is {item.fraction})"
-        for item in worth.preferences
-    ]
-
-
-def _shortened(findings: list[Finding]) -> tuple[Finding, ...]:
-    """The first findings, and how many more there are."""
-    if len(findings) <= _SHOWN:
-        return tuple(findings)
-    rest = _finding(f"and {len(findings) - _SHOWN} more")
-    return (*findings[:_SHOWN], rest)
-
-
-def _finding(message: str) -> Finding:
-    return Finding(message, source="plan")
+def _findings(problems: list[str]) -> tuple[Finding, ...]:
+    """The first problems as findings, and how many more there are."""
+    rest = len(problems) - _SHOWN
+    listed = [*problems[:_SHOWN], *([f"and {rest} more"] if rest > 0 else [])]
+    return tuple(Finding(message, source="plan") for message in listed)

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tsplan.checking.count_traces import count_trace as trace_of
-from tsplan.checking.traffic import state_counts
-from tsplan.errors import Finding
 from tsplan.plans.plan import Plan, Status
 from tsplan.plans.satisfaction import Depth, Fulfilment, Node, Satisfaction
 
@@ -16,30 +14,16 @@ if TYPE_CHECKING:
     from tsplan.logic import Formula
     from tsplan.logic.traces import CountTrace
     from tsplan.mission import Mission
-    from tsplan.plans.plan import Bundle
 
 MOST_LETTERS = 1000
 """Letters of a part of a formula in a plan; longer ones are cut off."""
 
 
-def count_trace(mission: Mission, bundles: tuple[Bundle, ...], horizon: int) -> CountTrace:
-    """Counts by state and step of agents with each capability that the mission's formulas name."""
-    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-
-    states = tuple(mission.system.states)
-    formulas = (mission.formula, *(wish.formula for wish in mission.prefer))
-    able = sorted(frozenset[str]().union(*(logic.capabilities(item) for item in formulas)))
-    counts = {name: state_counts(bundles, states, horizon, name) for name in (None, *able)}
-    return trace_of(mission.system, counts)
-
-
-def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction | None:
-    """How much of the formula holds, where the mission lets it hold in part."""
+def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction:
+    """How much of the formula holds of a mission that lets it hold in part."""
     from tsplan.logic.fraction import shares  # noqa: PLC0415  (slow to import)
     from tsplan.logic.witness_steps import levels  # noqa: PLC0415
 
-    if not mission.partial:
-        return None
     tree = mission.tree(mission.formula)
     share = shares(tree, trace)[tree][0]
     by_depth = mission.satisfaction != "weighted"
@@ -53,7 +37,7 @@ def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction | None:
     )
 
 
-def spare_of(mission: Mission, trace: CountTrace, availability: float) -> float:
+def slack_of(mission: Mission, trace: CountTrace, availability: float) -> float:
     """Agents to spare at all that holds: what must, and what may and does; infinite for nothing.
 
     `availability` is that of the formula as a whole.
@@ -70,8 +54,8 @@ def spare_of(mission: Mission, trace: CountTrace, availability: float) -> float:
         if wish.partial:
             least = min(least, shares(tree, trace)[tree][0].spare)
         else:
-            spare = float(robustness(tree, trace)[..., 0])
-            least = min(least, spare) if spare >= 0 else least
+            slack = float(robustness(tree, trace)[..., 0])
+            least = min(least, slack) if slack >= 0 else least
     return least
 
 
@@ -135,64 +119,53 @@ def completed(given: Satisfaction | None, actual: Satisfaction | None) -> Satisf
 
 def false_claims(
     plan: Plan, satisfaction: Satisfaction | None, preferences: tuple[Fulfilment, ...]
-) -> list[Finding]:
+) -> Iterator[str]:
     """What a plan says about what it satisfies and is not so."""
-    findings: list[str] = []
     claimed = plan.satisfaction
     if (claimed is None) != (satisfaction is None):
         lacks = "says nothing" if claimed is None else "speaks"
-        findings.append(f"the plan {lacks} about satisfaction, unlike its mission")
+        yield f"the plan {lacks} about satisfaction, unlike its mission"
     elif claimed is not None and satisfaction is not None:
-        findings += _false_satisfaction(claimed, satisfaction, plan.status)
+        yield from _false_satisfaction(claimed, satisfaction, plan.status)
     if [item.name for item in plan.preferences] != [item.name for item in preferences]:
-        findings.append("the plan's preferences are not the mission's")
-    else:
-        for given, actual in zip(plan.preferences, preferences, strict=True):
-            if given != actual:
-                findings.append(
-                    f"the plan's account of preference '{given.name}' is not so: its fraction is "
-                    f"{actual.fraction}"
-                )
-    return [Finding(message, source="plan") for message in findings]
+        yield "the plan's preferences are not the mission's"
+        return
+    for given, actual in zip(plan.preferences, preferences, strict=True):
+        if given != actual:
+            what = f"account of preference '{given.name}' is not so"
+            yield f"the plan's {what}: its fraction is {actual.fraction}"
 
 
-def _false_satisfaction(claimed: Satisfaction, actual: Satisfaction, status: Status) -> list[str]:
-    findings = []
+def _false_satisfaction(
+    claimed: Satisfaction, actual: Satisfaction, status: Status
+) -> Iterator[str]:
     if claimed.order != actual.order:
-        findings.append(f"the plan claims the order {claimed.order}, not {actual.order}")
-        return findings
+        yield f"the plan claims the order {claimed.order}, not {actual.order}"
+        return
     if claimed.fraction != actual.fraction:
-        findings.append(
-            f"the plan claims satisfaction {claimed.fraction} and has {actual.fraction}"
-        )
+        yield f"the plan claims satisfaction {claimed.fraction} and has {actual.fraction}"
     if claimed.availability != actual.availability:
-        findings.append(
+        yield (
             f"the plan claims availability {claimed.availability} of what it satisfies and has "
             f"{actual.availability}"
         )
     if claimed.nodes != actual.nodes:
-        findings.append("the plan's account of what holds of each part is not so")
+        yield "the plan's account of what holds of each part is not so"
     counts = [item.value for item in actual.depths]
     if [item.value for item in claimed.depths] != counts:
-        findings.append(f"by depth {', '.join(map(str, counts)) or 'nothing'} parts hold")
-        return findings
-    return findings + _false_bounds(claimed.depths, status)
+        yield f"by depth {', '.join(map(str, counts)) or 'nothing'} parts hold"
+        return
+    yield from _false_bounds(claimed.depths, status)
 
 
-def _false_bounds(depths: tuple[Depth, ...], status: Status) -> list[str]:
-    findings = []
+def _false_bounds(depths: tuple[Depth, ...], status: Status) -> Iterator[str]:
     for item in depths:
         if item.bound is None:
             break
+        parts = f"{item.value} parts of depth {item.depth} are"
         if item.value > item.bound:
-            findings.append(
-                f"{item.value} parts of depth {item.depth} are more than their bound {item.bound}"
-            )
+            yield f"{parts} more than their bound {item.bound}"
         elif item.value < item.bound:
             if status is Status.OPTIMAL:
-                findings.append(
-                    f"{item.value} parts of depth {item.depth} are called optimal with the bound "
-                    f"{item.bound}"
-                )
+                yield f"{parts} called optimal with the bound {item.bound}"
             break  # what is said of deeper parts does not hold any more
-    return findings

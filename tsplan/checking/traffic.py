@@ -1,84 +1,298 @@
-"""Who is where when, counted from the agents' stays, or from the sub-swarms."""
+"""What a plan does on the map: who is where when, and who enters which edge when.
+
+Everything that the check judges follows from this. It is read from nothing but the map, the team
+and the agents' paths or the moves of swarms, and shares no code with what makes plans.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
-from tsplan.asked import known_name, name_list
+from tsplan.checking.count_traces import count_trace
+from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
+from tsplan.checking.satisfaction_check import fulfilments_of, satisfaction_of
+from tsplan.plans.moves import Move
+from tsplan.plans.presence import Presence, of_bundles, state_counts
+from tsplan.plans.subswarms import SubSwarm, subswarms
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
+    from tsplan.logic import Formula
+    from tsplan.logic.traces import CountTrace
     from tsplan.milp.model import Ints
+    from tsplan.mission import Group, Mission
     from tsplan.plans.plan import Bundle, Plan
-    from tsplan.plans.subswarms import SubSwarm
+    from tsplan.plans.satisfaction import Fulfilment, Satisfaction
+    from tsplan.ts import TransitionSystem
 
 
-def asked_counts(plan: Plan, states: Iterable[str] | None, capability: str | None) -> Ints:
-    """The same as `counted`; InputError for what the plan does not know, as a slip of the caller.
+@dataclass(frozen=True)
+class ClassTraffic:
+    """What the agents of one class do.
 
-    A plan without paths knows nobody, and counts nobody.
+    `segments` are their times on edges, `present` their stays at states up to the horizon, and
+    `moving` is how many of them ever make a move that is no wait: by their paths, or as few as can
+    be where there are only moves. A swarm has `moves`, the segments as a plan writes them.
     """
-    if capability is not None and plan.has_paths:
-        known = {group.swarm for group in plan.groups} | set(plan.moves)
-        if not plan.by_groups:
-            known = {name for bundle in plan.bundles for name in bundle.capabilities}
-        known_name(capability, [known], "swarm" if plan.by_groups else "capability")
-    return counted(plan, None if states is None else name_list(states, "state"), capability)
+
+    class_name: str
+    segments: tuple[Segment, ...]
+    present: tuple[Presence, ...]
+    moving: int
+    moves: tuple[Move, ...] = ()
 
 
-def counted(plan: Plan, states: Sequence[str] | None, capability: str | None) -> Ints:
-    """Who is at each of `states` (None: the plan's own) and step, of agents or of sub-swarms.
+@dataclass(frozen=True)
+class Traffic:
+    """What all agents of a mission do in a plan up to its horizon, and what follows from it."""
 
-    Nobody is where nobody has the capability.
+    mission: Mission
+    horizon: int
+    classes: tuple[ClassTraffic, ...]
+
+    @property
+    def segments(self) -> Iterator[Segment]:
+        """The times of all agents on edges."""
+        return (segment for item in self.classes for segment in item.segments)
+
+    @property
+    def away(self) -> Iterator[Segment]:
+        """The times of all agents on edges that are no waits."""
+        return (segment for segment in self.segments if not segment.edge.is_wait)
+
+    @cached_property
+    def moves(self) -> Mapping[str, tuple[Move, ...]]:
+        """The moves of every swarm."""
+        swarms = _swarms(self.mission)
+        return {item.class_name: item.moves for item in self.classes if item.class_name in swarms}
+
+    @cached_property
+    def groups(self) -> tuple[SubSwarm, ...]:
+        """The sub-swarms that the moves of every swarm make."""
+        starts = {group.class_name: dict(group.starts) for group in self.mission.team}
+        return tuple(
+            group
+            for item in self.classes
+            if item.class_name in self.moves
+            for group in subswarms(
+                item.class_name,
+                starts[item.class_name],
+                item.moves,
+                {segment.edge.pair: segment.left - segment.entered for segment in item.segments},
+                self.horizon,
+            )
+        )
+
+    def counts(self, states: Sequence[str], capability: str | None = None) -> Ints:
+        """Agents with a capability (all for None) at each of `states` and step."""
+        present = (presence for item in self.classes for presence in item.present)
+        return state_counts(present, states, self.horizon, capability)
+
+    @cached_property
+    def trace(self) -> CountTrace:
+        """Who is at which label when, of every capability that the mission's formulas name."""
+        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+
+        mission = self.mission
+        formulas = (mission.formula, *(wish.formula for wish in mission.prefer))
+        named = sorted({name for formula in formulas for name in logic.capabilities(formula)})
+        states = tuple(mission.system.states)
+        counts = {name: self.counts(states, name) for name in (None, *named)}
+        return count_trace(mission.system, counts)
+
+    @cached_property
+    def availability(self) -> float:
+        """Counting robustness at step 0 of the mission's formula as written."""
+        return self.robustness(self.mission.counted)
+
+    def robustness(self, formula: Formula) -> float:
+        """Counting robustness at step 0 of a formula."""
+        from tsplan.logic.evaluation import robustness  # noqa: PLC0415  (slow to import)
+
+        return float(robustness(formula, self.trace)[0])
+
+    @cached_property
+    def satisfaction(self) -> Satisfaction | None:
+        """How much of the formula holds, where the mission lets it hold in part."""
+        return satisfaction_of(self.mission, self.trace) if self.mission.partial else None
+
+    @cached_property
+    def preferences(self) -> tuple[Fulfilment, ...]:
+        """What became of every preferred formula, in the mission's order."""
+        return fulfilments_of(self.mission, self.trace) if self.mission.prefer else ()
+
+
+class _Walk(NamedTuple):
+    """A path of a bundle of agents, read against the map."""
+
+    bundle: Bundle
+    segments: tuple[Segment, ...]
+
+
+def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
+    """What a plan does, and everything that the map does not allow; None where that is anything.
+
+    A swarm whose agents have paths is read by these; where it has moves, too, they must agree.
     """
-    rows = plan.states if states is None else states
-    if plan.by_groups:
-        return group_counts(plan.groups, rows, plan.horizon, capability)
-    return state_counts(plan.bundles, rows, plan.horizon, capability)
-
-
-def state_counts(
-    bundles: Iterable[Bundle], states: Sequence[str], horizon: int, capability: str | None = None
-) -> Ints:
-    """Agents with a capability (all for None) at each of `states` and step; (states, horizon+1)."""
-    row = {state: number for number, state in enumerate(states)}
-    change = np.zeros((len(row), horizon + 2), dtype=np.int64)
-    for bundle in bundles:
-        if capability is not None and capability not in bundle.capabilities:
+    walks: dict[str, list[_Walk]] = defaultdict(list)
+    problems = []
+    for bundle in plan.bundles:
+        path = read_path(mission.system, bundle, plan.horizon)
+        walks[bundle.class_name].append(_Walk(bundle, path.segments))
+        problems += [f"{_who(plan, bundle)} {problem}" for problem in path.problems]
+    swarms = _swarms(mission)
+    if problems:
+        return None, problems
+    swarms = _swarms(mission)
+    problems = [
+        f"the plan moves '{name}', and the mission has {'no such swarm' if swarms else 'a team'}"
+        for name in plan.moves
+        if name not in swarms
+    ]
+    classes = []
+    for name in dict.fromkeys(group.class_name for group in mission.team):
+        moves = plan.moves.get(name, ())
+        if name not in swarms:
+            classes.append(_walked(name, walks[name]))
             continue
-        agents = len(bundle.agents)
-        for first, last, state in bundle.stays:
-            place = row.get(state)
-            if place is not None:
-                change[place, min(first, horizon + 1)] += agents
-                change[place, min(last, horizon) + 1] -= agents
-    return np.cumsum(change, axis=1)[:, : horizon + 1]
+        if name in walks:
+            moves = _moves_of(walks[name])
+            problems += _differences(name, moves, plan.moves.get(name, moves))
+        elif name not in plan.moves:
+            problems.append(f"the plan has no moves of {name}")
+            continue
+        made, wrong = _read_moves(mission.system, swarms[name], moves, plan.horizon)
+        problems += [f"{name} {words}" for words in wrong]
+        classes.append(replace(made, moving=_moving(walks[name])) if name in walks else made)
+    return (None if problems else Traffic(mission, plan.horizon, tuple(classes))), problems
 
 
-def group_counts(
-    groups: Iterable[SubSwarm], states: Sequence[str], horizon: int, swarm: str | None = None
-) -> Ints:
-    """Agents of a swarm (all for None) at each of `states` and step; (states, horizon+1)."""
-    row = {state: number for number, state in enumerate(states)}
-    change = np.zeros((len(row), horizon + 2), dtype=np.int64)
-    for group in groups:
-        if group.state in row and swarm in (None, group.swarm):
-            change[row[group.state], group.first] += group.size
-            change[row[group.state], group.last + 1] -= group.size
-    return np.cumsum(change, axis=1)[:, : horizon + 1]
+def _swarms(mission: Mission) -> dict[str, Group]:
+    """The swarms among the classes of a mission."""
+    return {
+        group.class_name: group
+        for group in mission.team
+        if mission.group_bounds(group.class_name) is not None
+    }
 
 
-def interval_counts(intervals: Iterable[tuple[int, int, int]], horizon: int) -> Ints:
-    """Sum over `(from, to, agents)` intervals of the agents present at each step 0..horizon.
+def _who(plan: Plan, bundle: Bundle) -> str:
+    first = f"agent {plan.agents[bundle.agents[0]].id}"
+    more = len(bundle.agents) - 1
+    return f"{first} (and {more} on the same path)" if more else first
 
-    >>> interval_counts([(0, 1, 2), (1, 9, 1)], 3).tolist()
-    [2, 3, 1, 1]
-    """
-    change = np.zeros(horizon + 2, dtype=np.int64)
-    for first, last, agents in intervals:
-        change[min(first, horizon + 1)] += agents
-        change[min(last, horizon) + 1] -= agents
-    return np.cumsum(change)[: horizon + 1]
+
+def _walked(class_name: str, walks: Sequence[_Walk]) -> ClassTraffic:
+    """What the agents of a class do by their paths."""
+    segments = tuple(segment for walk in walks for segment in walk.segments)
+    present = tuple(of_bundles(walk.bundle for walk in walks))
+    return ClassTraffic(class_name, segments, present, _moving(walks))
+
+
+def _moving(walks: Iterable[_Walk]) -> int:
+    """How many agents ever make a move that is no wait."""
+    return sum(
+        len(walk.bundle.agents)
+        for walk in walks
+        if any(not segment.edge.is_wait for segment in walk.segments)
+    )
+
+
+def _moves_of(walks: Iterable[_Walk]) -> tuple[Move, ...]:
+    """The moves that the paths of one class make together."""
+    entered: Counter[tuple[int, str, str]] = Counter()
+    for segment in (segment for walk in walks for segment in walk.segments):
+        each = (segment.left - segment.entered) // segment.times
+        for step in range(segment.entered, segment.left, each):
+            entered[step, *segment.edge.pair] += segment.agents
+    return tuple(sorted(Move(*edge, count) for edge, count in entered.items()))
+
+
+def _differences(swarm: str, paths: Sequence[Move], moves: Sequence[Move]) -> Iterator[str]:
+    """Where the agents' paths and the moves of a swarm do not say the same."""
+    walked = {move[:3]: move.count for move in paths}
+    named = {move[:3]: move.count for move in moves}
+    for entry in sorted({*walked, *named}):
+        step, source, target = entry
+        if walked.get(entry, 0) != named.get(entry, 0):
+            how = f"wait at {source}" if source == target else f"go from {source} to {target}"
+            yield (
+                f"at step {step}, {named.get(entry, 0)} agents of {swarm} {how} by the moves "
+                f"and {walked.get(entry, 0)} by the agents' paths"
+            )
+
+
+def _read_moves(
+    system: TransitionSystem, group: Group, moves: Sequence[Move], horizon: int
+) -> tuple[ClassTraffic, list[str]]:
+    """What a swarm does by its moves, and everything that is impossible about them."""
+    problems: list[str] = []
+    segments = [item for move in moves if (item := _segment(system, group, move, problems))]
+    for (step, source, target), times in Counter(move[:3] for move in moves).items():
+        if times > 1:
+            problems.append(f"names the move from {source} to {target} at step {step} twice")
+    present: Counter[tuple[str, int]] = Counter()
+    for state, count in group.starts:
+        present[state, 0] += count
+    gone: Counter[tuple[str, int]] = Counter()
+    for item in segments:
+        gone[item.edge.source, item.entered] += item.agents
+        present[item.edge.target, item.left] += item.agents
+    if not problems:
+        problems += _unconserved(present, gone, horizon)
+    late = [move.step for move in moves if not 0 <= move.step < horizon]
+    problems += [f"moves at step {step}, and the plan ends at {horizon}" for step in late]
+    stays = tuple(
+        Presence(state, step, step, count, group.capabilities)
+        for (state, step), count in present.items()
+        if step <= horizon
+    )
+    moving = group.count - _waiting(group, segments, horizon)
+    return ClassTraffic(group.class_name, tuple(segments), stays, moving, tuple(moves)), problems
+
+
+def _segment(
+    system: TransitionSystem, group: Group, move: Move, problems: list[str]
+) -> Segment | None:
+    """A move on the map; what is wrong with it goes to `problems`."""
+    step, source, target, count = move
+    if count < 1:
+        how = f"waits at {source}" if source == target else f"goes from {source} to {target}"
+        problems.append(f"{how} at step {step} with {count} agents")
+    edge = usable_edge(system, group, (source, target), step, problems)
+    duration = None if edge is None else edge.duration_for(group.class_name)
+    if edge is None or duration is None:
+        return None
+    problems += unwelcome(system, group, target, step + duration)
+    return Segment(edge, step, step + duration, count)
+
+
+def _unconserved(
+    present: Mapping[tuple[str, int], int], gone: Mapping[tuple[str, int], int], horizon: int
+) -> Iterator[str]:
+    """Agents that are lost or come from nowhere."""
+    for state, step in sorted({*present, *gone}, key=lambda node: (node[1], node[0])):
+        here, left = present.get((state, step), 0), gone.get((state, step), 0)
+        if step >= horizon or here == left:
+            continue
+        words = f"{here - left} lost" if here > left else f"{left - here} come from nowhere"
+        yield f"has {here} agents at {state} at step {step} and {left} leave or wait: {words}"
+
+
+def _waiting(group: Group, segments: Iterable[Segment], horizon: int) -> int:
+    """How many agents can have waited at their start all the time: as many as waited at least."""
+    waits: dict[str, dict[int, Segment]] = {state: {} for state, _ in group.starts}
+    for item in segments:
+        if item.edge.is_wait and item.edge.source in waits:
+            waits[item.edge.source][item.entered] = item
+    total = 0
+    for state, count in group.starts:
+        staying, step = count, 0
+        while staying and step < horizon:
+            wait = waits[state].get(step)
+            staying, step = (min(staying, wait.agents), wait.left) if wait else (0, horizon)
+        total += staying
+    return total

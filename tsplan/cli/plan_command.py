@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from tsplan.checking.assignment import assign
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_to_solve
 from tsplan.cli.output import console, remark, say_json
@@ -12,7 +13,6 @@ from tsplan.cli.time_limit import rest
 from tsplan.errors import InputError, SolverError
 from tsplan.milp.child_process import may_have_children
 from tsplan.milp.grace_period import USUAL
-from tsplan.plans.assignment import assign
 from tsplan.plans.plan import Plan, Status
 from tsplan.plans.plan_file import save_plan
 

@@ -15,7 +15,6 @@ import numpy as np
 import numpy.typing as npt
 
 from tsplan.checking.fitting import refuse_misfit, refuse_pathless
-from tsplan.checking.traffic import state_counts
 from tsplan.draw.canvas import (
     DARK,
     LINE,
@@ -36,6 +35,7 @@ from tsplan.draw.canvas import (
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
 from tsplan.errors import Finding, PlanError
+from tsplan.plans.presence import of_bundles, state_counts
 from tsplan.plans.summary import names
 from tsplan.words import visible
 
@@ -273,7 +273,7 @@ def _shares(
     for state, key in keys.items():
         states.setdefault(key, []).append(state)
     for key, members in states.items():
-        yield key.words, key.paint, state_counts(group, members, horizon).sum(axis=0)
+        yield key.words, key.paint, state_counts(of_bundles(group), members, horizon).sum(axis=0)
 
 
 def _entries(plan: Plan, keys: dict[str, Key]) -> list[Entry]:

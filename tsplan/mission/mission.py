@@ -6,7 +6,7 @@ Python values (`Mission.of`) or by its constructor.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -241,9 +241,13 @@ class Mission:
     @cached_property
     def agents(self) -> tuple[Agent, ...]:
         """Every robot, numbered within its class in the order of the team: `scout-1`, ..."""
+        return self.members({group.class_name for group in self.team})
+
+    def members(self, classes: Container[str]) -> tuple[Agent, ...]:
+        """The robots of some classes, as `agents` has them."""
         made: dict[str, int] = {}
         agents: list[Agent] = []
-        for group in self.team:
+        for group in (group for group in self.team if group.class_name in classes):
             number = made.get(group.class_name, 0)
             for state, count in group.starts:
                 agents += (

@@ -20,9 +20,12 @@ from tsplan.errors import TsplanError
 from tsplan.plans.plan import AgentPlan, Stay
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from tsplan.milp.model import Ints
+    from tsplan.mission import Agent, Mission
+    from tsplan.plans.moves import Move
+    from tsplan.ts import TransitionSystem
 
 
 class FlowEdge(NamedTuple):
@@ -92,6 +95,36 @@ def decompose(flow: ClassFlow, horizon: int, seed: int | None = None) -> tuple[A
         for (name, class_name, capabilities, _), (stays, heading) in zip(
             flow.members, given, strict=True
         )
+    )
+
+
+def agents_of(
+    mission: Mission, moves: Mapping[str, Sequence[Move]], seed: int | None = None
+) -> tuple[AgentPlan, ...]:
+    """One path per agent of the classes in `moves`, which must fit the mission, in its order."""
+    members: dict[str, list[Agent]] = {}
+    for agent in mission.members(moves):
+        members.setdefault(agent.class_name, []).append(agent)
+    return tuple(
+        path
+        for name, agents in members.items()
+        for path in decompose(_flow(mission.system, agents, moves[name]), mission.horizon, seed)
+    )
+
+
+def _flow(system: TransitionSystem, members: Sequence[Agent], moves: Sequence[Move]) -> ClassFlow:
+    """The moves of one swarm as a flow that can be decomposed into paths."""
+    pairs = sorted({(move.source, move.target) for move in moves})
+    number = {pair: place for place, pair in enumerate(pairs)}
+    entries = [(number[move.source, move.target], move.step, move.count) for move in moves]
+    columns = np.array(entries, dtype=np.int64).reshape(-1, 3).T
+    swarm = members[0].class_name
+    return ClassFlow(
+        members=members,
+        edges=[(*pair, system.edges[pair].duration_for(swarm) or 0) for pair in pairs],
+        edge=columns[0],
+        step=columns[1],
+        count=columns[2],
     )
 
 

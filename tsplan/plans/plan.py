@@ -232,29 +232,22 @@ class Plan:
     @cached_property
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""
-        seen = {stay[2] for bundle in self.bundles for stay in bundle.stays}
-        if self.by_groups:
-            seen.update(group.state for group in self.groups if group.state is not None)
-        return tuple(sorted(seen))
+        from tsplan.plans.presence import presences  # noqa: PLC0415  (for those who ask)
+
+        stays = {stay[2] for bundle in self.bundles for stay in bundle.stays}
+        return tuple(sorted(stays.union(presence.state for presence in presences(self))))
 
     def state_at(self, step: int) -> dict[str, str | None]:
         """The state of every agent at `step` by its id; None for agents that are travelling.
 
-        Without agents, the state of every sub-swarm that exists at `step`, by its id. Raises
-        InputError for what is no step of the plan.
+        Of swarms whose agents have no paths, the state of every sub-swarm that exists at `step`,
+        by its id. Raises InputError for what is no step of the plan.
         """
         step = step_within(step, self.horizon)
-        if not self.agents:
-            return {group.id: group.state for group in self.groups_at(step)}
-        return {agent.id: agent.state_at(step) for agent in self.agents}
-
-    @property
-    def by_groups(self) -> bool:
-        """Whether the sub-swarms tell who is where; PlanError where nothing does."""
-        if self.moves and not self.groups and not self.agents:
-            what = "the plan names the moves of swarms, but not the sub-swarms they make"
-            raise PlanError([Finding(what, "fill them in with certify(mission, plan)")])
-        return bool(self.groups)
+        told = {agent.class_name for agent in self.agents}
+        return {agent.id: agent.state_at(step) for agent in self.agents} | {
+            group.id: group.state for group in self.groups_at(step) if group.swarm not in told
+        }
 
     def groups_at(self, step: int) -> tuple[SubSwarm, ...]:
         """The sub-swarms that exist at a step; InputError for what is no step of the plan."""
@@ -286,7 +279,7 @@ class Plan:
         >>> made.counts("see", states=["q"]).tolist()
         [[0, 0, 0, 1]]
         """
-        from tsplan.checking.traffic import asked_counts  # noqa: PLC0415  (numpy takes 0.1 s)
+        from tsplan.plans.presence import asked_counts  # noqa: PLC0415  (for those who ask)
 
         return asked_counts(self, states, capability)
 

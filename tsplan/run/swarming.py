@@ -7,7 +7,7 @@ from tsplan.encode.groups.swarm_problem import SwarmProblem
 from tsplan.encode.partial.partial_stages import is_soft
 from tsplan.encode.partial.partial_swarms import SoftSwarms
 from tsplan.mission import Mission
-from tsplan.plans.assignment import agents_of
+from tsplan.plans.decomposition import agents_of
 from tsplan.run.run import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort

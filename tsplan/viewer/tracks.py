@@ -100,8 +100,8 @@ def _of_agents(system: TransitionSystem, plan: Plan) -> list[Mover]:
             for problem in path.problems
         ]
         stops = [Stop(*stay, slot=0) for stay in bundle.stays]
-        if path.legs and path.legs[-1].left > plan.horizon:
-            leg = path.legs[-1]
+        if path.segments and path.segments[-1].left > plan.horizon:
+            leg = path.segments[-1]
             stops.append(Stop(leg.left, leg.left, leg.edge.target, 0))
         made.append(
             Mover(bundle.class_name, len(ids), names(ids), ids, tuple(stops), end=plan.horizon + 1)

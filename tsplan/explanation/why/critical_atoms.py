@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tsplan.checking.traffic import state_counts
 from tsplan.explanation.whynot.occurrences import Leaf, Way, monotone
 from tsplan.logic import (
     Always,
@@ -23,6 +22,7 @@ from tsplan.logic import (
     translate,
 )
 from tsplan.logic.evaluation import CountTrace
+from tsplan.plans.presence import counted
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -66,7 +66,7 @@ class _Search:
         }
         formula = translate(mission.formula, interval=mission.task_interval)
         counts = {
-            name: state_counts(plan.bundles, self._states, plan.horizon, name)
+            name: counted(plan, self._states, name)
             for name in (None, *sorted(capabilities(formula)))
         }
         self._counts = counts

@@ -14,12 +14,12 @@ import numpy.typing as npt
 
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.checking.traffic import counted
 from tsplan.logic.atoms import Count
 from tsplan.logic.causes import Span, Steps, settled, windows
 from tsplan.logic.evaluation import margins
 from tsplan.logic.symbols import capabilities
 from tsplan.logic.traversal import walk
+from tsplan.plans.presence import counted
 
 if TYPE_CHECKING:
     from tsplan.logic.nodes import Formula

@@ -1,0 +1,37 @@
+"""From the moves of swarms to one path per agent, judged by the check."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tsplan.checking.plan_check import certify
+from tsplan.checking.traffic import read_traffic
+from tsplan.errors import Finding, PlanError
+from tsplan.limits import refuse_options
+from tsplan.plans.decomposition import agents_of
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.plans.plan import Plan
+
+
+def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
+    """The plan of a mission with swarms with a path for every agent, judged by the check.
+
+    The paths of a swarm's agents together make exactly its moves. They are the same for equal plans
+    and seeds; another seed gives them to other agents. Raises PlanError for a plan without moves or
+    with moves that the mission does not allow, and SolverError if the check refuses the plan.
+    """
+    if not plan.moves:
+        what = "the plan has no moves of swarms to make paths of"
+        raise PlanError([Finding(what, "plan a mission with a swarm")])
+    refuse_options(seed=seed)
+    others = tuple(agent for agent in plan.agents if agent.class_name not in plan.moves)
+    _, problems = read_traffic(mission, replace(plan, agents=others))
+    if problems:
+        raise PlanError(Finding(words, "name the mission that was planned") for words in problems)
+    agents = (*others, *agents_of(mission, plan.moves, seed))
+    place = {group.class_name: number for number, group in enumerate(mission.team)}
+    ordered = sorted(agents, key=lambda agent: place.get(agent.class_name, -1))
+    return certify(mission, replace(plan, agents=tuple(ordered)))

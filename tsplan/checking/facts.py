@@ -1,0 +1,66 @@
+"""In words, what was found to hold of an accepted plan."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from tsplan.checking.claimed_values import shown
+from tsplan.plans.summary import infinite_word
+
+if TYPE_CHECKING:
+    from tsplan.checking.measures import Number
+    from tsplan.checking.traffic import Traffic
+    from tsplan.plans.plan import Plan
+
+
+def facts_of(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> tuple[str, ...]:
+    """What holds of the team, of the map's rules, of the formula, and what the plan is worth."""
+    endless = infinite_word(plan)
+    return (
+        *_team(plan, traffic),
+        *_rules(plan, traffic),
+        *_formula(traffic),
+        *(f"{name} is {shown(values[name], endless)}" for name in traffic.mission.objective),
+    )
+
+
+def _team(plan: Plan, traffic: Traffic) -> Iterator[str]:
+    """Who is there: robots with paths, and swarms."""
+    swarms = traffic.moves
+    robots = sum(agent.class_name not in swarms for agent in plan.agents)
+    if robots:
+        yield f"the team is the mission's: {robots} agents, each with one path from its start"
+    for group in traffic.mission.team:
+        if group.class_name in swarms:
+            yield f"{group.class_name} keeps its {group.count:,} agents from its start on"
+    what = " and ".join(["every path"] * bool(robots) + ["every move"] * bool(swarms))
+    verb = "follow" if robots and swarms else "follows"
+    yield f"{what} {verb} the map's edges at their durations up to step {plan.horizon}"
+    if plan.moves and len(plan.agents) > robots:
+        yield f"the paths of {len(plan.agents) - robots:,} agents say the same as the moves"
+
+
+def _rules(plan: Plan, traffic: Traffic) -> Iterator[str]:
+    """What is kept: capacities, bounds and the margin."""
+    system, swarm = traffic.mission.system, traffic.mission.swarm
+    if system.capacity_groups or any(s.capacity is not None for s in system.states.values()):
+        yield "every capacity is kept"
+    if swarm is None:
+        return
+    least = min(group.size for group in traffic.groups)
+    yield f"the bounds on sub-swarms are kept at every step; the smallest one has {least:,} agents"
+    if swarm.margin:
+        yield "every demand of the formula has the mission's head-room"
+
+
+def _formula(traffic: Traffic) -> Iterator[str]:
+    """What holds of the formula and of the preferences."""
+    satisfaction = traffic.satisfaction
+    if satisfaction is not None and satisfaction.fraction != 1:
+        yield f"the formula holds in part, with satisfaction {satisfaction.fraction}"
+    else:
+        yield f"the formula holds, with availability {shown(traffic.availability)}"
+    for item in traffic.preferences:
+        fraction = f"not met (its fraction is {item.fraction})"
+        yield f"preference '{item.name}' is {'met' if item.met else fraction}"
