@@ -180,31 +180,31 @@ def test_a_wish_to_stop_is_no_time_limit(folder, limit):
 
 
 def test_memory_that_runs_out_in_process_leaves_the_best_plan(folder, monkeypatch):
-    from tsplan.run.planner import TeamRun  # noqa: PLC0415 - loads a solver
+    from tsplan.run.planner import MissionRun  # noqa: PLC0415 - loads a solver
 
-    honest = TeamRun.search
+    honest = MissionRun.search
 
     def search(self, effort, clock, tell):
         found = honest(self, effort, clock, tell)
         assert found.found is not None
         raise MemoryError
 
-    monkeypatch.setattr(TeamRun, "search", search)
+    monkeypatch.setattr(MissionRun, "search", search)
     plan = tsplan.plan(tsplan.load_mission("mission.yaml"))
     assert (plan.status, plan.stopped_by, plan.verified) == ("feasible", "memory", True)
     assert plan.objective[0].value == 4
-    monkeypatch.setattr(TeamRun, "prepare", lambda _: exhausted())
+    monkeypatch.setattr(MissionRun, "prepare", lambda _: exhausted())
     plan = tsplan.plan(tsplan.load_mission("mission.yaml"))
     assert (plan.status, plan.stopped_by) == ("no_plan_found", "memory")
 
 
 def test_events_and_plans_never_carry_what_is_infinite(folder):
-    from tsplan.run.planner import TeamRun  # noqa: PLC0415 - loads a solver
+    from tsplan.run.planner import MissionRun  # noqa: PLC0415 - loads a solver
     from tsplan.run.run import Settings  # noqa: PLC0415
 
     heard = []
     mission = tsplan.load_mission("mission.yaml")
-    run = TeamRun(tsplan.Problem(mission), Settings().over(mission), heard.append)
+    run = MissionRun(tsplan.Problem(mission), Settings().over(mission), heard.append)
     run._tell("travel", None, float("inf"), float("-inf"))
     run._tell("travel", None, float("nan"), 3.0)
     run._tell("travel", None, 4.0, float("inf"))

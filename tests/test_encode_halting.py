@@ -11,9 +11,9 @@ import pytest
 from tsplan import Mission, plan
 from tsplan.encode import memory as ceiling
 from tsplan.encode import shortcuts
-from tsplan.encode.assemble import Setting, prepare, reference, tight
+from tsplan.encode.assemble import prepare, reference, tight
+from tsplan.encode.encoded import Setting
 from tsplan.encode.flow_network import ClassGraph
-from tsplan.encode.groups.swarm_model import swarm_model
 from tsplan.encode.memory import Watch, free_memory
 from tsplan.encode.shortcuts import Kept
 from tsplan.milp.model import Draft
@@ -71,7 +71,7 @@ def reason(make: Callable[[Clock], object], after: int) -> StoppedBy | None:
         lambda clock: prepare(team(), clock=clock),
         lambda clock: tight(_with(clock)),
         lambda clock: reference(_with(clock), (0, 0)),
-        lambda clock: swarm_model(swarm(), clock=clock),
+        lambda clock: tight(prepare(swarm(), clock=clock)),
     ],
     ids=["reduction", "tight", "reference", "swarm"],
 )

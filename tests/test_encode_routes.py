@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from random import Random
 
-import numpy as np
 import pytest
 
 import tsplan
 from tests.test_encode_agree import answer
 from tsplan import Mission
-from tsplan.encode import objectives
 from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.objectives import Travel
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem
@@ -107,9 +106,10 @@ def test_eight_stops_in_a_row_are_proven_by_the_first_linear_program() -> None:
         language="mtl",
         objective=["travel"],
     )
-    encoded = tight(prepare(mission))
-    vector = objectives.travel(encoded.network, encoded.model.size.columns)
-    first = WarmLP(encoded.model.with_objective(np.asarray(vector))).solve()
+    setting = prepare(mission)
+    encoded = tight(setting)
+    vector = Travel().vector(setting, encoded)
+    first = WarmLP(encoded.model.with_objective(vector)).solve()
     # twice 3 + 5 + 4 + 2 steps, from D to A to B to C to D
     assert first.objective == pytest.approx(28)
     plan = tsplan.plan(mission, time_limit=60)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from tsplan import Mission, plan
-from tsplan.encode.assemble import Encoded, prepare, tight
-from tsplan.encode.objectives import travel
+from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.encoded import Encoded
+from tsplan.encode.objectives import Travel
 from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
@@ -30,8 +31,9 @@ def two_places(agents: int, formula: str = TWO_PLACES) -> Mission:
 
 
 def lp_bound(mission: Mission, *without: Idea) -> float:
-    encoded = tight(prepare(mission, ideas=ALL_IDEAS - set(without)))
-    objective = travel(encoded.network, encoded.model.size.columns)
+    setting = prepare(mission, ideas=ALL_IDEAS - set(without))
+    encoded = tight(setting)
+    objective = Travel().vector(setting, encoded)
     return WarmLP(encoded.model.with_objective(objective)).solve().objective
 
 

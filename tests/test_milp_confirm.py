@@ -14,8 +14,8 @@ from scipy import sparse
 
 import tsplan
 from tests.random_missions import random_mission
-from tsplan.encode import objectives
 from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.objectives import Travel
 from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs
@@ -190,8 +190,9 @@ def test_infeasible_is_said_twice() -> None:
 @pytest.mark.parametrize("step", [1.0, 0.0])
 def test_a_bound_that_a_plan_refutes_is_no_proof(step: float) -> None:
     mission = random_mission(3)
-    encoded = tight(prepare(mission))
-    target = Target(objectives.travel(encoded.network, encoded.model.size.columns), step=step)
+    setting = prepare(mission)
+    encoded = tight(setting)
+    target = Target(Travel().vector(setting, encoded), step=step)
     effort = Effort(Highs())
     known = search.Search(encoded, target, effort, Clock(), lambda *_: None).minimise()
     assert known.proven

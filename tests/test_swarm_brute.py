@@ -14,14 +14,15 @@ import pytest
 from tests.random_missions import LABELS, random_map, random_text
 from tests.test_brute_force import Path, paths, trace, within_capacity
 from tsplan import Mission
-from tsplan.encode.groups.swarm_problem import SwarmProblem
-from tsplan.encode.groups.swarm_stages import SwarmOutcome
+from tsplan.encode.options import Idea
 from tsplan.errors import MissionError
 from tsplan.logic import horizon, parse
 from tsplan.logic.evaluation import robustness
 from tsplan.milp.solver import solver
+from tsplan.run.problem import Problem, Tuning
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Outcome
 
 MOST_JOINT_PLANS = 3000
 SENSE = {"splits": 1, "travel": 1, "moves": 1, "makespan": 1, "balance": -1}
@@ -141,9 +142,12 @@ def best(mission: Mission) -> tuple[float, ...] | None:
     return found
 
 
-def solved(mission: Mission) -> SwarmOutcome:
+PLAIN = Tuning()
+
+
+def solved(mission: Mission, tuning: Tuning = PLAIN) -> Outcome:
     effort = Effort(solver("highs"))
-    return SwarmProblem(mission).solve(effort, Clock(60.0), lambda *_: None)
+    return Problem(mission, tuning).solve(effort, Clock(60.0), lambda *_: None)
 
 
 def dividing_text(random: Random) -> str:
@@ -198,14 +202,14 @@ def random_swarms(seed: int) -> Mission | None:
     return mission if how_many(mission) <= MOST_JOINT_PLANS else None
 
 
-def compare(mission: Mission) -> None:
+def compare(mission: Mission, tuning: Tuning = PLAIN) -> None:
     expected = best(mission)
-    outcome = solved(mission)
+    outcome = solved(mission, tuning)
     if expected is None:
         assert outcome.infeasible
-        assert outcome.flows is None
+        assert outcome.point is None
         return
-    assert outcome.flows is not None
+    assert outcome.point is not None
     assert outcome.proven
     found = tuple(SENSE[item.name] * item.value for item in outcome.reached)
     assert found == expected
@@ -217,6 +221,16 @@ def test_swarms_do_as_well_as_the_best_of_all_joint_plans(block: int) -> None:
         mission = random_swarms(seed)
         if mission is not None:
             compare(mission)
+
+
+@pytest.mark.parametrize("block", range(4))
+def test_the_reference_encoding_and_a_search_without_ideas_do_as_well(block: int) -> None:
+    plain = Tuning(without=frozenset(Idea))
+    for seed in range(30_200 + 10 * block, 30_210 + 10 * block):
+        mission = random_swarms(seed)
+        if mission is not None:
+            compare(mission, Tuning("reference"))
+            compare(mission, plain)
 
 
 @pytest.mark.long

@@ -9,14 +9,14 @@ import pytest
 
 from tests.test_swarm_brute import best, solved
 from tsplan import Mission
-from tsplan.encode.groups.group_objectives import VECTORS
-from tsplan.encode.groups.guided_restriction import scout
-from tsplan.encode.groups.swarm_model import swarm_model
+from tsplan.encode.assemble import prepare, tight
 from tsplan.encode.groups.token_flow import tokens
+from tsplan.encode.objectives import Splits
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import solver
 from tsplan.search.clock import Clock
+from tsplan.search.guided_restriction import fewest, guided
 from tsplan.ts import Edge, State, TransitionSystem
 
 
@@ -62,7 +62,7 @@ def test_no_plan_has_fewer_splits_than_tokens_say(block: int) -> None:
     for seed in range(40_000 + 6 * block, 40_006 + 6 * block):
         mission = splitting(seed)
         expected = best(mission)
-        bound = tokens(mission).fewest(Clock(20.0)).bound
+        bound = fewest(tokens(prepare(mission)), Clock(20.0)).bound
         assert bound - 1e-6 <= (np.inf if expected is None else expected[0])
 
 
@@ -70,7 +70,7 @@ def test_bounds_are_met_and_infinite_often() -> None:
     met = infinite = 0
     for seed in range(40_000, 40_050):
         mission = splitting(seed)
-        bound = tokens(mission).fewest(Clock(20.0)).bound
+        bound = fewest(tokens(prepare(mission)), Clock(20.0)).bound
         outcome = solved(mission)
         if outcome.infeasible:
             infinite += np.isinf(bound)
@@ -89,7 +89,7 @@ def test_where_merging_costs_a_split_the_whole_problem_decides() -> None:
         formula="F[1,1] (A && B) && G[2,2] sum(A) >= 100% && F[3,3] (A && B)",
         objective=["splits"],
     )
-    assert tokens(mission).fewest(Clock(20.0)).bound == pytest.approx(1)
+    assert fewest(tokens(prepare(mission)), Clock(20.0)).bound == pytest.approx(1)
     assert solved(mission).reached[0].value == 2
     assert best(mission) == (2.0,)
 
@@ -98,11 +98,12 @@ def test_what_is_found_along_their_ways_is_a_point_of_the_whole_problem() -> Non
     seen = 0
     for seed in range(40_000, 40_060):
         mission = splitting(seed)
-        model = swarm_model(mission)
-        for splits, point in scout(mission, model, Clock(20.0), solve):
+        setting = prepare(mission)
+        encoded = tight(setting)
+        vector = Splits().vector(setting, encoded)
+        for splits, point in guided(tokens(setting), encoded, vector, Clock(20.0), solve):
             if point is not None:
                 seen += 1
-                assert model.counted.model.violation(point) < 1e-6
-                vector = VECTORS["splits"](model, len(point))
+                assert encoded.model.violation(point) < 1e-6
                 assert vector @ point == pytest.approx(splits)
     assert seen >= 20

@@ -10,11 +10,12 @@ import pytest
 from test_results_swarms import MOVES, SYSTEM, VALUES, mission
 
 import tsplan
-import tsplan.run.swarming
+import tsplan.run.planner
 from tsplan.cli import main
-from tsplan.errors import MissionError, SolverError, TsplanError
+from tsplan.errors import SolverError, TsplanError
 from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
+from tsplan.plans.assignment import agents_of
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.search.lexicographic import Reached
 
@@ -36,7 +37,7 @@ spec: {language: mtl, formula: "F[0,6] (sum(aisle) >= 50%% && sum(gate) >= 50%%)
 def answers(monkeypatch, told=(), **changes):
     """Let the encoder of swarms answer so, after telling something first."""
     answer = {
-        "flows": {"swarm": MOVES},
+        "point": {"swarm": MOVES},
         "reached": tuple(Reached(name, value, value) for name, value in VALUES.items()),
         "proven": True,
         "infeasible": False,
@@ -46,18 +47,19 @@ def answers(monkeypatch, told=(), **changes):
         "notes": (),
     } | changes
 
-    class Answering:
-        def __init__(self, given):
-            self.mission = given
+    def solve(problem, effort, clock, tell):
+        assert effort.solver.name == "highs"
+        for item in told:
+            tell(*item)
+        answer["stop"] = clock.over
+        return SimpleNamespace(**answer)
 
-        def solve(self, effort, clock, tell):
-            assert effort.solver.name == "highs"
-            for item in told:
-                tell(*item)
-            answer["stop"] = clock.over
-            return SimpleNamespace(**answer)
+    def ways(run, moves):
+        few = run._mission.size <= tsplan.run.planner.MOST_AGENTS
+        return {"moves": moves, "agents": agents_of(run._mission, moves) if few else ()}
 
-    monkeypatch.setattr(tsplan.run.swarming, "SwarmProblem", Answering)
+    monkeypatch.setattr(tsplan.Problem, "solve", solve)
+    monkeypatch.setattr(tsplan.run.planner.MissionRun, "ways", ways)
     return answer
 
 
@@ -76,7 +78,7 @@ def test_an_answer_becomes_a_verified_plan(monkeypatch):
 
 def test_many_agents_get_no_paths_of_their_own(monkeypatch):
     answers(monkeypatch, reached=())
-    monkeypatch.setattr(tsplan.run.swarming, "MOST_AGENTS", 11)
+    monkeypatch.setattr(tsplan.run.planner, "MOST_AGENTS", 11)
     given = mission(objective=[])
     plan = tsplan.plan(given)
     assert plan.agents == ()
@@ -85,7 +87,7 @@ def test_many_agents_get_no_paths_of_their_own(monkeypatch):
 
 
 def test_other_ends(monkeypatch):
-    nothing = {"flows": None, "reached": (), "proven": False}
+    nothing = {"point": None, "reached": (), "proven": False}
     answers(monkeypatch, **nothing, infeasible=True)
     assert tsplan.plan(mission()).status == "infeasible"
     answers(monkeypatch, **nothing, stopped_by=StoppedBy.TIME_LIMIT)
@@ -97,10 +99,10 @@ def test_other_ends(monkeypatch):
 
 
 def test_a_wrong_answer_is_never_shown(monkeypatch):
-    answers(monkeypatch, flows={"swarm": MOVES[:-1]})
+    answers(monkeypatch, point={"swarm": MOVES[:-1]})
     with pytest.raises(TsplanError, match="not conserved"):  # already on the way to paths
         tsplan.plan(mission())
-    monkeypatch.setattr(tsplan.run.swarming, "MOST_AGENTS", 0)
+    monkeypatch.setattr(tsplan.run.planner, "MOST_AGENTS", 0)
     with pytest.raises(SolverError, match="does not stand up to the check"):
         tsplan.plan(mission())
     answers(monkeypatch, reached=(Reached("splits", 1, 1),))
@@ -130,14 +132,24 @@ def test_events_tell_of_plans_on_the_way(monkeypatch):
     assert answer["stop"]  # the listener asked for it
 
 
-def test_what_is_for_teams_only():
+def test_a_swarm_may_be_planned_without_ideas_and_by_the_reference():
     given = mission()
-    with pytest.raises(MissionError, match="one encoding"):
-        tsplan.plan(given, encoding="reference")
-    with pytest.raises(MissionError, match="one encoding"):
-        tsplan.plan(given, without=("visits",))
-    with pytest.raises(MissionError, match="plan the mission itself"):
-        tsplan.Problem(given)
+    best = tsplan.plan(given)
+    for options in ({"encoding": "reference"}, {"without": ("tokens", "places", "visits")}):
+        plan = tsplan.plan(given, **options)
+        assert [item.value for item in plan.objective] == [item.value for item in best.objective]
+
+
+def test_a_swarm_may_be_planned_with_own_constraints():
+    problem = tsplan.Problem(mission(objective=["splits"]))
+    place = next(iter(SYSTEM.states))
+    problem.add(problem.count(place, step=1) == 5)
+    plan = tsplan.plan(problem)
+    assert plan.verified
+    assert plan.counts(states=[place])[0, 1] == 5
+
+
+def test_a_team_has_no_moves_of_swarms():
     team = Mission.of(map=SYSTEM, team=[{"class": "a", "at": "p"}], formula="true", horizon=2)
     assert tsplan.plan(team).moves == {}
 

@@ -1,7 +1,8 @@
 """From a mission's team to classes of interchangeable agents, each with its own graph.
 
 Two groups of robots fall into one class when nothing in the problem tells them apart: they share
-the capabilities that the problem names and move over the map in the same way.
+the capabilities that the problem names and move over the map in the same way. A swarm is a class of
+its own, with bounds on the groups in which its agents move.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from types import MappingProxyType
 
 import numpy as np
 
@@ -16,6 +18,7 @@ from tsplan.encode.flow_network import ClassGraph
 from tsplan.exact import exact
 from tsplan.milp.model import Floats, Ints
 from tsplan.mission import Group
+from tsplan.mission.mission import SwarmBounds
 from tsplan.ts import TransitionSystem
 
 
@@ -38,10 +41,17 @@ class MapArrays:
 
 @dataclass(frozen=True, eq=False)
 class AgentClass:
-    """Interchangeable agents: their graph, and how many of each group of the team start where."""
+    """Interchangeable agents: their graph, and which groups of the team they are.
+
+    A swarm has `bounds` on the sub-swarms in which its agents move; other agents move one by one.
+    """
 
     graph: ClassGraph
     groups: tuple[int, ...]  # positions in the mission's team
+    bounds: SwarmBounds | None = None
+
+
+_NONE: Mapping[str, SwarmBounds] = MappingProxyType({})
 
 
 @lru_cache(maxsize=16)
@@ -107,17 +117,23 @@ def _allowed(
 
 
 def agent_classes(
-    system: TransitionSystem, team: Sequence[Group], named: Iterable[str], *, priced: bool = False
+    system: TransitionSystem,
+    team: Sequence[Group],
+    named: Iterable[str],
+    *,
+    bounds: Mapping[str, SwarmBounds] = _NONE,
+    priced: bool = False,
 ) -> tuple[AgentClass, ...]:
     """The classes of a team, given the capabilities that the problem names.
 
-    The graphs have costs where these matter (`priced`), and zeros otherwise.
+    `bounds` are those of the swarms by their class names. The graphs have costs where these matter
+    (`priced`), and zeros otherwise.
     """
     arrays = map_arrays(system)
     known = frozenset(named)
     needed = _needed(system)
     permitted: dict[frozenset[str], np.ndarray[tuple[int], np.dtype[np.bool_]]] = {}
-    classes: dict[tuple[frozenset[str], bytes, bytes], AgentClass] = {}
+    classes: dict[object, AgentClass] = {}
     for index, group in enumerate(team):
         keys = group.capabilities & needed
         if keys not in permitted:
@@ -125,14 +141,16 @@ def agent_classes(
         durations = _durations(system, group.class_name)
         costs = _costs(system, group.class_name) if priced else np.zeros(len(durations))
         usable = np.where(permitted[keys], durations, 0)
-        key = (group.capabilities & known, usable.tobytes(), costs.tobytes())
+        swarm = bounds.get(group.class_name)
+        alike = (group.capabilities & known, usable.tobytes(), costs.tobytes())
+        key = alike if swarm is None else group.class_name
         start = np.zeros(len(arrays.names), dtype=np.int64)
         for state, count in group.starts:
             start[arrays.number[state]] += count
         if key in classes:
             old = classes[key]
             graph = replace(old.graph, start=old.graph.start + start)
-            classes[key] = AgentClass(graph, (*old.groups, index))
+            classes[key] = replace(old, graph=graph, groups=(*old.groups, index))
             continue
         chosen = np.flatnonzero(usable)
         graph = ClassGraph(
@@ -144,7 +162,7 @@ def agent_classes(
             cost=costs[chosen],
             group=arrays.group[chosen],
         )
-        classes[key] = AgentClass(graph, (index,))
+        classes[key] = AgentClass(graph, (index,), swarm)
     return tuple(classes.values())
 
 

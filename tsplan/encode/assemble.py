@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.encode import objectives
 from tsplan.encode.agent_classes import AgentClass, MapArrays, agent_classes, map_arrays
 from tsplan.encode.capacities import capacity_rows
-from tsplan.encode.count_atoms import Requirement, requirement
 from tsplan.encode.demand_rows import SiteColumns, Staffing
 from tsplan.encode.demand_runs import Family
+from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Constraint
-from tsplan.encode.flow_network import Network, unroll
+from tsplan.encode.flow_network import ClassColumns, Network, flow
+from tsplan.encode.groups.group_rows import (
+    counted,
+    occupied_rows,
+    served_rows,
+    size_rows,
+    swarms_of,
+)
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.memory import Watch
+from tsplan.encode.objectives import ModelObjective, model_objective
 from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.encode.own_constraints import constraint_rows, states_of, terms_of
 from tsplan.encode.precedence import legs_of, route_rows
@@ -24,54 +32,18 @@ from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import Outlook
 from tsplan.encode.witness import Ways, WitnessEncoder, Witnesses
 from tsplan.logic import Count, Formula, capabilities, walk
-from tsplan.milp.model import Draft, Ints, Model
+from tsplan.milp.model import Draft, Ints
 from tsplan.mission import Mission
 from tsplan.search.clock import Clock
 
-
-@dataclass(frozen=True, eq=False)
-class Setting:
-    """What both encodings start from; the classes' graphs are reduced where that is exact."""
-
-    mission: Mission
-    goal: Formula  # positive normal form of counting atoms
-    horizon: int
-    classes: tuple[AgentClass, ...]
-    reduced: tuple[Reduced, ...]
-    arrays: MapArrays
-    constraints: tuple[Constraint, ...] = ()
-    ideas: frozenset[Idea] = ALL_IDEAS
-    monotone: bool = False  # nothing bounds a count from above
-    clock: Clock = field(default_factory=Clock)  # heard while models are made
-
-    def requirement(self, level: int) -> Callable[[Count], Requirement]:
-        """How atoms are read when availability `level` is asked for."""
-        return lambda atom: requirement(atom, self.mission.system, self.arrays, level)
+Sited: TypeAlias = tuple[SiteColumns, Family]
+"""A family of demands at one site, and its columns."""
 
 
-@dataclass(frozen=True, eq=False)
-class Encoded:
-    """A model and what its columns mean.
-
-    `indicators` are the 0/1 columns of the logic and `steps` when what they stand for begins (tight
-    encoding only); `groups` are those of them of which at most one is 1, in the order of their
-    steps. `shared` says that some eventuality lies under an always,
-    `level` which availability was asked for. `rho` is the availability's column in the reference
-    encoding.
-    """
-
-    model: Model
-    network: Network
-    indicators: Ints
-    flows: Ints
-    stayers: Ints
-    rho: int = -1
-    refuted: bool = False
-    shared: bool = False
-    level: int = 0
-    steps: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
-    groups: tuple[Ints, ...] = ()
-    families: tuple[tuple[SiteColumns, Family], ...] = field(default=())
+def objectives_of(mission: Mission) -> tuple[ModelObjective, ...]:
+    """The objectives of a mission in their order, but for those that say what is to hold."""
+    found = map(model_objective, mission.objective)
+    return tuple(objective for objective in found if objective is not None)
 
 
 def prepare(
@@ -96,54 +68,49 @@ def prepare(
         system,
         mission.team,
         {name for name in named if name is not None},
-        priced="cost" in mission.objective,
+        bounds={} if mission.swarm is None else mission.swarm.each,
+        priced=any(objective.priced for objective in objectives_of(mission)),
     )
     interests = [
         _interest(mission, goal, item.graph.capabilities, arrays, constraints) for item in classes
     ]
-    reduced = None
-    if Idea.REDUCTION in ideas and _paid_by_duration(mission, classes):
-        reduced = _reduced(classes, interests, mission.horizon, clock)
-    return Setting(
+    setting = Setting(
         mission=mission,
         goal=goal,
         horizon=mission.horizon,
         classes=classes,
-        reduced=reduced or tuple(whole(item.graph) for item in classes),
+        reduced=tuple(whole(item.graph) for item in classes),
         arrays=arrays,
         constraints=tuple(constraints),
         ideas=ideas,
         clock=clock,
-        monotone=reduced is not None
-        and not any(interest.limited.any() for interest in interests)
-        and not arrays.group_capacity,
     )
+    if Idea.REDUCTION not in ideas:
+        return setting
+    if not all(objective.reducible(setting) for objective in objectives_of(mission)):
+        return setting
+    reduced = _reduced(classes, interests, mission.horizon, clock)
+    if reduced is None:
+        return setting
+    limited = any(interest.limited.any() for interest in interests)
+    return replace(setting, reduced=reduced, monotone=not limited and not arrays.group_capacity)
 
 
 def _reduced(
     classes: Sequence[AgentClass], interests: Sequence[Interest], horizon: int, clock: Clock
 ) -> tuple[Reduced, ...] | None:
-    """Reductions of all classes, or None where that of one would not be exact."""
+    """Reductions of all classes, or None where that of one would not be exact.
+
+    Where groups split and merge matters to swarms, so these keep the whole map.
+    """
     found = []
     for item, interest in zip(classes, interests, strict=True):
-        reduction = reduce(item.graph, interest, horizon, clock)
+        swarm = item.bounds is not None
+        reduction = whole(item.graph) if swarm else reduce(item.graph, interest, horizon, clock)
         if reduction is None:
             return None
         found.append(reduction)
     return tuple(found)
-
-
-def _paid_by_duration(mission: Mission, classes: Sequence[AgentClass]) -> bool:
-    if "cost" not in mission.objective:
-        return True
-    unit = mission.system.cost_unit
-    return all(
-        np.array_equal(
-            item.graph.cost * unit.numerator,
-            np.where(item.graph.wait, 0, item.graph.duration) * unit.denominator,
-        )
-        for item in classes
-    )
 
 
 def _interest(
@@ -186,61 +153,156 @@ Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 """Asks an encoder for what is to hold; it may add columns and rows of its own to the draft."""
 
 
-def assembled(setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS) -> Encoded:
-    """The tight model of what `ask` requires; its formulas are parts of the setting's goal."""
-    draft = Draft(Watch(setting.clock))
-    graphs = [item.graph for item in setting.reduced]
-    finish = [~graph.wait for graph in graphs] if setting.monotone else None
-    network = unroll(graphs, setting.horizon, draft, finish=finish)
-    flows = np.arange(draft.column_count)
-    capacity_rows(network, setting.arrays, draft)
-    constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
-    read = setting.requirement(level)
-    outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
-    ways = replace(ways, share=Idea.SHARING in setting.ideas)
-    encoder = WitnessEncoder(draft, outlook, read, ways)
-    witnesses = ask(encoder, draft, network)
-    if Idea.TOGETHER in setting.ideas:
-        legs = legs_of(witnesses, network)
-        if "travel" in setting.mission.objective:
-            route_rows(legs, network, draft)
-    joint, lazy = Idea.FAMILIES in setting.ideas, Idea.LAZY in setting.ideas
-    staffing = Staffing(network, draft, joint=joint, lazy=lazy)
-    staffing.write(
-        witnesses, cuts=Idea.VISITS in setting.ideas, together=Idea.TOGETHER in setting.ideas
-    )
-    stay = _stayers(setting, network, draft)
-    return Encoded(
-        model=draft.build(),
-        network=network,
-        indicators=np.array(witnesses.choices.columns, dtype=np.int64),
-        flows=flows,
-        stayers=stay,
-        refuted=witnesses.choices.refuted,
-        steps=np.array(witnesses.choices.steps, dtype=np.int64),
-        groups=tuple(witnesses.choices.groups),
-        shared=bool(witnesses.covers),
-        families=tuple(staffing.families),
-    )
+def assembled(
+    setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS, *, optional: bool = False
+) -> Encoded:
+    """The tight model of what `ask` requires; its formulas are parts of the setting's goal.
+
+    `optional` says that not all demands need be met.
+    """
+    return _Assembly(setting, level).tight(ask, ways, optional=optional)
+
+
+class _Assembly:
+    """One model in the making.
+
+    The columns of groups come first and those of the swarms' agents last: what stands in between,
+    with robots that move one by one, is the relaxation in which only places of groups are known.
+    """
+
+    def __init__(self, setting: Setting, level: int) -> None:
+        self._setting = setting
+        self._level = level
+        self._draft = Draft(Watch(setting.clock))
+        self._swarms = swarms_of(setting.classes, setting.together, setting.horizon, self._draft)
+        self._flows: list[Ints] = []
+        self._laid: dict[int, ClassColumns] = {}
+
+    def tight(self, ask: Asking, ways: Ways, *, optional: bool) -> Encoded:
+        setting, draft = self._setting, self._draft
+        swarms = {swarm.number: swarm.places.entered for swarm in self._swarms}
+        self._flow(number for number in range(len(setting.classes)) if number not in swarms)
+        robots = self._network(self._laid)
+        if not swarms:
+            self._shared_rows(robots)
+        witnesses = self._witnesses(ask, ways, self._network({**swarms, **self._laid}))
+        families: list[Sited] = []
+        occupied = None
+        if swarms:
+            occupied = self._occupied(robots, witnesses, optional=optional)
+            families += occupied.families
+            self._flow(swarms)
+        network = self._network(self._laid)
+        if swarms:
+            self._shared_rows(network)
+        elif Idea.TOGETHER in setting.ideas:
+            legs = legs_of(witnesses, network)
+            if "travel" in setting.mission.objective:
+                route_rows(legs, network, draft)
+        needs = counted(self._swarms, robots, witnesses) if swarms else witnesses
+        families += self._demand_rows(network, needs)
+        self._swarms = tuple(
+            replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms
+        )
+        size_rows(self._swarms, draft)
+        own = {o.name: o.columns(network, draft) for o in objectives_of(setting.mission)}
+        encoded = self._encoded(network, witnesses, self._flows, decided=list(swarms.values()))
+        return replace(encoded, occupied=occupied, own_columns=own, families=tuple(families))
+
+    def reference(self, levels: tuple[int, int]) -> Encoded:
+        """The plain model, with one column `rho` for the availability between `levels`."""
+        setting, draft = self._setting, self._draft
+        self._flow(range(len(setting.classes)), reduced=False)
+        network = self._network(self._laid)
+        self._shared_rows(network)
+        rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=True)[0])
+        encoder = ReferenceEncoder(draft, network, setting.requirement(0), (rho, *levels))
+        encoder.encode(setting.goal)
+        swarms = tuple(replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms)
+        size_rows(swarms, draft)
+        own = {o.name: o.columns(network, draft) for o in objectives_of(setting.mission)}
+        model = draft.build()
+        flows = np.concatenate(self._flows)
+        others = np.setdiff1d(np.flatnonzero(model.integer), flows)
+        return Encoded(model, network, others, flows, swarms=swarms, own_columns=own, rho=rho)
+
+    def _flow(self, numbers: Iterable[int], *, reduced: bool = True) -> None:
+        """Flow columns and conservation of some classes."""
+        setting = self._setting
+        for number in numbers:
+            graph = (setting.reduced if reduced else setting.classes)[number].graph
+            robots = setting.classes[number].bounds is None
+            finish = ~graph.wait if reduced and setting.monotone and robots else None
+            before = self._draft.column_count
+            self._laid[number] = flow(graph, finish, setting.horizon, self._draft)
+            self._flows.append(np.arange(before, self._draft.column_count))
+
+    def _network(self, laid: Mapping[int, ClassColumns]) -> Network:
+        return Network(tuple(laid[number] for number in sorted(laid)), self._setting.horizon)
+
+    def _shared_rows(self, network: Network) -> None:
+        """Capacities, and the user's own constraints."""
+        setting, draft = self._setting, self._draft
+        capacity_rows(network, setting.arrays, draft)
+        constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
+
+    def _witnesses(self, ask: Asking, ways: Ways, network: Network) -> Witnesses:
+        """What the formula asks for; of groups it is not asked by visits."""
+        setting = self._setting
+        read = setting.requirement(self._level)
+        outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
+        ways = replace(ways, share=Idea.SHARING in setting.ideas)
+        if self._swarms:
+            ways = replace(ways, visits=False, chain=False)
+        return ask(WitnessEncoder(self._draft, outlook, read, ways), self._draft, network)
+
+    def _demand_rows(self, network: Network, witnesses: Witnesses) -> list[Sited]:
+        ideas = self._setting.ideas
+        joint, lazy = Idea.FAMILIES in ideas, Idea.LAZY in ideas
+        staffing = Staffing(network, self._draft, joint=joint, lazy=lazy)
+        cuts, together = Idea.VISITS in ideas, Idea.TOGETHER in ideas
+        staffing.write(witnesses, cuts=cuts, together=together)
+        return staffing.families
+
+    def _occupied(self, robots: Network, witnesses: Witnesses, *, optional: bool) -> Encoded:
+        """The relaxation that knows where groups are, made of all that was drafted so far."""
+        swarms, draft = self._swarms, self._draft
+        staffing = occupied_rows(swarms, robots, self._setting.together, witnesses, draft)
+        if optional:
+            served_rows(swarms, robots, witnesses, draft)
+        entered = [swarm.places.entered.unrolled()[2] for swarm in swarms]
+        made = self._encoded(robots, witnesses, [*entered, *self._flows], decided=())
+        return replace(made, families=tuple(staffing.families))
+
+    def _encoded(
+        self,
+        network: Network,
+        witnesses: Witnesses,
+        flows: Sequence[Ints],
+        decided: Sequence[ClassColumns],
+    ) -> Encoded:
+        """What is drafted by now; where groups of `decided` columns go is decided too."""
+        choices = witnesses.choices
+        unrolled = [columns.unrolled() for columns in decided]
+        columns = np.array(choices.columns, dtype=np.int64)
+        columns = np.concatenate([columns, *(column for _, _, column in unrolled)])
+        steps = np.array(choices.steps, dtype=np.int64)
+        steps = np.concatenate([steps, *(step for _, step, _ in unrolled)])
+        order = np.argsort(columns) if unrolled else slice(None)
+        return Encoded(
+            model=self._draft.build(),
+            network=network,
+            indicators=columns[order],
+            flows=np.concatenate([*flows, np.empty(0, dtype=np.int64)]),
+            swarms=self._swarms,
+            refuted=choices.refuted,
+            shared=bool(witnesses.covers),
+            level=self._level,
+            steps=steps[order],
+            choices=tuple(choices.groups),
+        )
 
 
 def reference(setting: Setting, levels: tuple[int, int]) -> Encoded:
     """The reference model, with one column `rho` for the availability between `levels`."""
-    draft = Draft(Watch(setting.clock))
-    network = unroll([item.graph for item in setting.classes], setting.horizon, draft)
-    flows = np.arange(draft.column_count)
-    capacity_rows(network, setting.arrays, draft)
-    constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
-    rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=True)[0])
-    encoder = ReferenceEncoder(draft, network, setting.requirement(0), (rho, *levels))
-    encoder.encode(setting.goal)
-    stay = _stayers(setting, network, draft)
-    model = draft.build()
-    others = np.setdiff1d(np.flatnonzero(model.integer), flows)
-    return Encoded(model, network, others, flows, stay, rho=rho)
-
-
-def _stayers(setting: Setting, network: Network, draft: Draft) -> Ints:
-    if "agents" not in setting.mission.objective:
-        return np.empty(0, dtype=np.int64)
-    return objectives.stayers(network, draft)
+    return _Assembly(setting, levels[0]).reference(levels)

@@ -128,7 +128,6 @@ class Network:
 
     classes: tuple[ClassColumns, ...]
     horizon: int
-    states: int
 
     def having(self, capability: str | None) -> list[ClassColumns]:
         """The classes that have a capability; all of them for None."""
@@ -204,12 +203,16 @@ def unroll(
     `finish` marks, per class, the edges that may only be entered when they end by the horizon;
     without it every edge may be entered at any step and an agent may still travel at the end.
     """
-    classes = []
-    for number, graph in enumerate(graphs):
-        late = None if finish is None else finish[number]
-        classes.append(laid_out(graph, horizon, draft, upper=float(graph.agents), finish=late))
-        _conserve(classes[-1], horizon, draft)
-    return Network(tuple(classes), horizon, len(graphs[0].start) if graphs else 0)
+    late = [None] * len(graphs) if finish is None else finish
+    classes = (flow(*each, horizon, draft) for each in zip(graphs, late, strict=True))
+    return Network(tuple(classes), horizon)
+
+
+def flow(graph: ClassGraph, finish: Bools | None, horizon: int, draft: Draft) -> ClassColumns:
+    """The flow columns and conservation rows of one class."""
+    columns = laid_out(graph, horizon, draft, upper=float(graph.agents), finish=finish)
+    _conserve(columns, horizon, draft)
+    return columns
 
 
 def laid_out(

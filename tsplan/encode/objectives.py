@@ -1,44 +1,332 @@
-"""Objectives that are linear in the flows: one coefficient per column.
+"""Objectives in a model: what is minimised, what is kept of it, and what a point is worth in it.
 
-`travel`, `cost` and `agents` are minimised as they stand; `makespan` and `availability` are
-searched level by level (see `search.lexicographic`), since each of their levels is a model of its
-own.
+Most are linear in the columns and minimised as they stand. `availability` and `makespan` are
+settled level by level, since each of their levels is a model of its own. An objective is put here
+by `register`, under the name that missions use; how its value is measured on a plan is said in the
+check, which does not believe what is said here.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import ClassVar
+
 import numpy as np
 
+from tsplan.encode.encoded import Encoded, Point, Setting
+from tsplan.encode.expressions import Own
 from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.groups.group_sizes import sizes, smallest, with_smallest
+from tsplan.encode.groups.occupancy import split_terms
+from tsplan.encode.own_constraints import resolve
+from tsplan.encode.read_back import availability, last_arrival, moving
+from tsplan.encode.robustness_bound import Outlook
 from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.search.target import Target
 
 
-def travel(network: Network, columns: int) -> Floats:
+class ModelObjective:
+    """One objective, on the model side; this class is that of all that are linear in the columns.
+
+    `of_groups` says that a value depends on where groups are only, not on how many agents they
+    have; `opens` that a plan may be looked for by minimising it; `priced` that agents whose edges
+    cost differently are told apart; `built` that models are made for a value of it; `rises` that
+    more is better.
+    """
+
+    name: ClassVar[str]
+    built: ClassVar[bool] = False
+    of_groups: ClassVar[bool] = False
+    opens: ClassVar[bool] = True
+    priced: ClassVar[bool] = False
+    rises: ClassVar[bool] = False
+
+    def reducible(self, setting: Setting) -> bool:
+        """Whether quickest ways between the states that matter lose no better plan."""
+        return True
+
+    def columns(self, network: Network, draft: Draft) -> Ints:
+        """Columns that a model needs only for this objective."""
+        return np.empty(0, dtype=np.int64)
+
+    def extended(self, encoded: Encoded) -> Encoded:
+        """The model with what is only needed while this is minimised."""
+        return encoded
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The coefficients of what is minimised."""
+        raise NotImplementedError
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """What is minimised, in whole units."""
+        return Target(self.vector(setting, encoded))
+
+    def minimised(self, setting: Setting, point: Point) -> float:
+        """What a point comes to, as it is minimised and kept."""
+        return self.target(setting, point.encoded).value(point.values)
+
+    def worth(self, setting: Setting, point: Point) -> float:
+        """What the plan of a point is worth, in the objective's own unit."""
+        return self.target(setting, point.encoded).own(self.minimised(setting, point))
+
+    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
+        """The model of those plans that are no worse than a value as it is `minimised`."""
+        target = self.target(setting, encoded)
+        return replace(encoded, model=target.kept(encoded.model, value, f"kept {self.name}"))
+
+
+class LevelObjective(ModelObjective):
+    """An objective whose values are whole numbers, each of which is a model of its own."""
+
+    opens = False
+
+    def by_levels(self, *, tight: bool) -> bool:
+        """Whether the encoding at hand has no column for it."""
+        return True
+
+    def ideal(self, setting: Setting) -> float:
+        """A bound on all values that costs nothing."""
+        raise NotImplementedError
+
+    def minimised(self, setting: Setting, point: Point) -> float:
+        """The value itself."""
+        return self.worth(setting, point)
+
+
+class Travel(ModelObjective):
     """Agent-steps spent in moves that are not waits."""
-    return _priced(network, columns, [c.graph.duration * ~c.graph.wait for c in network.classes])
+
+    name = "travel"
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The duration of every move."""
+        return _priced(encoded, lambda item: item.graph.duration * ~item.graph.wait)
 
 
-def cost(network: Network, columns: int) -> Floats:
+class Cost(ModelObjective):
     """Summed edge costs of all moves; waits are free unless their edge says otherwise."""
-    return _priced(network, columns, [c.graph.cost for c in network.classes])
+
+    name = "cost"
+    priced = True
+
+    def reducible(self, setting: Setting) -> bool:
+        """Only where every edge costs as much as it lasts."""
+        unit = setting.mission.system.cost_unit
+        return all(
+            np.array_equal(
+                item.graph.cost * unit.numerator,
+                np.where(item.graph.wait, 0, item.graph.duration) * unit.denominator,
+            )
+            for item in setting.classes
+        )
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The cost of every edge in whole units."""
+        return _priced(encoded, lambda item: item.graph.cost)
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """Costs in the map's own unit."""
+        return Target(self.vector(setting, encoded), setting.mission.system.cost_unit)
 
 
-def _priced(network: Network, columns: int, prices: list[Floats] | list[Ints]) -> Floats:
-    objective = np.zeros(columns)
-    for item, price in zip(network.classes, prices, strict=True):
+class MovingAgents(ModelObjective):
+    """How many agents ever move: all but those that wait at their start to the end."""
+
+    name = "agents"
+
+    def columns(self, network: Network, draft: Draft) -> Ints:
+        """Columns that count the agents of each class and start that wait there to the end."""
+        return stayers(network, draft)
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """All agents but those that stay."""
+        vector = np.zeros(encoded.model.size.columns)
+        vector[encoded.own_columns[self.name]] = -1.0
+        return Target(vector, constant=Fraction(setting.mission.size))
+
+    def worth(self, setting: Setting, point: Point) -> float:
+        """Told by the moves: more may stay than the columns say."""
+        return float(moving(setting, point))
+
+
+class Availability(LevelObjective):
+    """How many agents with any one capability may be missing anywhere, and the formula holds."""
+
+    name = "availability"
+    rises = True
+    built = True
+
+    def by_levels(self, *, tight: bool) -> bool:
+        """The reference encoding has a column for it."""
+        return tight
+
+    def ideal(self, setting: Setting) -> float:
+        """Every atom on its own, by team and travel times; infinite if nothing is asked for."""
+        read = setting.requirement(0)
+        return Outlook(setting.goal, setting.unrolled(), read).best(setting.goal, 0)
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """The column of the reference encoding."""
+        vector = np.zeros(encoded.model.size.columns)
+        vector[encoded.rho] = -1.0
+        return Target(vector, Fraction(-1))
+
+    def minimised(self, setting: Setting, point: Point) -> float:
+        """The column where there is one, else the value itself."""
+        if point.tight:
+            return self.worth(setting, point)
+        return self.target(setting, point.encoded).value(point.values)
+
+    def worth(self, setting: Setting, point: Point) -> float:
+        """Robustness of the goal under the counts of the moves."""
+        return availability(setting, point)
+
+
+class Makespan(LevelObjective):
+    """The last step at which an agent arrives by a move that is not a wait; 0 without any."""
+
+    name = "makespan"
+    of_groups = True
+
+    def ideal(self, setting: Setting) -> float:
+        """Nobody moves."""
+        return 0.0
+
+    def worth(self, setting: Setting, point: Point) -> float:
+        """Told by the moves."""
+        return float(last_arrival(setting, point))
+
+    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
+        """Without the moves that end later."""
+        upper = encoded.model.upper.copy()
+        for item in encoded.network.classes:
+            edge, step, column = item.unrolled()
+            late = step + item.graph.duration[edge] > value
+            upper[column[~item.graph.wait[edge] & late]] = 0.0
+        for swarm in encoded.swarms:
+            upper[swarm.places.late(int(value))] = 0.0
+        return replace(encoded, model=encoded.model.with_bounds(encoded.model.lower, upper))
+
+
+class Splits(ModelObjective):
+    """How often groups split: whoever leaves by j edges at once splits j - 1 times."""
+
+    name = "splits"
+    of_groups = True
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """Edges entered beyond one for every occupied state."""
+        vector = np.zeros(encoded.model.size.columns)
+        columns, values = split_terms([swarm.places for swarm in encoded.swarms])
+        vector[columns] = values
+        return vector
+
+
+class GroupMoves(ModelObjective):
+    """Edges entered by a group, waits aside."""
+
+    name = "moves"
+    of_groups = True
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """One for every edge that is no wait."""
+        vector = np.zeros(encoded.model.size.columns)
+        for swarm in encoded.swarms:
+            edge, _, column = swarm.places.entered.unrolled()
+            vector[column] = ~swarm.places.entered.graph.wait[edge]
+        return vector
+
+
+class Balance(ModelObjective):
+    """The size of the smallest sub-swarm at any step."""
+
+    name = "balance"
+    opens = False
+    rises = True
+
+    def extended(self, encoded: Encoded) -> Encoded:
+        """With one more column, the last: at most the size of every sub-swarm."""
+        found = sizes(encoded.swarms)
+        model = with_smallest(encoded.model, found, float(found.most.max(initial=0.0)))
+        flows = np.append(encoded.flows, model.size.columns - 1)
+        return replace(encoded, model=model, flows=flows)
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """The last column of an extended model."""
+        vector = np.zeros(encoded.model.size.columns)
+        vector[-1] = -1.0
+        return Target(vector, Fraction(-1))
+
+    def minimised(self, setting: Setting, point: Point) -> float:
+        """Told by the flows; less is better as it is minimised."""
+        return -smallest(point.encoded.swarms, point.values)
+
+    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
+        """Every sub-swarm has at least so many agents, by a fixed column."""
+        wide = with_smallest(encoded.model, sizes(encoded.swarms), -value)
+        lower = wide.lower.copy()
+        lower[-1] = -value
+        return replace(encoded, model=wide.with_bounds(lower, wide.upper))
+
+
+@dataclass(frozen=True)
+class OwnSum(ModelObjective):
+    """A user's own sum of counts, counted in whole units where its coefficients allow it."""
+
+    own: Own
+
+    name = "own"
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """The sum over the columns of the counts."""
+        system, arrays = setting.mission.system, setting.arrays
+        terms: dict[int, Fraction] = {}
+        constant = self.own.expression.constant
+        for term, factor in self.own.expression.terms:
+            columns, fixed = resolve(term, system, arrays, encoded.network)
+            constant += factor * fixed
+            for column in columns.tolist():
+                terms[column] = terms.get(column, Fraction(0)) + factor
+        count = encoded.model.size.columns
+        most, maximise = setting.mission.size, self.own.maximised
+        return Target.of(terms, count, constant, most=most, maximise=maximise)
+
+
+_OBJECTIVES: dict[str, ModelObjective] = {}
+
+
+def register(objective: ModelObjective) -> None:
+    """Let missions name an objective; one of the same name is replaced."""
+    _OBJECTIVES[objective.name] = objective
+
+
+for _each in (
+    Travel(),
+    Cost(),
+    MovingAgents(),
+    Availability(),
+    Makespan(),
+    Splits(),
+    GroupMoves(),
+    Balance(),
+):
+    register(_each)
+
+
+def model_objective(name: str) -> ModelObjective | None:
+    """The objective of a name; None for those that say what is to hold."""
+    return _OBJECTIVES.get(name)
+
+
+def _priced(encoded: Encoded, price: Callable[[ClassColumns], Floats | Ints]) -> Floats:
+    """What every flow column costs, where each edge has a price."""
+    vector = np.zeros(encoded.model.size.columns)
+    for item in encoded.network.classes:
         edge, _, column = item.unrolled()
-        objective[column] = price[edge]
-    return objective
-
-
-def late_moves(network: Network, makespan: int) -> Ints:
-    """Flow columns of moves that are not waits and end after step `makespan`."""
-    late = []
-    for item in network.classes:
-        edge, step, column = item.unrolled()
-        ends = step + item.graph.duration[edge]
-        late.append(column[~item.graph.wait[edge] & (ends > makespan)])
-    return np.concatenate([*late, np.empty(0, dtype=np.int64)])
+        vector[column] = price(item)[edge]
+    return vector
 
 
 def stayers(network: Network, draft: Draft) -> Ints:

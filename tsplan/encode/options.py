@@ -22,6 +22,8 @@ class Idea(StrEnum):
     LAZY = "lazy"  # more visit cuts where the LP violates them (encode.arrival_cuts)
     CONTINUOUS = "continuous"  # flows continuous at first, repaired to whole agents (search.search)
     DIVE = "dive"  # LP-guided dive for the first plan (search.dive)
+    TOKENS = "tokens"  # swarms: fewest splits by tokens, a first plan along their ways
+    PLACES = "places"  # swarms: where groups are before how many agents they have
     TREE = "tree"  # a short search of our own before the solver's (search.branch_and_bound)
 
 

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from fractions import Fraction
+from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
 import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
-from tsplan.encode.assemble import Encoded, Setting
+from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.map_reduction import Reduced, whole
-from tsplan.logic import Formula, robustness
+from tsplan.logic import Formula
 from tsplan.logic import labels as labels_of
-from tsplan.logic.evaluation import CountTrace
+from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.milp.model import Floats, Ints
 from tsplan.mission import Agent
 from tsplan.plans.decomposition import ClassFlow
-from tsplan.search.lexicographic import Point
+from tsplan.plans.moves import Move
 
 Moves: TypeAlias = tuple[Ints, Ints, Ints]
 """Edges of a class's full map, the steps, and how many agents enter."""
@@ -26,36 +24,31 @@ Moves: TypeAlias = tuple[Ints, Ints, Ints]
 ClassMoves: TypeAlias = Sequence[tuple[AgentClass, Moves]]
 
 
-def moves_of(
-    setting: Setting, encoded: Encoded, values: Floats, *, reduced: bool
-) -> list[tuple[AgentClass, Moves]]:
+def moves_of(setting: Setting, point: Point) -> list[tuple[AgentClass, Moves]]:
     """For every class the edges of its full graph that agents enter, when, and how many do."""
     found = []
     for number, (item, columns) in enumerate(
-        zip(setting.classes, encoded.network.classes, strict=True)
+        zip(setting.classes, point.encoded.network.classes, strict=True)
     ):
         edge, step, column = columns.unrolled()
-        count = np.round(values[column]).astype(np.int64)
+        count = np.round(point.values[column]).astype(np.int64)
         used = np.flatnonzero(count)
-        shortcuts = setting.reduced[number] if reduced else whole(item.graph)
+        shortcuts = setting.reduced[number] if point.tight else whole(item.graph)
         found.append(
             (item, _expand(item, shortcuts, (edge[used], step[used], count[used]), setting.horizon))
         )
     return found
 
 
-@dataclass(frozen=True, eq=False)
-class Measure:
-    """What the plan of a point is worth in one objective, by the moves that its agents make."""
-
-    setting: Setting
-
-    def __call__(self, point: Point, name: str) -> float:
-        """The value of an objective of teams."""
-        moves = moves_of(self.setting, point.encoded, point.values, reduced=point.tight)
-        if name == "availability":
-            return availability(self.setting, moves)
-        return float(_MEASURES[name](self.setting, moves))
+def listed(setting: Setting, item: AgentClass, moves: Moves) -> tuple[Move, ...]:
+    """The moves of one class with the names of their states, in the order of time."""
+    names = setting.arrays.names
+    edge, step, count = moves
+    ends = item.graph.tail[edge].tolist(), item.graph.head[edge].tolist()
+    found = zip(step.tolist(), *ends, count.tolist(), strict=True)
+    return tuple(
+        sorted(Move(when, names[tail], names[head], agents) for when, tail, head, agents in found)
+    )
 
 
 def _expand(item: AgentClass, reduced: Reduced, moves: Moves, horizon: int) -> Moves:
@@ -103,15 +96,13 @@ def _members(setting: Setting, group: int) -> Iterable[Agent]:
     return setting.mission.agents[begin : begin + setting.mission.team[group].count]
 
 
-def availability(setting: Setting, moves: Iterable[tuple[AgentClass, Moves]]) -> float:
+def availability(setting: Setting, point: Point) -> float:
     """Robustness of the goal at step 0 under the counts that the moves imply."""
-    trace = counts_of(setting, setting.goal, moves)
+    trace = counts_of(setting, setting.goal, point)
     return float(robustness(setting.goal, trace)[..., 0])
 
 
-def counts_of(
-    setting: Setting, formula: Formula, moves: Iterable[tuple[AgentClass, Moves]]
-) -> CountTrace:
+def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
     """The counts that the moves imply at the labels of a formula."""
     system = setting.mission.system
     named = sorted(labels_of(formula))
@@ -120,7 +111,7 @@ def counts_of(
     shape = (len(watched), setting.horizon + 1)
     everybody = np.zeros(shape)
     counts: dict[str | None, Floats] = {None: everybody}
-    for item, (edge, step, count) in moves:
+    for item, (edge, step, count) in moves_of(setting, point):
         present = np.zeros(shape)
         present[:, 0] = item.graph.start[watched]
         ends = step + item.graph.duration[edge]
@@ -135,34 +126,20 @@ def counts_of(
     return CountTrace(counts, labels)
 
 
-def makespan(_: Setting, moves: ClassMoves) -> int:
+def last_arrival(setting: Setting, point: Point) -> int:
     """Last step at which an agent arrives by a move that is not a wait; 0 without any."""
     last = 0
-    for item, (edge, step, _count) in moves:
+    for item, (edge, step, _count) in moves_of(setting, point):
         move = ~item.graph.wait[edge]
         ends = (step + item.graph.duration[edge])[move]
         last = max(last, int(ends.max(initial=0)))
     return last
 
 
-def travel(_: Setting, moves: ClassMoves) -> int:
-    """Agent-steps spent in moves that are not waits."""
-    return sum(
-        int(count @ (item.graph.duration * ~item.graph.wait)[edge])
-        for item, (edge, _step, count) in moves
-    )
-
-
-def cost(setting: Setting, moves: ClassMoves) -> Fraction:
-    """Summed edge costs of all moves, exactly."""
-    units = sum(int(count @ item.graph.cost[edge]) for item, (edge, _step, count) in moves)
-    return units * setting.mission.system.cost_unit
-
-
-def agents(setting: Setting, moves: ClassMoves) -> int:
+def moving(setting: Setting, point: Point) -> int:
     """Agents that ever move: all but those that can wait at their start to the end."""
     staying = 0
-    for item, (edge, step, count) in moves:
+    for item, (edge, step, count) in moves_of(setting, point):
         graph = item.graph
         for state in np.flatnonzero(graph.start).tolist():
             loop = np.flatnonzero((graph.tail == state) & (graph.head == state))
@@ -175,11 +152,3 @@ def agents(setting: Setting, moves: ClassMoves) -> int:
             np.add.at(entered, step[mine], count[mine])
             staying += min([here, *entered[list(waits)].tolist()])
     return setting.mission.size - int(staying)
-
-
-_MEASURES: Mapping[str, Callable[[Setting, ClassMoves], int | Fraction]] = {
-    "travel": travel,
-    "cost": cost,
-    "makespan": makespan,
-    "agents": agents,
-}

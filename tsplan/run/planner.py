@@ -6,19 +6,24 @@ from dataclasses import replace
 
 import numpy as np
 
+from tsplan.encode.encoded import Point
 from tsplan.encode.own_constraints import worth
-from tsplan.encode.read_back import class_flow, moves_of
-from tsplan.errors import Finding, MissionError, SolverError
+from tsplan.encode.read_back import class_flow, listed, moves_of
+from tsplan.errors import SolverError
 from tsplan.exact import digits
 from tsplan.mission import Mission
 from tsplan.plans.decomposition import decompose
+from tsplan.plans.moves import Move
 from tsplan.plans.plan import AgentPlan, Plan
 from tsplan.run.problem import Problem, Tuning
 from tsplan.run.run import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
-from tsplan.search.lexicographic import Point, Reached
+from tsplan.search.lexicographic import Reached
 from tsplan.words import known
+
+MOST_AGENTS = 1000
+"""Agents up to which every one of a swarm gets a path; for more, `tsplan.assign` makes them."""
 
 
 def plan(
@@ -47,17 +52,12 @@ def plan(
     """
     asked = Settings(solver, time_limit, gap, threads, seed)
     tuning = Tuning.named(encoding, without)
-    if isinstance(mission, Mission) and mission.swarm is not None:
-        from tsplan.run.swarming import SwarmRun  # noqa: PLC0415  (teams do not need it)
-
-        _refuse_tuning(tuning)
-        return SwarmRun(mission, asked.over(mission), on_event).plan()
     problem = mission if isinstance(mission, Problem) else Problem(mission, tuning)
-    return TeamRun(problem, asked.over(problem.mission), on_event).plan()
+    return MissionRun(problem, asked.over(problem.mission), on_event).plan()
 
 
-class TeamRun(Run[Point]):
-    """One planning run for a team."""
+class MissionRun(Run[Point]):
+    """One planning run for a mission or a problem made of it."""
 
     def __init__(self, problem: Problem, settings: Settings, listener: Listener | None) -> None:
         super().__init__(problem.mission, settings, listener)
@@ -84,20 +84,28 @@ class TeamRun(Run[Point]):
         )
 
     def ways(self, found: Point) -> Ways:
-        """One path per agent, in the order of the team."""
-        setting = self._problem.setting
-        mission = self._mission
+        """The moves of every swarm, and one path per agent in the order of the team.
+
+        Those of swarms are left out where there are more than `MOST_AGENTS` agents in all.
+        """
+        setting, mission, seed = self._problem.setting, self._mission, self._settings.seed
         begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
         agents: list[AgentPlan | None] = [None] * mission.size
-        for item, moves in moves_of(setting, found.encoded, found.values, reduced=found.tight):
-            flow = class_flow(setting, item, moves)
-            made = decompose(flow, setting.horizon, self._settings.seed)
+        moves: dict[str, tuple[Move, ...]] = {}
+        few = mission.size <= MOST_AGENTS
+        for item, entered in moves_of(setting, found):
+            if item.bounds is not None:
+                (group,) = item.groups
+                moves[mission.team[group].class_name] = listed(setting, item, entered)
+                if not few:
+                    continue
+            made = decompose(class_flow(setting, item, entered), setting.horizon, seed)
             taken = 0
             for group in item.groups:
                 count = mission.team[group].count
                 agents[begins[group] : begins[group] + count] = made[taken : taken + count]
                 taken += count
-        return Ways(agents=tuple(agent for agent in agents if agent is not None))
+        return Ways(moves=moves, agents=tuple(agent for agent in agents if agent is not None))
 
     def _certified(self, made: Plan) -> Plan:
         """The plan after the check of the mission and of the user's own constraints."""
@@ -116,10 +124,3 @@ class TeamRun(Run[Point]):
         what = "own objective, maximised:" if own.maximised else "own objective"
         note = f"{what} {digits(value)} (bound {'open' if bound is None else digits(bound)})"
         return replace(plan, notes=(note, *plan.notes))
-
-
-def _refuse_tuning(tuning: Tuning) -> None:
-    """Swarms have one encoding, whose ideas cannot be switched off."""
-    if tuning != Tuning():
-        what = "a swarm mission has one encoding, which cannot be chosen or changed"
-        raise MissionError([Finding(what, "leave out the encoding and its ideas")])

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from reprlib import repr as clipped
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from tsplan.encode.assemble import Encoded, Setting, prepare, reference, tight
+from tsplan.encode.assemble import objectives_of, prepare, reference, tight
+from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
+from tsplan.encode.objectives import OwnSum
 from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.encode.own_constraints import checked_term, checked_terms, within_reach, worth
-from tsplan.encode.partial.partial_stages import is_soft, plan_soft, prepare_soft
-from tsplan.encode.read_back import Measure
 from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
+from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
-from tsplan.search.lexicographic import Outcome, Point, Stages
+from tsplan.search.lexicographic import Outcome, Stages, Tell
 
 if TYPE_CHECKING:
     from tsplan.plans.plan import Plan
@@ -56,9 +57,9 @@ class Tuning:
 
 
 class Problem:
-    """The mission of a team with a user's own constraints and objective terms.
+    """A mission with a user's own constraints and objective terms.
 
-    Raises MissionError for the mission of a swarm. What an own constraint or objective cannot mean
+    What an own constraint or objective cannot mean
     is a MissionError in the line that says it: unknown names, steps outside the mission, numbers
     that are not finite, and whatever is no sum of counts times numbers.
 
@@ -81,9 +82,6 @@ class Problem:
     """
 
     def __init__(self, mission: Mission, tuning: Tuning = Tuning()) -> None:
-        if mission.swarm is not None:
-            what = "a swarm mission is not the problem of a team"
-            raise MissionError([Finding(what, "plan the mission itself")])
         self.mission = mission
         self.tuning = tuning
         self._constraints: list[Constraint] = []
@@ -197,25 +195,16 @@ class Problem:
         """The model as the solver's own object, for example a `gurobipy.Model`."""
         return solver_named(solver).native(self.model)
 
-    def solve(
-        self,
-        effort: Effort,
-        clock: Clock,
-        tell: Callable[[str, Point | None, float | None, float | None], None],
-    ) -> Outcome:
+    def solve(self, effort: Effort, clock: Clock, tell: Tell) -> Outcome:
         """Run all objectives; `tell` hears of stages, points and bounds."""
-        objective = self.mission.objective
-        if self._objective.terms:
-            objective = ("own", *objective)
         setting = replace(self.prepared(clock), clock=clock)
+        own = (OwnSum(self.own),) if self._objective.terms else ()
         stages = Stages(
             setting=setting,
+            objectives=(*own, *objectives_of(self.mission)),
             effort=replace(effort, ideas=setting.ideas),
             clock=clock,
-            measure=Measure(setting),
             tell=tell,
-            objective=objective,
-            own=self.own,
             tight=self.tuning.encoding == "tight",
         )
         return plan_soft(stages) if is_soft(self.mission) else stages.run()

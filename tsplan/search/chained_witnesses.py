@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tsplan.encode.assemble import Encoded, Setting, tight
+from tsplan.encode.assemble import tight
+from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.options import Idea
 from tsplan.milp.model import Floats
 from tsplan.search.clock import Clock
@@ -31,7 +32,7 @@ def chain_model(setting: Setting, level: int) -> Encoded:
 def first_flows(restricted: Encoded, target: Target, effort: Effort, clock: Clock) -> Floats | None:
     """Flows of a point of the chained model, in whole agents; None if none was found."""
     search = Search(restricted, target, effort, clock, _unheard)
-    values = search.dive_for(Earliest(restricted.indicators, restricted.steps, restricted.groups))
+    values = search.dive_for(Earliest(restricted.indicators, restricted.steps, restricted.choices))
     return None if values is None else values[restricted.flows]
 
 

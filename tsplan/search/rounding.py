@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tsplan.encode.assemble import Encoded
+from tsplan.encode.encoded import Encoded
 from tsplan.milp.confirmation import tried
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats, Ints, Model

@@ -15,7 +15,7 @@ import numpy as np
 from scipy import sparse
 
 from tsplan.encode.arrival_cuts import violated
-from tsplan.encode.assemble import Encoded
+from tsplan.encode.encoded import Encoded
 from tsplan.encode.options import Idea
 from tsplan.errors import SolverError
 from tsplan.exact import digits
@@ -235,7 +235,7 @@ class Search:
         turns = 20 + len(encoded.indicators) // 10
         pickers: list[Picker] = [largest]
         if self._clock.elapsed - self._began > _LONG:  # a tree will not get far soon
-            pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.groups))
+            pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.choices))
         for pick in pickers:
             cutoff = self._cutoff
             dived = dive(
@@ -276,7 +276,7 @@ class Search:
         root = lp.solve(time_limit=self._clock.left)
         if root.status != "optimal":
             return
-        witnessing = Witnessing(self._encoded.indicators, self._encoded.groups)
+        witnessing = Witnessing(self._encoded.indicators, self._encoded.choices)
         tree = Tree(lp, witnessing, self._target, root)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         self._take_turns(tree, _TURNS)

@@ -1,1 +1,1 @@
-"""Swarms: groups of agents that split and merge, and how many agents each of them has."""
+"""Classes with group bounds: where the groups of a swarm are, and how many agents each has."""

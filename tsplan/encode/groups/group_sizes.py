@@ -8,15 +8,13 @@ Counts are whole numbers throughout.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from scipy import sparse
 
-from tsplan.encode.flow_network import ClassColumns
-from tsplan.encode.groups.occupancy import Occupancy
-from tsplan.encode.groups.swarm_model import SwarmModel, agents_at_states
+from tsplan.encode.groups.group_rows import Swarm, agents_at_states
 from tsplan.milp.model import INFINITY, Floats, Ints, Model, Tag
 
 Solve = Callable[[Model], "Floats | None"]
@@ -39,12 +37,12 @@ class Sizes:
     most: Floats
 
 
-def sizes(model: SwarmModel) -> Sizes:
+def sizes(swarms: Sequence[Swarm]) -> Sizes:
     """All counts of sub-swarms: at states, and inside edges that take more than a step."""
     parts: list[Sizes] = []
     rows = 0
-    for item, swarm in zip(model.agents.classes, model.swarms, strict=True):
-        part = _sizes(item, swarm)
+    for swarm in swarms:
+        part = _sizes(swarm)
         parts.append(replace(part, index=part.index + rows))
         rows += len(part.group)
     return Sizes(
@@ -52,22 +50,31 @@ def sizes(model: SwarmModel) -> Sizes:
     )
 
 
-def _sizes(item: ClassColumns, swarm: Occupancy) -> Sizes:
-    at, columns = agents_at_states(item, swarm)
-    state, _, own = swarm.reached()
-    edge, _, mine = item.unrolled()
-    long = item.graph.duration[edge] > 1  # entered before the horizon, so inside at some step
+def _sizes(swarm: Swarm) -> Sizes:
+    at, columns = agents_at_states(swarm)
+    state, _, own = swarm.places.reached()
+    edge, _, mine = swarm.flows.unrolled()
+    long = swarm.flows.graph.duration[edge] > 1  # entered before the horizon: inside at some step
     count = len(own) + int(long.sum())
     base = np.zeros(count)
-    if swarm.horizon == 0:
-        base[: len(own)] = item.graph.start[state]
+    if swarm.places.horizon == 0:
+        base[: len(own)] = swarm.flows.graph.start[state]
     return Sizes(
         index=np.concatenate([at, np.arange(len(own), count)]),
         flow=np.concatenate([columns, mine[long]]),
-        group=np.concatenate([own, swarm.entered.unrolled()[2][long]]),
+        group=np.concatenate([own, swarm.places.entered.unrolled()[2][long]]),
         base=base,
-        most=np.full(count, float(item.graph.agents)),
+        most=np.full(count, float(swarm.size)),
     )
+
+
+def smallest(swarms: Sequence[Swarm], point: Floats) -> float:
+    """The size of the smallest sub-swarm in a point."""
+    found = sizes(swarms)
+    size = found.base.copy()
+    np.add.at(size, found.index, np.round(point[found.flow]))
+    held = np.round(point[found.group]) > 0
+    return float(size[held].min(initial=INFINITY))
 
 
 def with_smallest(model: Model, found: Sizes, largest: float) -> Model:
@@ -141,19 +148,17 @@ def settled(model: Model, fixed: Ints, values: Floats) -> tuple[Model, Ints]:
     return small, free
 
 
-def spread(
-    model: Model, place: Ints, swarms: tuple[tuple[ClassColumns, Occupancy], ...]
-) -> Model | None:
+def spread(model: Model, place: Ints, swarms: Sequence[Swarm]) -> Model | None:
     """The model whose objective is how uneven the splits are; None where nothing splits.
 
     `place` gives the position of every column of the whole model in this one, or -1.
     """
     parts: dict[tuple[int, int, int], list[int]] = {}
-    for number, (item, _) in enumerate(swarms):
-        edge, step, column = item.unrolled()
+    for number, swarm in enumerate(swarms):
+        edge, step, column = swarm.flows.unrolled()
         here = place[column]
         for state, when, at in zip(
-            item.graph.tail[edge][here >= 0].tolist(),
+            swarm.flows.graph.tail[edge][here >= 0].tolist(),
             step[here >= 0].tolist(),
             here[here >= 0].tolist(),
             strict=True,
@@ -183,29 +188,28 @@ def spread(
 
 
 def even_shares(
-    model: SwarmModel, whole: Model, values: Floats, fixed: Ints, solve: Solve
+    swarms: Sequence[Swarm], whole: Model, values: Floats, fixed: Ints, solve: Solve
 ) -> Floats:
     """`values` with the counts of this module's rule, or unchanged where time runs out.
 
-    `whole` is the counted model with the rows of all that must be kept.
+    `whole` is the model with the rows of all that must be kept.
     """
-    found = sizes(model)
+    found = sizes(swarms)
     largest = float(found.most.max(initial=0.0))
-    wide = with_smallest(_placeless(model, whole, values), found, largest)
+    wide = with_smallest(_placeless(swarms, whole, values), found, largest)
     small, free = settled(wide, fixed, np.append(values, 0.0))
     goal = np.zeros(small.size.columns)
-    smallest = int(np.flatnonzero(free == whole.size.columns)[0])
-    goal[smallest] = -1.0
+    least = int(np.flatnonzero(free == whole.size.columns)[0])
+    goal[least] = -1.0
     best = solve(small.with_objective(goal))
     if best is None:
         return values
     values = _placed(values, free, best)
     lower = small.lower.copy()
-    lower[smallest] = np.floor(best[smallest] + _SLACK)
+    lower[least] = np.floor(best[least] + _SLACK)
     place = np.full(whole.size.columns + 1, -1)
     place[free] = np.arange(len(free))
-    pairs = tuple(zip(model.agents.classes, model.swarms, strict=True))
-    uneven = spread(small.with_bounds(lower, small.upper), place, pairs)
+    uneven = spread(small.with_bounds(lower, small.upper), place, swarms)
     if uneven is None:
         return values
     evened = solve(uneven)
@@ -214,11 +218,11 @@ def even_shares(
     return _placed(values, free, evened[: len(free)])
 
 
-def _placeless(model: SwarmModel, whole: Model, values: Floats) -> Model:
+def _placeless(swarms: Sequence[Swarm], whole: Model, values: Floats) -> Model:
     """The model without flows on edges that no group enters."""
     upper = whole.upper.copy()
-    for item, swarm in zip(model.agents.classes, model.swarms, strict=True):
-        flow, group = item.unrolled()[2], swarm.entered.unrolled()[2]
+    for swarm in swarms:
+        flow, group = swarm.flows.unrolled()[2], swarm.places.entered.unrolled()[2]
         upper[flow[values[group] < _HALF]] = 0.0
     return whole.with_bounds(whole.lower, upper)
 

@@ -44,6 +44,12 @@ class Occupancy:
         """Places of states and steps in what `reached` lists."""
         return self.at(state, step) - int(self.states[0])
 
+    def late(self, makespan: int) -> Ints:
+        """Columns of the moves that end after step `makespan`."""
+        edge, step, column = self.entered.unrolled()
+        graph = self.entered.graph
+        return column[~graph.wait[edge] & (step + graph.duration[edge] > makespan)]
+
     def inside(self) -> tuple[Ints, Ints]:
         """Steps and columns of groups strictly between the ends of an edge, up to the horizon."""
         edge, step, column = self.entered.unrolled()

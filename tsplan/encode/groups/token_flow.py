@@ -14,70 +14,54 @@ and a plan of as few splits is often found near the ways that the tokens take.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from tsplan.encode.agent_classes import map_arrays
-from tsplan.encode.flow_network import ClassColumns, ClassGraph, laid_out
+from tsplan.encode.agent_classes import AgentClass
+from tsplan.encode.encoded import Setting
+from tsplan.encode.flow_network import ClassColumns, ClassGraph, Network, laid_out
 from tsplan.encode.groups.group_demands import (
     group_network,
     most_groups,
+    only_of,
     presence_rows,
     split_rows,
-    swarm_graphs,
-    witnesses_of,
 )
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.memory import Watch
+from tsplan.encode.robustness_bound import Outlook
+from tsplan.encode.witness import WitnessEncoder
 from tsplan.logic import Count, walk
-from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import INFINITY, Bools, Draft, Floats, Ints, Model
-from tsplan.mission import Mission
-from tsplan.search.branch_and_bound import Grown, Tree, Witnessing
-from tsplan.search.clock import Clock
-from tsplan.search.target import Target
 
 _SOME = 1e-6
-_SPLIT = 1e4  # steps of moving that are worth a split
 
 
 @dataclass(frozen=True, eq=False)
 class Tokens:
-    """The model of tokens; it minimises how many are added."""
+    """The model of tokens; it minimises how many are added to the starts.
+
+    `indicators` and `choices` are the columns of the logic, as in `Encoded`.
+    """
 
     model: Model
-    witnessing: Witnessing
+    indicators: Ints
+    choices: tuple[Ints, ...]
     refuted: bool
     _entered: tuple[ClassColumns, ...]
     _reduced: tuple[Reduced, ...]
     _graphs: tuple[ClassGraph, ...]
 
-    def fewest(self, clock: Clock) -> Grown:
-        """The fewest tokens added to the starts, or a bound on them; infinite if none will do."""
-        if self.refuted:
-            return Grown(None, np.inf, done=True)
-        lp = WarmLP(self.model, stop=clock.stop)
-        root = lp.solve(time_limit=clock.left)
-        if root.status != "optimal":
-            impossible = root.status == "infeasible"
-            return Grown(None, np.inf if impossible else 0.0, done=impossible)
-        target = Target(self.model.objective)
-        grown = Tree(lp, self.witnessing, target, root).grow(clock)
-        return replace(grown, bound=target.proven(grown.bound))
-
-    def whole(self, values: Floats, solve: Callable[[Model], Floats | None]) -> Floats | None:
-        """Whole tokens with the witnesses of a point, that move as little as they can."""
-        model, fixed = self.model, self.witnessing.indicators
-        lower, upper = model.lower.copy(), model.upper.copy()
-        lower[fixed] = upper[fixed] = np.round(values[fixed])
-        price = _SPLIT * model.objective
+    def moving(self) -> Floats:
+        """How many steps each column moves; waits cost nothing."""
+        price = np.zeros(self.model.size.columns)
         for columns in self._entered:
             edge, _, column = columns.unrolled()
             price[column] = (columns.graph.duration * ~columns.graph.wait)[edge]
-        return solve(model.with_bounds(lower, upper).with_objective(price))
+        return price
 
     def tracks(self, values: Floats) -> list[Track]:
         """The edges of each swarm's map that its tokens take, and when."""
@@ -101,21 +85,28 @@ class Track(NamedTuple):
     step: Ints
 
 
-def tokens(mission: Mission, clock: Clock | None = None) -> Tokens:
-    """The model of tokens of a mission of swarms; raises Halted when the clock is over."""
-    clock = clock or Clock()
-    draft = Draft(Watch(clock))
-    most = most_groups(mission)
-    graphs = swarm_graphs(mission)
-    entered, reduced, added = [], [], []
-    for number, graph in enumerate(graphs):
-        short = _shortened(graph, _relevant(mission, number), mission.horizon, clock)
-        columns = laid_out(short.graph, mission.horizon, draft, upper=INFINITY)
-        added.append(_flow(columns, mission.horizon, draft))
+def tokens(setting: Setting) -> Tokens:
+    """The model of tokens of the swarms of a setting; raises Halted when its clock is over."""
+    draft = Draft(Watch(setting.clock))
+    swarms = [item for item in setting.classes if item.bounds is not None]
+    graphs = tuple(item.graph for item in swarms)
+    reduced = tuple(_shortened(setting, item) for item in swarms)
+    entered, added = [], []
+    for short in reduced:
+        columns = laid_out(short.graph, setting.horizon, draft, upper=INFINITY)
+        added.append(_flow(columns, setting.horizon, draft))
         entered.append(columns)
-        reduced.append(short)
-    witnesses = witnesses_of(mission, entered, draft)
-    presence_rows(group_network(entered, most, mission.horizon), witnesses, draft)
+    robots = _robots(setting)
+    network = Network((*entered, *robots.classes), setting.horizon)
+    read = setting.requirement(0)
+    encoder = WitnessEncoder(draft, Outlook(setting.goal, network, read), read)
+    witnesses = only_of(encoder.encode(setting.goal), robots)
+    most = [
+        most_groups(item.graph.agents, item.bounds, setting.together)
+        for item in swarms
+        if item.bounds is not None
+    ]
+    presence_rows(group_network(entered, most, Network((), setting.horizon)), witnesses, draft)
     births = np.concatenate(added)
     starts = sum(int((graph.start > 0).sum()) for graph in graphs)
     split_rows((births, np.ones(len(births))), starts, witnesses, draft)
@@ -125,30 +116,42 @@ def tokens(mission: Mission, clock: Clock | None = None) -> Tokens:
     choices = witnesses.choices
     return Tokens(
         model.with_objective(price),
-        Witnessing(np.array(choices.columns, dtype=np.int64), tuple(choices.groups)),
+        np.array(choices.columns, dtype=np.int64),
+        tuple(choices.groups),
         choices.refuted,
         tuple(entered),
-        tuple(reduced),
-        tuple(graphs),
+        reduced,
+        graphs,
     )
 
 
-def _shortened(graph: ClassGraph, relevant: Bools, horizon: int, clock: Clock) -> Reduced:
+def _robots(setting: Setting) -> Network:
+    """Where those that move one by one can be when; no columns of the model of tokens."""
+    scratch = Draft(Watch(setting.clock))
+    laid: Sequence[ClassColumns] = [
+        laid_out(short.graph, setting.horizon, scratch, upper=1.0)
+        for item, short in zip(setting.classes, setting.reduced, strict=True)
+        if item.bounds is None
+    ]
+    return Network(tuple(laid), setting.horizon)
+
+
+def _shortened(setting: Setting, item: AgentClass) -> Reduced:
     """The quickest ways between some states; upper bounds on counts are not looked at."""
+    relevant = _relevant(setting, item)
     interest = Interest(relevant, np.zeros_like(relevant))
-    return reduce(graph, interest, horizon, clock) or whole(graph)
+    return reduce(item.graph, interest, setting.horizon, setting.clock) or whole(item.graph)
 
 
-def _relevant(mission: Mission, number: int) -> Bools:
+def _relevant(setting: Setting, item: AgentClass) -> Bools:
     """The states at which the formula wants agents of a swarm."""
-    arrays = map_arrays(mission.system)
-    able = mission.team[number].capabilities
-    relevant = np.zeros(len(arrays.names), dtype=np.bool_)
-    for node in walk(mission.goal):
+    relevant = np.zeros(len(setting.arrays.names), dtype=np.bool_)
+    for node in walk(setting.goal):
         if not isinstance(node, Count) or node.relation == "<=":
             continue
-        if node.capability is None or node.capability in able:
-            relevant[arrays.states_with(mission.system, node.label)] = True
+        if node.capability is None or node.capability in item.graph.capabilities:
+            states = setting.arrays.states_with(setting.mission.system, node.label)
+            relevant[states] = True
     return relevant
 
 

@@ -22,8 +22,8 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from tsplan.encode.assemble import Encoded
 from tsplan.encode.count_atoms import Site
+from tsplan.encode.encoded import Encoded
 from tsplan.encode.flow_network import ClassGraph, Network
 from tsplan.encode.witness import Demand
 from tsplan.milp.lp import WarmLP

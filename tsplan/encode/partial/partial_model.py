@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from tsplan.encode.assemble import Asking, Encoded
+from tsplan.encode.assemble import assembled
+from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.flow_network import Network
 from tsplan.encode.partial.conflict_graph import Rivals, team_rows
 from tsplan.encode.partial.depth_claims import Claims, claim
@@ -55,14 +56,6 @@ def everything(demand: Formula, wishes: Sequence[Wish]) -> Formula:
 
 
 @dataclass(frozen=True, eq=False)
-class Ground:
-    """What models are made of: `assemble` makes that of all plans for what is asked of it."""
-
-    assemble: Callable[[Asking], Encoded]
-    horizon: int
-
-
-@dataclass(frozen=True, eq=False)
 class Valued:
     """A model and what each wish is worth in it."""
 
@@ -71,7 +64,7 @@ class Valued:
     worth: tuple[Sum, ...]
 
 
-def valued(ground: Ground, demand: Formula, wishes: Sequence[Wish]) -> Valued:
+def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
     """The model in which `demand` holds and every wish is worth its fraction, or 1 as a whole."""
     worth: list[Sum] = []
     demands: list[Demand] = []
@@ -80,7 +73,7 @@ def valued(ground: Ground, demand: Formula, wishes: Sequence[Wish]) -> Valued:
         requests: list[Request] = [(demand, 0, ALWAYS)]
         for wish in wishes:
             if wish.partial:
-                hope = hopes(wish.tree, encoder.outlook, ground.horizon)
+                hope = hopes(wish.tree, encoder.outlook, setting.horizon)
                 parts = FractionEncoder(draft, encoder.choices, hope)
                 worth.append(parts.encode(wish.tree))
                 requests += parts.requests
@@ -93,7 +86,7 @@ def valued(ground: Ground, demand: Formula, wishes: Sequence[Wish]) -> Valued:
         demands.extend(witnesses.demands)
         return witnesses
 
-    encoded = ground.assemble(ask)
+    encoded = assembled(setting, ask, optional=True)
     return Valued(encoded, _rivals(encoded, demands), tuple(worth))
 
 
@@ -106,7 +99,7 @@ class Claimed:
     claims: Claims
 
 
-def claimed(ground: Ground, tree: Formula, deepest: int) -> Claimed:
+def claimed(setting: Setting, tree: Formula, deepest: int) -> Claimed:
     """The model of all plans with claims at the places of a tree down to a depth."""
     found: list[Claims] = []
     demands: list[Demand] = []
@@ -120,7 +113,7 @@ def claimed(ground: Ground, tree: Formula, deepest: int) -> Claimed:
         demands.extend(witnesses.demands)
         return witnesses
 
-    encoded = ground.assemble(ask)
+    encoded = assembled(setting, ask, optional=True)
     return Claimed(encoded, _rivals(encoded, demands), found[0])
 
 

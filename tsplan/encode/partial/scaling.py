@@ -9,7 +9,7 @@ from math import prod
 
 import numpy as np
 
-from tsplan.encode.assemble import Encoded
+from tsplan.encode.encoded import Encoded
 from tsplan.encode.partial.linear import Sum
 from tsplan.milp.model import INFINITY
 from tsplan.search.target import Target

@@ -9,12 +9,11 @@ from math import floor, lcm
 
 import numpy as np
 
-from tsplan.encode.assemble import Encoded
+from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.options import Idea
 from tsplan.encode.partial.conflict_graph import Rivals, without_rivalry
 from tsplan.encode.partial.linear import Sum
-from tsplan.encode.partial.neighbourhood import Improving
-from tsplan.encode.partial.partial_model import Claimed, Ground, Wish, claimed, valued
+from tsplan.encode.partial.partial_model import Claimed, Wish, claimed, valued
 from tsplan.encode.partial.scaling import aim_at, below, by_depth, chunks
 from tsplan.exact import exact
 from tsplan.logic import Formula
@@ -23,11 +22,10 @@ from tsplan.milp.model import Floats
 from tsplan.milp.solution import StoppedBy
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
-from tsplan.search.lexicographic import Point, Reached
+from tsplan.search.lexicographic import Reached, Tell
+from tsplan.search.neighbourhood import Improving
 from tsplan.search.search import Found, Search
 from tsplan.search.target import Target
-
-Tell = Callable[[str, Point | None, float | None, float | None], None]
 
 _PART = 0.8  # of the time limit that settling may take
 _PATIENCE = 30.0  # seconds before the general solver takes over
@@ -47,12 +45,12 @@ class Settled:
 
 @dataclass(eq=False)
 class Settling:
-    """Searches one ground for what holds at best.
+    """Searches the plans of one setting for what holds at best.
 
     `name` is what the objective is called, `worth` what a point comes to in it by its moves.
     """
 
-    ground: Ground
+    setting: Setting
     effort: Effort
     clock: Clock
     tell: Tell
@@ -85,7 +83,7 @@ class Settling:
         everything at the first of them.
         """
         with self.clock.timed("build"):
-            model = valued(self.ground, demand, wishes)
+            model = valued(self.setting, demand, wishes)
         encoded = model.encoded
         for level in sorted(levels, reverse=True):
             entries = levels[level]
@@ -127,14 +125,14 @@ class Settling:
         that the whole tree holds in no plan.
         """
         deepest = max(spot.depth for spot in spots(tree))
-        every = claimed(self.ground, tree, deepest).claims.by_depth
+        every = claimed(self.setting, tree, deepest).claims.by_depth
         counts = [len(columns) for columns in every]
         counts[0] = 0 if refuted else counts[0]
         known: dict[int, tuple[float, float]] = {0: (0.0, 0.0)} if refuted else {}
         bounds: dict[int, float | None] = {d: 0.0 for d, n in enumerate(counts) if not n}
         for chunk in chunks(counts, together=together) or [(0,)]:  # some plan is needed
             with self.clock.timed("build"):
-                model = claimed(self.ground, tree, chunk[-1])
+                model = claimed(self.setting, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
             found = self._best(_within(model, known), aim, model.rivals, lambda _: None)

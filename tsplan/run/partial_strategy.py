@@ -13,12 +13,13 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 
-from tsplan.encode.assemble import Setting, assembled, prepare
+from tsplan.encode.assemble import prepare
+from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.expressions import Constraint
+from tsplan.encode.objectives import Availability
 from tsplan.encode.options import Idea
-from tsplan.encode.partial.maximise import Settled, Settling
-from tsplan.encode.partial.partial_model import Ground, Wish, demand_of, everything, wish_of
-from tsplan.encode.read_back import Measure, counts_of, moves_of
+from tsplan.encode.partial.partial_model import Wish, demand_of, everything, wish_of
+from tsplan.encode.read_back import counts_of
 from tsplan.errors import Finding, MissionError
 from tsplan.exact import exact
 from tsplan.logic import Formula, conjunction, positive, simplify
@@ -27,8 +28,9 @@ from tsplan.logic.traces import CountTrace
 from tsplan.logic.witness_steps import Pair, demanded, levels, satisfied, spots
 from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
+from tsplan.run.maximise import Settled, Settling
 from tsplan.search.clock import Clock
-from tsplan.search.lexicographic import Outcome, Point, Reached, Stages
+from tsplan.search.lexicographic import Outcome, Reached, Stages
 
 FIRST = frozenset({"satisfaction", "preferences"})
 """Objectives that say what is to hold."""
@@ -74,45 +76,50 @@ def plan_soft(stages: Stages) -> Outcome:
     """All objectives of a mission that is met as far as possible; `stages` are those of it all."""
     mission = stages.setting.mission
     first = first_of(mission)
-    ground = Ground(partial(assembled, stages.setting), stages.setting.horizon)
     worth = partial(worth_of, stages.setting)
-    settling = Settling(ground, stages.effort, stages.clock, stages.tell, first, worth)
+    settling = Settling(stages.setting, stages.effort, stages.clock, stages.tell, first, worth)
     tried = _whole(stages, settling) if mission.partial else None
     if tried is not None and tried.point is not None:
         whole = Settled(tried.point, (), True, False, None, tried.size)
         choice = Choice(whole, mission.goal, Reached(first, 1.0, 1.0))
     else:
         refuted = tried is not None and tried.infeasible
-        choice = chosen(settling, stages.setting, refuted=refuted)
+        choice = _chosen(settling, stages.setting, refuted=refuted)
     settled = choice.settled
     if settled.point is None:
         why = settled.stopped_by
         return Outcome(None, (), False, settled.infeasible, why, settled.size)
-    names = tuple(name for name in stages.objective if name not in FIRST)
-    implied = mission.partial and "availability" not in names
-    setting = replace(stages.setting, goal=choice.goal)
+    return _pursued(stages, choice, settled.point)
+
+
+def _pursued(stages: Stages, choice: Choice, known: Point) -> Outcome:
+    """The other objectives of plans for what is to hold, one of which is known."""
+    mission, settled = stages.setting.mission, choice.settled
+    names = tuple(objective.name for objective in stages.objectives)
+    # of a team that does part of its formula, it is said how many agents that could do without
+    implied = mission.partial and mission.swarm is None and "availability" not in names
+    objectives = (Availability(), *stages.objectives) if implied else stages.objectives
     rest = replace(
         stages,
-        setting=setting,
-        measure=Measure(setting),
-        objective=("availability", *names) if implied else names,
-        known=settled.point.values[settled.point.encoded.flows] if stages.tight else None,
+        setting=replace(stages.setting, goal=choice.goal),
+        objectives=objectives,
+        known=known.values[known.encoded.flows] if stages.tight else None,
     )
     outcome = rest.run()
     others = outcome.reached[1:] if implied else outcome.reached
     return Outcome(
-        point=outcome.point or settled.point,
+        point=outcome.point or known,
         reached=(choice.objective, *(others or (Reached(name, None, None) for name in names))),
         proven=settled.proven and outcome.proven,
         infeasible=False,
-        stopped_by=why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible),
+        stopped_by=_why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible),
         size=outcome.size,
         levels=settled.levels,
         notes=outcome.notes,
     )
 
 
-def why_open(
+def _why_open(
     settling: StoppedBy | None, rest: StoppedBy | None, *, refuted: bool
 ) -> StoppedBy | None:
     """What kept the first objective or the `rest` from being proven.
@@ -127,7 +134,7 @@ def first_of(mission: Mission) -> str:
     return "satisfaction" if mission.partial else "preferences"
 
 
-def trial(clock: Clock) -> Clock:
+def _trial(clock: Clock) -> Clock:
     """The time in which a plan for the whole formula is looked for."""
     left = clock.left
     return clock.within(_TRIAL if left is None else min(_TRIAL, _TRIED * left))
@@ -140,10 +147,9 @@ def _whole(stages: Stages, settling: Settling) -> Outcome:
     return Stages(
         setting=replace(stages.setting, goal=stages.setting.mission.goal),
         effort=stages.effort,
-        clock=trial(settling.clock),
-        measure=_unmeasured,
+        objectives=(),
+        clock=_trial(settling.clock),
         tell=_unheard,
-        objective=(),
     ).run()
 
 
@@ -151,17 +157,12 @@ def _unheard(*_: object) -> None:
     """A try's bounds are not those of the objective."""
 
 
-def _unmeasured(*_: object) -> float:
-    """Any plan will do."""
-    return 0.0
-
-
 def worth_of(setting: Setting, point: Point) -> float:
     """What the plan of a point comes to in the objective that says what is to hold."""
     mission = setting.mission
     wishes = wishes_of(mission)
     every = conjunction(wish.tree for wish in wishes)
-    trace = _trace(setting, every, point)
+    trace = counts_of(setting, every, point)
     fractions = [shares(wish.tree, trace)[wish.tree][0].fraction for wish in wishes]
     if mission.partial:
         return float(fractions[0])
@@ -172,11 +173,8 @@ def worth_of(setting: Setting, point: Point) -> float:
     return float(sum(worths, Fraction(0)))
 
 
-def chosen(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
-    """What is to hold; `refuted` says that not everything can.
-
-    Of the setting its mission, and the classes whose flows the models have, are looked at.
-    """
+def _chosen(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
+    """What is to hold; `refuted` says that not everything can."""
     if setting.mission.partial:
         return _satisfy(settling, setting, refuted=refuted)
     return _prefer(settling, setting)
@@ -197,7 +195,7 @@ def _satisfy(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
         value, bound = None, None
     goal = conjunction([])
     if settled.point is not None:
-        trace = _trace(setting, wish.tree, settled.point)
+        trace = counts_of(setting, wish.tree, settled.point)
         find = satisfied if mission.satisfaction == "weighted" else _topmost
         goal = simplify(positive(demanded(find(wish.tree, trace))))
     return Choice(settled, goal, Reached("satisfaction", value, bound))
@@ -219,7 +217,7 @@ def _prefer(settling: Settling, setting: Setting) -> Choice:
     value, bound = _summed(settled)
     if settled.point is not None:
         every = conjunction(wish.tree for wish in wishes)
-        trace = _trace(setting, every, settled.point)
+        trace = counts_of(setting, every, settled.point)
         pairs = [pair for wish in wishes for pair in _met(wish, trace)]
         demand = simplify(conjunction([demand, positive(demanded(pairs))]))
     return Choice(settled, demand, Reached("preferences", value, bound))
@@ -239,11 +237,6 @@ def _summed(settled: Settled) -> tuple[float | None, float | None]:
     bound = float(sum(known)) if len(known) == len(settled.levels) else None
     value = float(sum(exact(level.value or 0.0) for level in settled.levels))
     return (value if settled.proven else None), bound
-
-
-def _trace(setting: Setting, formula: Formula, point: Point) -> CountTrace:
-    moves = moves_of(setting, point.encoded, point.values, reduced=point.tight)
-    return counts_of(setting, formula, moves)
 
 
 def refuse_if_too_large(mission: Mission) -> None:

@@ -14,7 +14,7 @@ from itertools import combinations
 
 import numpy as np
 
-from tsplan.encode.assemble import Encoded
+from tsplan.encode.encoded import Encoded
 from tsplan.milp.confirmation import tried
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats, Ints, Model
@@ -62,7 +62,7 @@ class Improving:
     def _rounds(self, model: Model, point: Floats, bound: float) -> Floats:
         """Free single choices, then pairs of them, until none gains anything or time is up."""
         clock = self.clock.within(_ALL)
-        choices = range(len(self.encoded.groups))
+        choices = range(len(self.encoded.choices))
         waiting = deque([*combinations(choices, 1), *combinations(choices, 2)])
         tried = 0
         while tried < len(waiting) and not clock.over:
@@ -84,7 +84,7 @@ class Improving:
     ) -> Floats | None:
         """The best point with the choices of `values` but for some; None if it is not better."""
         lower, upper = model.lower.copy(), model.upper.copy()
-        for number, group in enumerate(self.encoded.groups):
+        for number, group in enumerate(self.encoded.choices):
             if number not in freed:
                 _hold(group, values, lower, upper)
         options = Options(

@@ -1,0 +1,94 @@
+"""What a problem is encoded from, what its model means, and a point of that model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tsplan.encode.agent_classes import AgentClass, MapArrays
+from tsplan.encode.count_atoms import Requirement, requirement
+from tsplan.encode.demand_rows import SiteColumns
+from tsplan.encode.demand_runs import Family
+from tsplan.encode.expressions import Constraint
+from tsplan.encode.flow_network import Network, unroll
+from tsplan.encode.groups.group_rows import Swarm
+from tsplan.encode.map_reduction import Reduced
+from tsplan.encode.memory import Watch
+from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.logic import Count, Formula
+from tsplan.milp.model import Draft, Floats, Ints, Model
+from tsplan.mission import Mission
+from tsplan.search.clock import Clock
+
+_NO_INTS = np.empty(0, dtype=np.int64)
+
+
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """What every encoding starts from; the classes' graphs are reduced where that is exact."""
+
+    mission: Mission
+    goal: Formula  # positive normal form of counting atoms
+    horizon: int
+    classes: tuple[AgentClass, ...]
+    reduced: tuple[Reduced, ...]
+    arrays: MapArrays
+    constraints: tuple[Constraint, ...] = ()
+    ideas: frozenset[Idea] = ALL_IDEAS
+    monotone: bool = False  # nothing bounds a count from above
+    clock: Clock = field(default_factory=Clock)  # heard while models are made
+
+    def requirement(self, level: int) -> Callable[[Count], Requirement]:
+        """How atoms are read when availability `level` is asked for."""
+        return lambda atom: requirement(atom, self.mission.system, self.arrays, level)
+
+    @property
+    def together(self) -> int | None:
+        """The most sub-swarms of all swarms at a step."""
+        return None if self.mission.swarm is None else self.mission.swarm.together
+
+    def unrolled(self) -> Network:
+        """The flow network of all classes, of which no model is made."""
+        graphs = [item.graph for item in self.reduced]
+        return unroll(graphs, self.horizon, Draft(Watch(self.clock)))
+
+
+@dataclass(frozen=True, eq=False)
+class Encoded:
+    """A model and what its columns mean.
+
+    `flows` are the columns of agents that enter edges, `indicators` the 0/1 columns of what is
+    decided besides, and `steps` when what they stand for begins (tight encoding only); `choices`
+    are those of them of which at most one is 1, in the order of their steps. `swarms` has the
+    columns of the classes that move in groups; `occupied` is the relaxation in which only the
+    places of groups are known, whose columns are the first of this model. `shared` says that some
+    eventuality lies under an always, `level` which availability was asked for. `rho` is the
+    availability's column in the reference encoding; `own_columns` are those that an objective
+    needs for itself, by its name.
+    """
+
+    model: Model
+    network: Network
+    indicators: Ints
+    flows: Ints
+    swarms: tuple[Swarm, ...] = ()
+    occupied: Encoded | None = None
+    own_columns: Mapping[str, Ints] = field(default_factory=dict)
+    rho: int = -1
+    refuted: bool = False
+    shared: bool = False
+    level: int = 0
+    steps: Ints = field(default_factory=lambda: _NO_INTS)
+    choices: tuple[Ints, ...] = ()
+    families: tuple[tuple[SiteColumns, Family], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A point of a model: enough to read the agents' moves off it."""
+
+    encoded: Encoded
+    values: Floats
+    tight: bool

@@ -1,0 +1,239 @@
+"""Swarms in a model: columns of their groups, and the rows that tie agents to them.
+
+`occupied_rows` only knows where groups are: a relaxation, in which who asks for more than one agent
+asks for one, and sizes are not looked at. `size_rows` tie the flows of a swarm's agents to its
+groups; with the rows of the formula over these flows they are the whole problem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tsplan.encode.agent_classes import AgentClass
+from tsplan.encode.count_atoms import Bound
+from tsplan.encode.demand_rows import Staffing
+from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.groups.group_demands import (
+    group_network,
+    most_groups,
+    only_of,
+    presence_rows,
+    split_rows,
+)
+from tsplan.encode.groups.occupancy import Occupancy, bound_groups, occupancy, split_terms
+from tsplan.encode.selection import Literal
+from tsplan.encode.witness import Demand, Witnesses
+from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.mission.mission import SwarmBounds
+
+
+@dataclass(frozen=True, eq=False)
+class Swarm:
+    """A class that moves in groups: where these are and, in a whole model, its agents' flows.
+
+    `number` is the position of the class among all.
+    """
+
+    number: int
+    bounds: SwarmBounds
+    places: Occupancy
+    agents: ClassColumns | None = None
+
+    @property
+    def flows(self) -> ClassColumns:
+        """The flows of the agents, which a whole model has."""
+        assert self.agents is not None
+        return self.agents
+
+    @property
+    def size(self) -> int:
+        """How many agents the swarm has."""
+        return self.places.entered.graph.agents
+
+    def counts(self, bound: Bound) -> bool:
+        """Whether a bound is about the agents of this swarm."""
+        able = self.places.entered.graph.capabilities
+        return bound.capability is None or bound.capability in able
+
+
+def swarms_of(
+    classes: Sequence[AgentClass], together: int | None, horizon: int, draft: Draft
+) -> tuple[Swarm, ...]:
+    """Columns of the groups of every swarm, at most as many at a step as their bounds say."""
+    swarms = tuple(
+        Swarm(number, item.bounds, occupancy(item.graph, horizon, draft))
+        for number, item in enumerate(classes)
+        if item.bounds is not None
+    )
+    for swarm in swarms:
+        if swarm.bounds.most is not None:
+            bound_groups([swarm.places], swarm.bounds.most, draft)
+    if swarms and together is not None:
+        bound_groups([swarm.places for swarm in swarms], together, draft)
+    return swarms
+
+
+# --- where groups are ----------------------------------------------------------------------------
+
+
+def occupied_rows(
+    swarms: Sequence[Swarm],
+    robots: Network,
+    together: int | None,
+    witnesses: Witnesses,
+    draft: Draft,
+) -> Staffing:
+    """Where the formula wants agents there is a group or robot; where it wants none, no group."""
+    entered = [swarm.places.entered for swarm in swarms]
+    most = [most_groups(swarm.size, swarm.bounds, together) for swarm in swarms]
+    staffing = presence_rows(group_network(entered, most, robots), witnesses, draft)
+    for demand in witnesses.demands:
+        if demand.bound.upper and demand.bound.amount == 0:
+            _forbid(draft, _at_site(swarms, demand), demand.literal)
+        elif not demand.bound.upper and demand.bound.amount > 1:
+            _forbid(draft, _left_over(swarms, robots, demand), demand.literal)
+    begin = sum(int((columns.graph.start > 0).sum()) for columns in entered)
+    splits = split_terms([swarm.places for swarm in swarms])
+    split_rows(splits, begin, only_of(witnesses, robots), draft)
+    return staffing
+
+
+def served_rows(
+    swarms: Sequence[Swarm], robots: Network, witnesses: Witnesses, draft: Draft
+) -> None:
+    """A demand that only swarms can meet has one of its states occupied where it is met.
+
+    The entered edges say so of whole points, but where a group splits they count it twice in the
+    LP; of demands that need not be met all, it would meet more than there can be groups.
+    """
+    for demand in only_of(witnesses, robots).demands:
+        if demand.bound.upper or demand.bound.amount <= 0 or not demand.literal:
+            continue
+        there = _at_site(swarms, demand)
+        columns = np.concatenate([there, np.array(demand.literal, dtype=np.int64)])
+        values = np.where(np.arange(len(columns)) < len(there), 1.0, -1.0)
+        draft.rows(
+            np.zeros(len(columns)), columns, values, lower=np.zeros(1), upper=np.inf, kind="served"
+        )
+
+
+def _at_site(swarms: Sequence[Swarm], demand: Demand) -> Ints:
+    """Columns of groups at the states of a demand, at its step."""
+    states = np.array(demand.bound.states, dtype=np.int64)
+    found = [
+        swarm.places.at(there, np.full(len(there), demand.step))
+        for swarm in swarms
+        if swarm.counts(demand.bound)
+        for there in [states[swarm.places.entered.arrival[states] <= demand.step]]
+    ]
+    return np.concatenate([*found, np.empty(0, dtype=np.int64)])
+
+
+def _left_over(swarms: Sequence[Swarm], robots: Network, demand: Demand) -> Ints:
+    """Columns of groups elsewhere of which too few agents for a sub-swarm would be left over."""
+    able = [swarm for swarm in swarms if swarm.counts(demand.bound)]
+    total = sum(swarm.size for swarm in able) + robots.agents(demand.bound.capability)
+    inside = np.array(demand.bound.states)
+    found = []
+    for swarm in able:
+        if total - demand.bound.amount >= swarm.bounds.least:
+            continue
+        state, step, own = swarm.places.reached()
+        elsewhere = (step == demand.step) & ~np.isin(state, inside)
+        when, between = swarm.places.inside()
+        found += [own[elsewhere], between[when == demand.step]]
+    return np.concatenate([*found, np.empty(0, dtype=np.int64)])
+
+
+def _forbid(draft: Draft, columns: Ints, literal: Literal) -> None:
+    """The columns are 0 where the literal is 1."""
+    count, members = len(columns), np.array(literal, dtype=np.int64)
+    draft.rows(
+        np.concatenate([np.arange(count), np.repeat(np.arange(count), len(members))]),
+        np.concatenate([columns, np.tile(members, count)]),
+        1.0,
+        lower=-np.inf,
+        upper=np.full(count, 1.0 if literal else 0.0),
+        kind="empty",
+    )
+
+
+# --- how many agents groups have -----------------------------------------------------------------
+
+
+def counted(swarms: Sequence[Swarm], robots: Network, witnesses: Witnesses) -> Witnesses:
+    """The demands on agents: whoever of a swarm is at a state is a sub-swarm there."""
+    needs = []
+    for need in witnesses.lasting:
+        bound = need.bound
+        if not bound.upper and bound.amount <= 0:
+            continue
+        able = [swarm.bounds.least for swarm in swarms if swarm.counts(bound)]
+        if not bound.upper and able and not robots.having(bound.capability):
+            bound = replace(bound, amount=max(bound.amount, min(able)))
+        needs.append(replace(need, bound=bound))
+    return Witnesses(witnesses.choices, needs)
+
+
+def size_rows(swarms: Sequence[Swarm], draft: Draft) -> None:
+    """Agents are where their groups are, and every group has at least as many as it must."""
+    for swarm in swarms:
+        edge, _, flow = swarm.flows.unrolled()
+        _, _, group = swarm.places.entered.unrolled()
+        long = swarm.flows.graph.duration[edge] > 1
+        least = float(swarm.bounds.least)
+        _between(draft, flow, group, np.where(long, least, 1.0), float(swarm.size))
+        if least > 1:
+            _least_at_states(draft, swarm)
+
+
+def _between(draft: Draft, flow: Ints, group: Ints, least: Floats, most: float) -> None:
+    """`least * group <= flow <= most * group`."""
+    count = len(flow)
+    for sign, factor in ((1.0, least), (-1.0, np.full(count, most))):
+        draft.rows(
+            np.tile(np.arange(count), 2),
+            np.concatenate([flow, group]),
+            np.concatenate([np.full(count, sign), -sign * factor]),
+            lower=np.zeros(count),
+            upper=np.inf,
+            kind="size",
+        )
+
+
+def agents_at_states(swarm: Swarm) -> tuple[Ints, Ints]:
+    """Entries of the counts at all that `places.reached` lists: their positions there, and columns.
+
+    Agents at a state leave it by some edge, or have arrived at the horizon.
+    """
+    places = swarm.places
+    edge, step, flow = swarm.flows.unrolled()
+    graph = swarm.flows.graph
+    end = step + graph.duration[edge]
+    last = end == places.horizon
+    tails = places.position(graph.tail[edge], step)
+    heads = places.position(graph.head[edge][last], end[last])
+    return np.concatenate([tails, heads]), np.concatenate([flow, flow[last]])
+
+
+def _least_at_states(draft: Draft, swarm: Swarm) -> None:
+    """An occupied state holds at least the smallest sub-swarm."""
+    least, start = swarm.bounds.least, swarm.places.entered.graph.start
+    if swarm.places.horizon == 0:  # the starts are all there is
+        if (start[start > 0] < least).any():
+            draft.rows([], [], [], lower=np.ones(1), upper=1.0, kind="size")
+        return
+    own = swarm.places.reached()[2]
+    index, columns = agents_at_states(swarm)
+    count = len(own)
+    draft.rows(
+        np.concatenate([index, np.arange(count)]),
+        np.concatenate([columns, own]),
+        np.concatenate([np.ones(len(columns)), np.full(count, -float(least))]),
+        lower=np.zeros(count),
+        upper=np.inf,
+        kind="size",
+    )

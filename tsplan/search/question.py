@@ -1,0 +1,84 @@
+"""What one search is asked, and what earlier objectives reached that must not be lost."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tsplan.encode.encoded import Encoded, Point, Setting
+from tsplan.encode.groups.group_sizes import smallest
+from tsplan.encode.objectives import ModelObjective
+from tsplan.milp.model import Floats
+from tsplan.search.target import Target
+
+FIRST_PLAN = "first plan"
+_FEASIBLE = 1e-6  # by which rows may be violated: the feasibility tolerance of the solvers
+
+
+@dataclass(frozen=True)
+class Kept:
+    """Values that earlier stages reached and later ones must not lose, as they are minimised."""
+
+    values: tuple[tuple[ModelObjective, float], ...] = ()
+
+    def and_also(self, objective: ModelObjective, value: float) -> Kept:
+        """With one more value."""
+        return Kept((*self.values, (objective, value)))
+
+    @property
+    def level(self) -> int:
+        """What models are made for, by the objective that is a part of their making."""
+        return max((int(value) for objective, value in self.values if objective.built), default=0)
+
+    @property
+    def of_groups(self) -> bool:
+        """Whether it says nothing about how many agents groups have."""
+        return all(objective.of_groups or objective.built for objective, _ in self.values)
+
+    def narrowed(self, setting: Setting, encoded: Encoded) -> Encoded:
+        """The model of those plans that lose nothing of it."""
+        for objective, value in self.values:
+            if not objective.built or encoded.rho >= 0:
+                encoded = objective.kept(setting, encoded, value)
+        return encoded
+
+
+@dataclass(frozen=True)
+class Question:
+    """The least value of an objective, or with `first` any plan that it leads to.
+
+    `told` is the objective whose values are told meanwhile, None for none of them; `bound` is what
+    is known of it while any plan is looked for.
+    """
+
+    objective: ModelObjective
+    kept: Kept
+    told: ModelObjective | None
+    first: bool = False
+    bound: float | None = None
+
+    @property
+    def stage(self) -> str:
+        """What the search is called."""
+        return FIRST_PLAN if self.told is None else self.told.name
+
+    def shown(self, target: Target, bound: float | None) -> float | None:
+        """What can be told of a bound of the target."""
+        if self.first:
+            return self.bound
+        return None if bound is None else target.own(bound)
+
+
+def start_in(encoded: Encoded, point: Point | None) -> Floats | None:
+    """A known point cut or filled up to a model, where it is one of its points."""
+    if point is None:
+        return None
+    values, count = point.values, encoded.model.size.columns
+    if len(values) != count and not encoded.swarms:
+        return None
+    if count > len(values):
+        least = smallest(point.encoded.swarms, values)
+        values = np.append(values, np.full(count - len(values), least))
+    values = np.clip(values[:count], encoded.model.lower, encoded.model.upper)
+    return values if encoded.model.violation(values) < _FEASIBLE else None
