@@ -25,7 +25,16 @@ from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
 
 MOST_JOINT_PLANS = 3000
-SENSE = {"splits": 1, "travel": 1, "moves": 1, "makespan": 1, "balance": -1}
+SENSE = {
+    "splits": 1,
+    "travel": 1,
+    "moves": 1,
+    "makespan": 1,
+    "balance": -1,
+    "agents": 1,
+    "cost": 1,
+    "availability": -1,
+}
 OBJECTIVES = [
     ["splits", "travel"],
     ["splits"],
@@ -118,6 +127,7 @@ def possible(mission: Mission) -> Iterator[tuple[tuple[Path, ...], dict[str, Gro
                 ),
             )
             for group in mission.team
+            if mission.group_bounds(group.class_name) is not None
         }
         if allowed(mission, swarms) and within_capacity(mission, joint):
             yield joint, swarms
@@ -133,11 +143,12 @@ def best(mission: Mission) -> tuple[float, ...] | None:
             "travel": sum(path.travel for path in joint),
             "makespan": max(path.makespan for path in joint),
             "balance": min(min(sizes) for item in swarms.values() for sizes in item.sizes),
+            "agents": sum(any(a != b for a, b, *_ in path.entered) for path in joint),
+            "cost": sum(path.cost for path in joint),
+            "availability": float(robustness(mission.goal, trace(mission, joint))[0]),
         }
         value = tuple(float(SENSE[name] * worth[name]) for name in mission.objective)
-        if found is not None and value >= found:
-            continue
-        if float(robustness(mission.goal, trace(mission, joint))[0]) >= 0:
+        if worth["availability"] >= 0 and (found is None or value < found):
             found = value
     return found
 
@@ -157,6 +168,53 @@ def dividing_text(random: Random) -> str:
     low = random.randint(1, 3)
     both = f"F[{low},{low + random.randint(0, 2)}] ({need}{one} && {other})"
     return both if random.random() < 0.5 else f"{both} && ({random_text(random, 1)})"
+
+
+MIXED_OBJECTIVES = [
+    *OBJECTIVES,
+    ["availability", "splits"],
+    ["availability", "travel", "splits"],
+    ["splits", "availability"],
+    ["agents", "splits"],
+    ["cost", "moves"],
+    ["makespan", "travel"],
+]
+
+
+def random_mixed(seed: int) -> Mission | None:
+    """A tiny mission of a few robots and a swarm, small enough to be enumerated."""
+    random = Random(seed)
+    system = random_map(random, random.randint(2, 4), strange=random.random() < 0.3)
+    text = random_text(random, 2) if random.random() < 0.4 else dividing_text(random)
+    text = text.replace(",v", random.choice([",rover", ",x", ""])).replace(",u", ",u")
+    steps = random.randint(2, 4)
+    if horizon(parse(text, language="mtl")) > steps:
+        return None
+    states = list(system.states)
+    robots = Counter(random.choice(states) for _ in range(random.randint(1, 2)))
+    swarm = Counter(random.choice(states) for _ in range(random.randint(1, 2)))
+    swarm[next(iter(swarm))] += random.randint(0, 2)
+    try:
+        mission = Mission.of(
+            map=system,
+            language="mtl",
+            team=[{"class": "rover", "at": dict(robots), "capabilities": ["x"]}],
+            swarms=[
+                {
+                    "name": "u",
+                    "size": sum(swarm.values()),
+                    "at": dict(swarm),
+                    "max_subswarms": random.choice([None, 1, 2]),
+                    "min_subswarm": random.choice([1, 1, 2]),
+                }
+            ],
+            formula=text,
+            objective=random.choice(MIXED_OBJECTIVES),
+            horizon=steps,
+        )
+    except MissionError:
+        return None
+    return mission if how_many(mission) <= MOST_JOINT_PLANS else None
 
 
 def random_swarms(seed: int) -> Mission | None:
@@ -223,6 +281,24 @@ def test_swarms_do_as_well_as_the_best_of_all_joint_plans(block: int) -> None:
             compare(mission)
 
 
+@pytest.mark.parametrize("block", range(6))
+def test_robots_and_a_swarm_do_as_well_as_the_best_of_all_joint_plans(block: int) -> None:
+    for seed in range(50_000 + 20 * block, 50_020 + 20 * block):
+        mission = random_mixed(seed)
+        if mission is not None:
+            compare(mission)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("block", range(100))
+def test_robots_and_a_swarm_do_as_well_as_the_best_of_many(block: int) -> None:
+    for seed in range(51_000 + 20 * block, 51_020 + 20 * block):
+        mission = random_mixed(seed)
+        if mission is not None:
+            compare(mission)
+            compare(mission, Tuning("reference"))
+
+
 @pytest.mark.parametrize("block", range(4))
 def test_the_reference_encoding_and_a_search_without_ideas_do_as_well(block: int) -> None:
     plain = Tuning(without=frozenset(Idea))
@@ -249,3 +325,10 @@ def test_the_random_missions_are_of_all_kinds() -> None:
     assert sum(outcome.infeasible for outcome in outcomes) >= 5
     values = [item.value for o in outcomes for item in o.reached if item.name == "splits"]
     assert max(values) >= 1
+
+
+def test_the_random_mixed_missions_are_of_all_kinds() -> None:
+    missions = [mission for seed in range(50_000, 50_150) if (mission := random_mixed(seed))]
+    assert len(missions) >= 40
+    outcomes = [solved(mission) for mission in missions[:40]]
+    assert 5 <= sum(outcome.infeasible for outcome in outcomes) <= 30

@@ -15,7 +15,7 @@ from tsplan.cli import main
 from tsplan.errors import SolverError, TsplanError
 from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
-from tsplan.plans.assignment import agents_of
+from tsplan.plans.decomposition import agents_of
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.search.lexicographic import Reached
 
