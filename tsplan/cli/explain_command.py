@@ -9,12 +9,12 @@ from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_to_solve
 from tsplan.cli.output import ERR, console, remark, say_json
 from tsplan.cli.time_limit import rest
+from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.explanation import Cut, Explanation, Status
 from tsplan.explanation.report import print_explanation
 from tsplan.milp.child_process import LateError, OutOfMemoryError, run_guarded
 from tsplan.milp.grace_period import Leash, Patience
-from tsplan.plans.plan_file import write_whole
 from tsplan.run.isolate import Requests
 
 if TYPE_CHECKING:

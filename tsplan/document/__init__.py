@@ -2,25 +2,29 @@
 
 - `scalars`: what a plain scalar means (YAML 1.2 core rules, booleans kept narrow).
 - `compose`: events of the YAML parser to nodes, with bounds on nesting and on aliases.
-- `document`: the document, places of its parts, and reading files.
-- `fields`: types for the fields of file schemas.
-- `schema`: checking a part of a document against a pydantic model.
+- `mishaps`: what YAML makes of a text that was meant otherwise, said in a sentence.
+- `document`: the document, and places of its parts.
+- `files`, `kinds`: reading and writing files of any kind, and telling which kind they are of.
+- `fields`, `validation`: types for the fields of file schemas, and checking a part by a schema.
+
+Names are loaded when they are first used: YAML and pydantic are slow to import, and what only
+reads or writes a file needs neither.
 """
 
+from importlib import import_module
 from typing import TYPE_CHECKING
 
-from tsplan.document.document import Document, Path, parse_document, read_document
-
 if TYPE_CHECKING:
+    from tsplan.document.document import Document, Path, parse_document, read_document
     from tsplan.document.validation import validated
 
 __all__ = ["Document", "Path", "parse_document", "read_document", "validated"]
 
 
 def __getattr__(name: str) -> object:
-    """Load `validated` on first use: pydantic is slow to import and not always needed."""
-    if name == "validated":
-        from tsplan.document.validation import validated  # noqa: PLC0415
-
-        return validated
-    raise AttributeError(f"module 'tsplan.document' has no attribute '{name}'")
+    """Load a public name from its module on first use."""
+    if name not in __all__:
+        raise AttributeError(f"module 'tsplan.document' has no attribute '{name}'")
+    home = "validation" if name == "validated" else "document"
+    value: object = getattr(import_module(f"tsplan.document.{home}"), name)
+    return value

@@ -1,4 +1,4 @@
-"""Input files: read by kind and by bytes, so that no path hangs or fills the memory.
+"""Files: read by kind and by bytes, so that no path hangs or fills the memory; written whole.
 
 A path may name anything, also a device that never ends or a pipe that nobody writes to. So a file
 is opened without waiting, its kind is asked of what was opened, and reading stops at a limit
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import shutil
 import stat
 
 from tsplan.document.kinds import kind_of_bytes
@@ -49,6 +50,33 @@ def read_text(path: str | pathlib.Path, *, most: int) -> str:
 def beginning(path: str | pathlib.Path, most: int) -> str:
     """The first bytes of an input file as text, whatever it holds; InputError as `read_text`."""
     return _read(path, most, whole=False).decode("utf-8", "replace").removeprefix("\ufeff")
+
+
+def write_whole(path: pathlib.Path, content: bytes, error: type[InputError] = InputError) -> None:
+    """Write a file beside its place and move it there at once; devices are written directly.
+
+    So a reader sees the old file or the whole new one, never a part. Raises `error` if the place
+    cannot be written.
+    """
+    place = path.resolve()
+    part = place.with_name(f".{place.name}.{os.getpid()}.part")
+    try:
+        if place.exists() and not place.is_file():
+            place.write_bytes(content)
+            return
+        try:
+            with part.open("xb") as stream:
+                stream.write(content)
+                stream.flush()
+                os.fsync(stream.fileno())
+            if place.exists():
+                shutil.copymode(place, part)
+            part.replace(place)
+        finally:
+            part.unlink(missing_ok=True)
+    except OSError as failed:
+        why = f"cannot write: {failed.strerror or 'it cannot be written'}"
+        raise error([Finding(why, "choose another file", str(path))]) from None
 
 
 def beside(folder: pathlib.Path, name: str) -> pathlib.Path:

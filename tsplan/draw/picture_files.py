@@ -7,9 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from tsplan.document.files import write_whole
 from tsplan.draw.matplotlib_loading import lacking, letters_lost, library, warned
 from tsplan.errors import Finding, InputError
-from tsplan.plans.plan_file import write_whole
 
 RESOLUTION = 150
 """Dots per inch of PNG files."""

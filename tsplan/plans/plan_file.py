@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-import os
-import shutil
 from dataclasses import asdict, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tsplan.document.files import beginning, read_text, write_whole
 from tsplan.errors import Finding, InputError, PlanError
 from tsplan.plans.plan import (
     AgentPlan,
@@ -168,8 +167,6 @@ def plan_from_json(text: str, source: str = "plan") -> Plan:
 
 def load_plan(path: str | Path) -> Plan:
     """Read a plan file; raises PlanError if it is missing, no ordinary file or not a plan."""
-    from tsplan.document.files import beginning, read_text  # noqa: PLC0415  (needs no YAML)
-
     try:
         refuse_other(beginning(path, _GLANCE), str(path))
         text = read_text(path, most=LARGEST_PLAN)
@@ -188,30 +185,7 @@ def save_plan(plan: Plan, path: str | Path) -> None:
 
     Raises PlanError if the place cannot be written.
     """
-    write_whole(Path(path), plan_to_json(plan).encode())
-
-
-def write_whole(path: Path, content: bytes) -> None:
-    """Write a file beside its place and move it there at once; devices are written directly."""
-    place = path.resolve()
-    part = place.with_name(f".{place.name}.{os.getpid()}.part")
-    try:
-        if place.exists() and not place.is_file():
-            place.write_bytes(content)
-            return
-        try:
-            with part.open("xb") as stream:
-                stream.write(content)
-                stream.flush()
-                os.fsync(stream.fileno())
-            if place.exists():
-                shutil.copymode(place, part)
-            part.replace(place)
-        finally:
-            part.unlink(missing_ok=True)
-    except OSError as error:
-        why = error.strerror or "it cannot be written"
-        raise _refusal(f"cannot write: {why}", "choose another file", str(path)) from None
+    write_whole(Path(path), plan_to_json(plan).encode(), PlanError)
 
 
 def _refusal(message: str, remedy: str, source: str) -> PlanError:

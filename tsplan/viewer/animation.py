@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tsplan.document.files import write_whole
 from tsplan.draw.matplotlib_loading import letters_lost, warned
 from tsplan.errors import Finding, InputError, TsplanError
-from tsplan.plans.plan_file import write_whole
 from tsplan.viewer.browser import write_page
 from tsplan.viewer.scene import Pixels, Scene, Size
 

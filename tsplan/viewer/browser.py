@@ -9,7 +9,7 @@ import webbrowser
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tsplan.plans.plan_file import write_whole
+from tsplan.document.files import write_whole
 from tsplan.viewer.webpage import page
 
 if TYPE_CHECKING:
