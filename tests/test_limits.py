@@ -16,8 +16,9 @@ from tsplan.cli import main
 from tsplan.document import parse_document
 from tsplan.errors import MOST_TOLD, InputError, MapError, MissionError
 from tsplan.mission import Preference, SwarmBounds, SwarmRules, mission_from_text
+from tsplan.ts.io.lomap import lomap_to_yaml
 from tsplan.ts.io.map_files import map_from_document
-from tsplan.ts.io.map_writer import lomap_to_yaml, map_to_yaml
+from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 LARGE = ("1" + "0" * 39, "1" + "0" * 400, "1e30", "1e300", "1e400", ".inf", ".nan", "-1", "x")
 MISSION = """\

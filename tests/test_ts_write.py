@@ -11,8 +11,9 @@ from test_ts_read import FARM, ROBOT, read
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 from tsplan.ts.io.flow_style import flow
-from tsplan.ts.io.map_files import load_map
-from tsplan.ts.io.map_writer import lomap_to_yaml, map_to_yaml, save_map
+from tsplan.ts.io.lomap import lomap_to_yaml
+from tsplan.ts.io.map_files import load_map, save_map
+from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 NUMBERS = st.floats(-1e6, 1e6)
 POINTS = st.tuples(NUMBERS, NUMBERS)

@@ -14,6 +14,7 @@ from tsplan.document.compose import Node, compose
 from tsplan.document.files import read_text
 from tsplan.document.kinds import kind_of_text
 from tsplan.errors import Finding, InputError
+from tsplan.exact import digits, is_lost
 from tsplan.names import nfc
 
 Path: TypeAlias = tuple[str | int, ...]
@@ -116,6 +117,14 @@ class Document:
     def key_finding(self, path: Path, message: str, remedy: str = "") -> Finding:
         """A finding at the place of the key that a path ends with."""
         return Finding(message, remedy, self.source, *self.key_place(path))
+
+    def lost_digits(self, path: Path, number: float | None) -> list[Finding]:
+        """A finding where the number at a path is written with digits that get lost."""
+        text = None if number is None else self.text(path)
+        if number is None or text is None or not is_lost(text, number):
+            return []
+        what = f"{path[-1]}: {text} has more digits than are kept"
+        return [self.finding(path, what, f"write {digits(number)}")]
 
     def cut(self, path: Path) -> list[Finding]:
         """What YAML took away from the formula at a path, with the place where; else nothing."""

@@ -33,7 +33,7 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
     """
     from tsplan.document import parse_document  # noqa: PLC0415  (the reader is slow to import)
     from tsplan.ts import TransitionSystem  # noqa: PLC0415  (networkx is slow to import)
-    from tsplan.ts.io.map_writer import map_to_yaml  # noqa: PLC0415
+    from tsplan.ts.io.tsplan_yaml import map_to_yaml  # noqa: PLC0415
 
     given = values["map"]
     if not isinstance(given, TransitionSystem | str | Path):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from tsplan.names import nfc
@@ -142,15 +142,13 @@ class Edge:
 
     def reverse(self) -> Edge:
         """The same edge in the other direction."""
-        return Edge(
-            self.target,
-            self.source,
-            self.duration,
-            self.cost,
-            self.capacity,
-            self.needs,
-            self.both_ways,
-        )
+        return replace(self, source=self.target, target=self.source)
+
+
+def missing_waits(states: Iterable[State], edges: Iterable[Edge]) -> list[Edge]:
+    """A wait of one step for every state that has none."""
+    waiting = {edge.source for edge in edges if edge.is_wait}
+    return [Edge(state.name, state.name) for state in states if state.name not in waiting]
 
 
 def words(given: Iterable[str]) -> frozenset[str]:

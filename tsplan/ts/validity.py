@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from tsplan.errors import Finding, Nearest
 from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, is_finite
@@ -111,27 +111,36 @@ def _state(index: int, state: State) -> Iterator[Problem]:
     yield from _capacity("state", index, state.capacity)
 
 
-def _duration(index: int, edge: Edge) -> Iterator[Problem]:
-    remedy = "durations are whole numbers of steps, at least 1"
-    if isinstance(edge.duration, Mapping):
-        if not edge.duration:
-            message = "duration: no class is listed, so nobody can use this edge"
-            yield Problem("edge", index, "duration", message, "list a class, or drop the edge")
-        for class_name, value in edge.duration.items():
-            words = _steps(value)
-            if words:
-                message = f"duration: {value} for '{class_name}' is {words}"
-                yield Problem("edge", index, "duration", message, remedy)
-    else:
-        message = f"duration: {edge.duration} is {_steps(edge.duration)}"
-        yield Problem("edge", index, "duration", message, remedy)
+class Fault(NamedTuple):
+    """What a value is that it should not be, and what to do about it."""
+
+    what: str
+    remedy: str
 
 
-def _steps(value: Any) -> str:
-    """What keeps a value from being a duration; empty if nothing does."""
+def steps_fault(value: Any) -> Fault | None:
+    """What keeps a value from being a duration; None if nothing does."""
     if type(value) is not int or value < 1:
-        return "not a whole number from 1 on"
-    return f"more than {MOST_STEPS:,} steps" if value > MOST_STEPS else ""
+        remedy = "durations are whole numbers of steps, at least 1"
+        return Fault("not a whole number from 1 on", remedy)
+    return (
+        Fault(f"more than {MOST_STEPS:,} steps", "write a shorter one")
+        if value > MOST_STEPS
+        else None
+    )
+
+
+def _duration(index: int, edge: Edge) -> Iterator[Problem]:
+    if isinstance(edge.duration, Mapping) and not edge.duration:
+        message = "duration: no class is listed, so nobody can use this edge"
+        yield Problem("edge", index, "duration", message, "list a class, or drop the edge")
+    by_class = edge.duration if isinstance(edge.duration, Mapping) else {None: edge.duration}
+    for class_name, value in by_class.items():
+        fault = steps_fault(value)
+        if fault is not None:
+            whose = "" if class_name is None else f" for '{class_name}'"
+            message = f"duration: {value}{whose} is {fault.what}"
+            yield Problem("edge", index, "duration", message, fault.remedy)
 
 
 def _capacity(kind: Literal["state", "edge"], index: int, value: Any) -> Iterator[Problem]:

@@ -22,7 +22,7 @@ from tsplan.logic import Count, Eventually, Formula, Release, Until, Window
 from tsplan.logic.text import number_text, quoted
 from tsplan.mission import mission_from_text
 from tsplan.ts.io.flow_style import word
-from tsplan.ts.io.map_writer import map_to_yaml
+from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 if TYPE_CHECKING:
     from tsplan.document import Document

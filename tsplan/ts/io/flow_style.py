@@ -42,17 +42,28 @@ def _character(char: str) -> str:
     return f"\\u{code:04X}" if code <= _WIDE else f"\\U{code:08X}"
 
 
-def number(value: float) -> str:
-    """A number; whole ones without a decimal point.
+def short(value: Any) -> Any:
+    """A number without needless digits, which may cost a float its point; tuples as lists.
 
-    >>> number(2.0), number(1e-5), number(1e300)
-    ('2', '1.0e-05', '1.0e+300')
+    >>> flow([short(number) for number in (2.0, 1e-5, 1e300)]), short((1.0, 2.5))
+    ('[2, 1.0e-05, 1.0e+300]', [1, 2.5])
     """
+    if isinstance(value, tuple):
+        return list(map(short, value))
     if isinstance(value, float) and value.is_integer() and abs(value) < _WIDEST:
-        return str(int(value))
+        return int(value)
     if isinstance(value, int) and abs(value) >= 10**DIGITS:
-        return _real(float(value))  # more digits are not read as a number
-    return _real(value)
+        return float(value)  # more digits are not read as a number
+    return value
+
+
+def given(**fields: Any) -> dict[str, Any]:
+    """The fields that say something: all but None and what is empty.
+
+    >>> given(capacity=0, color=None, needs=[])
+    {'capacity': 0}
+    """
+    return {key: value for key, value in fields.items() if value or value == 0}
 
 
 def _real(value: float) -> str:
@@ -88,13 +99,3 @@ def _plain(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     return _real(value) if isinstance(value, float) else repr(value)
-
-
-def points(corners: tuple[tuple[float, float], ...]) -> str:
-    """Pairs of coordinates as lists."""
-    return "[" + ", ".join(point(corner) for corner in corners) + "]"
-
-
-def point(at: tuple[float, float]) -> str:
-    """One pair of coordinates as a list."""
-    return f"[{number(at[0])}, {number(at[1])}]"

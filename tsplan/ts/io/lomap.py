@@ -1,4 +1,4 @@
-"""Reading LOMAP's `!Ts` YAML: a weighted, possibly undirected graph with propositions on its nodes.
+"""LOMAP's `!Ts` YAML, read and written: a weighted, possibly undirected graph with propositions.
 
 LOMAP (https://github.com/wasserfeder/lomap) dumps its class `Ts` as `name`, `directed`, `multi`,
 `init`, `final` and `graph: {nodes: ..., edges: ...}`. What planning does not use (initial and final
@@ -9,7 +9,7 @@ word for is written under the attribute `tsplan` of a node or edge, and understo
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
@@ -17,18 +17,20 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from tsplan.document import Document, Path, validated
 from tsplan.document.compose import SET, TUPLE
-from tsplan.document.digits import lost_digits
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
 from tsplan.document.pause import collector_paused
-from tsplan.errors import Finding, MapError
+from tsplan.errors import MapError
 from tsplan.ts.edges import Edge, State
+from tsplan.ts.io.flow_style import flow, given, short, word
+from tsplan.ts.io.map_draft import MapDraft, written_once
 from tsplan.ts.system import Extras, Pair, TransitionSystem
-from tsplan.ts.validity import CORNERS, Problem, in_order, problems
+from tsplan.ts.validity import CORNERS
 
 FORMAT = "lomap"
-OWN_KEY = "tsplan"
-PLACE_KEYS = ("location", "position")
-_POSITIONS = {"source": 0, "target": 1}
+_OWN_KEY = "tsplan"
+_PLACE_KEYS = ("location", "position")
+_USED = ("name", "graph", "directed")
+_POSITIONS: dict[str, Path] = {"source": (0,), "target": (1,), "duration": (2, "weight")}
 
 
 class _Graph(BaseModel):
@@ -52,12 +54,9 @@ class _StateMore(BaseModel):
     needs: Words = []
 
 
-class _EdgeMore(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+class _EdgeMore(_StateMore):
     duration: dict[Word, Positive] | None = None
     cost: Annotated[Number, Field(ge=0)] | None = None
-    capacity: Natural | None = None
-    needs: Words = []
     both_ways: Truth = False
 
 
@@ -67,63 +66,52 @@ def is_lomap(document: Document, path: Path = ()) -> bool:
     return document.tag(path) == "!Ts" or (isinstance(data, dict) and "graph" in data)
 
 
-def native(document: Document, path: Path) -> Any:
+def _native(document: Document, path: Path) -> Any:
     """The value at a path with tuples and sets where the file has them."""
     data, tag = document.at(path), document.tag(path)
     if isinstance(data, dict):
-        return {key: native(document, (*path, key)) for key in data}
+        return {key: _native(document, (*path, key)) for key in data}
     if not isinstance(data, list):
         return data
-    members = [native(document, (*path, index)) for index in range(len(data))]
+    members = [_native(document, (*path, index)) for index in range(len(data))]
     if tag == TUPLE:
         return tuple(members)
     return frozenset(members) if tag == SET else members
 
 
 @dataclass
-class _Draft:
-    """What has been read so far, and which entry of `graph.edges` each edge comes from."""
+class _Draft(MapDraft):
+    """What has been read so far, and what is kept for writing the file back."""
 
-    document: Document
-    path: Path
-    directed: bool
-    states: list[State] = field(default_factory=list)
-    edges: list[Edge] = field(default_factory=list)
-    origins: list[int] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
+    STATES, EDGES = ("graph", "nodes"), ("graph", "edges")
+
+    directed: bool = True
     state_extras: dict[str, dict[str, Any]] = field(default_factory=dict)
     edge_extras: dict[Pair, list[dict[str, Any]]] = field(default_factory=dict)
     ids: dict[str, Any] = field(default_factory=dict)
     place_keys: dict[str, str] = field(default_factory=dict)
     _known: dict[Pair, Edge] = field(default_factory=dict)
 
-    def add_state(self, name: str, given: Mapping[str, Any]) -> None:
-        path = (*self.path, "graph", "nodes", name)
-        kept = {key: native(self.document, (*path, key)) for key in given}
-        labels = self._labels((*path, "prop")) if "prop" in given else ()
+    def edge_part(self, path: Path, part: str) -> Path:
+        return (*path, *_POSITIONS.get(part, ()))
+
+    def read_state(self, name: str, entry: Mapping[str, Any]) -> None:
+        path = self.state_path(name)
+        kept = {key: _native(self.document, (*path, key)) for key in entry}
+        labels = frozenset(self._labels((*path, "prop")) if "prop" in entry else ())
         kept.pop("prop", None)
         more = self._more(_StateMore, path, kept)
-        self.states.append(
-            State(
-                name,
-                frozenset(labels),
-                self._place(name, kept),
-                _polygon(kept),
-                kept.pop("color") if isinstance(kept.get("color"), str) else None,
-                more.capacity,
-                frozenset(more.needs),
-            )
-        )
+        at, shape = self._place(name, kept), _polygon(kept)
+        color = kept.pop("color") if isinstance(kept.get("color"), str) else None
+        self.states.append(State(name, labels, at, shape, color, **dict(more)))
         if kept:
             self.state_extras[name] = kept
 
-    def _more(self, schema: type[Any], path: Path, kept: dict[str, Any]) -> Any:
+    def _more(self, schema: type[_StateMore], path: Path, kept: dict[str, Any]) -> Any:
         """What stands under this package's own attribute, if it is there."""
-        if kept.pop(OWN_KEY, None) is None:
+        if kept.pop(_OWN_KEY, None) is None:
             return schema()
-        more, found = validated(self.document, schema, (*path, OWN_KEY))
-        self.findings += found
-        return more or schema()
+        return self.part(schema, (*path, _OWN_KEY)) or schema()
 
     def _labels(self, path: Path) -> list[str]:
         """The propositions of a node: a set, a list, a mapping's keys or one word."""
@@ -138,13 +126,12 @@ class _Draft:
             return [str(label) for label in data]
         texts = [self.document.text((*path, index)) for index in range(len(data))]
         if None in texts:
-            message = "prop: a proposition is not a word"
-            self.findings.append(self.document.finding(path, message, "write it as [a, b]"))
+            self.refuse(path, "prop: a proposition is not a word", "write it as [a, b]")
         return [text for text in texts if text is not None]
 
     def _place(self, name: str, kept: dict[str, Any]) -> tuple[float, float] | None:
         """The node's coordinates; further dimensions stay among what is kept."""
-        for key in PLACE_KEYS:
+        for key in _PLACE_KEYS:
             point = _numbers(kept.get(key))
             if point is not None and len(point) >= 2:  # noqa: PLR2004 - x and y
                 if len(point) == 2:  # noqa: PLR2004
@@ -153,52 +140,35 @@ class _Draft:
                 return point[0], point[1]
         return None
 
-    def add_edge(self, index: int, given: Any) -> None:
-        path = (*self.path, "graph", "edges", index)
-        if not self._well_formed(path, given):
+    def read_edge(self, index: int, entry: Any) -> None:
+        """Take in an edge; a parallel one that is equal to the first adds its attributes only."""
+        path = self.edge_path(index)
+        # from, to, and perhaps attributes
+        kinds = [type(part) is dict for part in entry] if isinstance(entry, list) else []
+        if len(kinds) < 2 or kinds[2:] not in ([], [True]):  # noqa: PLR2004
+            self.refuse(path, "an edge is not [from, to, {weight: ...}]", "write it so")
             return
-        source, target = self._name((*path, 0)), self._name((*path, 1))
-        kept = native(self.document, (*path, 2)) if len(given) > 2 else {}  # noqa: PLR2004
+        kept = _native(self.document, (*path, 2)) if len(entry) > 2 else {}  # noqa: PLR2004
         more = self._more(_EdgeMore, (*path, 2), kept)
-        self.findings += lost_digits(self.document, (*path, 2, OWN_KEY, "cost"), more.cost)
-        both_ways = more.both_ways or (not self.directed and source != target)
-        edge = Edge(
-            source,
-            target,
-            more.duration or _weight(kept.pop("weight", 1)),
-            more.cost,
-            more.capacity,
-            frozenset(more.needs),
-            both_ways,
-        )
-        kept.pop("weight", None)
-        self._append(edge, index, kept)
-        if not self.directed and source != target:
-            self._append(edge.reverse(), index, kept)
-
-    def _well_formed(self, path: Path, given: Any) -> bool:
-        if (
-            isinstance(given, list)
-            and len(given) in (2, 3)
-            and (len(given) == 2 or isinstance(given[2], dict))  # noqa: PLR2004
-        ):
-            return True
-        message = "an edge is not [from, to, {weight: ...}]"
-        self.findings.append(self.document.finding(path, message, "write it so"))
-        return False
-
-    def _append(self, edge: Edge, index: int, kept: dict[str, Any]) -> None:
-        """Take an edge in; a parallel edge that is equal to the first adds its attributes only."""
+        self.findings += self.document.lost_digits((*path, 2, _OWN_KEY, "cost"), more.cost)
+        source, target = self._name((*path, 0)), self._name((*path, 1))
+        back = not self.directed and source != target
+        weight = kept.pop("weight", 1)
+        # 2.0 is whole, anything else is left for the checks to refuse
+        whole = isinstance(weight, float) and weight.is_integer()
+        more.duration = more.duration or (int(weight) if whole else weight)
+        more.both_ways |= back
+        edge = Edge(source, target, **dict(more))
         if self._known.get(edge.pair) != edge:
-            self._known.setdefault(edge.pair, edge)
-            self.edges.append(edge)
-            self.origins.append(index)
-        self.edge_extras.setdefault(edge.pair, []).append(kept)
+            self.add_edge(edge, path, back=back)
+        for one in [edge, edge.reverse()] if back else [edge]:
+            self._known.setdefault(one.pair, one)
+            self.edge_extras.setdefault(one.pair, []).append(kept)
 
     def _name(self, path: Path) -> str:
         """The name of a node in an edge; numbers and tuples become their text."""
         text = self.document.text(path)
-        value = native(self.document, path)
+        value = _native(self.document, path)
         if text is None:
             members = range(len(value)) if isinstance(value, list | tuple) else range(0)
             parts = [str(self.document.text((*path, member))) for member in members]
@@ -208,32 +178,11 @@ class _Draft:
             self.ids[text] = value
         return text
 
-    def locate(self, problem: Problem) -> Finding:
-        """A problem with its place in the document."""
-        path: Path = (*self.path, "graph", "nodes")
-        if problem.kind == "state":
-            path = (*path, self.states[problem.index].name)
-        elif problem.kind == "edge":
-            path = (*self.path, "graph", "edges", self.origins[problem.index])
-            if problem.part == "duration":
-                path = (*path, 2, "weight")
-            elif self.directed and problem.part in _POSITIONS:
-                path = (*path, _POSITIONS[problem.part])
-        message = problem.message
-        if problem.first is not None and problem.kind == "edge":
-            first = (*self.path, "graph", "edges", self.origins[problem.first])
-            message = f"{message}, the first in line {self.document.place(first)[0]}"
-        return self.document.finding(path, message, problem.remedy)
-
     def extras(self) -> Extras:
         """Everything that is kept for writing the file back."""
-        top = self.document.at(self.path)
-        own = ("name", "graph", "directed")
-        attributes = {
-            key: native(self.document, (*self.path, key)) for key in top if key not in own
-        }
+        others = [key for key in self.document.at(self.path) if key not in _USED]
         system = {
-            "attributes": attributes,
+            "attributes": {key: _native(self.document, (*self.path, key)) for key in others},
             "directed": self.directed,
             "ids": self.ids,
             "place_keys": self.place_keys,
@@ -254,19 +203,13 @@ def _numbers(value: Any) -> tuple[float, ...] | None:
 def _polygon(kept: dict[str, Any]) -> tuple[tuple[float, float], ...] | None:
     """The node's shape, where it is a polygon; anything else stays among what is kept."""
     corners = kept.get("shape")
-    if not isinstance(corners, list | tuple) or not corners:
+    if not isinstance(corners, list | tuple) or len(corners) < CORNERS:
         return None
     points = [_numbers(corner) for corner in corners]
-    flat = all(point is not None and len(point) == 2 for point in points)  # noqa: PLR2004
-    if len(points) < CORNERS or not flat:
+    if not all(point is not None and len(point) == 2 for point in points):  # noqa: PLR2004
         return None
     del kept["shape"]
     return tuple((point[0], point[1]) for point in points if point is not None)
-
-
-def _weight(value: Any) -> Any:
-    """A duration; a number such as 2.0 is whole, anything else is left for the checks to refuse."""
-    return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
 @collector_paused()
@@ -286,13 +229,69 @@ def read_lomap(document: Document, path: Path = ()) -> TransitionSystem:
     if content is None:
         raise MapError(findings)
     draft = _Draft(document, path, directed=content.directed)
-    for name, given in content.graph.nodes.items():
-        draft.add_state(name, given or {})
-    for index, given in enumerate(content.graph.edges):
-        draft.add_edge(index, given)
-    if draft.findings:
-        draft.findings += map(draft.locate, problems(draft.states, draft.edges))
-        raise MapError(in_order(draft.findings))
-    return TransitionSystem.build(
-        draft.states, draft.edges, content.name, extras=draft.extras(), locate=draft.locate
+    for name, entry in content.graph.nodes.items():
+        draft.read_state(name, entry or {})
+    for index, entry in enumerate(content.graph.edges):
+        draft.read_edge(index, entry)
+    return draft.system(content.name, extras=draft.extras())
+
+
+def lomap_to_yaml(system: TransitionSystem) -> str:
+    """A map as LOMAP's `!Ts`, with what was kept of a LOMAP file it came from.
+
+    A map all of whose moves go both ways is written undirected. Capacities, costs, needs and
+    durations by class stand under the attribute `tsplan`, which LOMAP passes over.
+    """
+    extras = system.extras
+    if extras is None or extras.format != FORMAT:
+        extras = Extras(FORMAT)
+    moves = [edge for edge in system.edges.values() if not edge.is_wait]
+    directed = not all(edge.both_ways for edge in moves)
+    if not moves:
+        directed = extras.system.get("directed", True)
+    attributes = {"multi": False, "init": [], "final": [], **extras.system.get("attributes", {})}
+    lines = ["!Ts", f"name: {word(system.name)}", f"directed: {flow(directed)}"]
+    lines += [f"{word(key)}: {flow(value)}" for key, value in attributes.items()]
+    lines += ["graph:", "  nodes:"]
+    lines += [f"    {_id(s.name, extras)}: {_state(s, extras)}" for s in system.states.values()]
+    written = system.edges.values() if directed else written_once(system)
+    edges = [f"  - {text}" for edge in written for text in _edge(edge, extras, directed)]
+    lines += ["  edges:", *edges] if edges else ["  edges: []"]
+    return "\n".join(lines) + "\n"
+
+
+def _id(name: str, extras: Extras) -> str:
+    """A node's id as its file had it: a number, a tuple or a word."""
+    ids = extras.system.get("ids", {})
+    if name not in ids:
+        return word(name)
+    return flow(ids[name]) if isinstance(ids[name], tuple) else name
+
+
+def _state(state: State, extras: Extras) -> str:
+    kept = extras.states.get(state.name, {})
+    place = extras.system.get("place_keys", {}).get(state.name, _PLACE_KEYS[0])
+    at = None if any(key in kept for key in _PLACE_KEYS) else short(state.at)
+    fields = given(
+        prop=state.labels,
+        **{place: at and tuple(at)},
+        shape=short(state.shape),
+        color=state.color,
     )
+    own = given(capacity=state.capacity, needs=sorted(state.needs))
+    return flow(fields | {**kept} | given(**{_OWN_KEY: own}))
+
+
+def _edge(edge: Edge, extras: Extras, directed: bool) -> Iterator[str]:
+    """The lines of an edge: one, or one for each of the parallel edges it stands for."""
+    own = given(
+        cost=short(edge.cost),
+        capacity=edge.capacity,
+        needs=sorted(edge.needs),
+        duration=edge.duration if isinstance(edge.duration, Mapping) else None,
+        both_ways=(edge.both_ways and directed) or None,
+    )
+    ends = f"{_id(edge.source, extras)}, {_id(edge.target, extras)}"
+    for kept in extras.edges.get(edge.pair, ({},)):
+        attributes = kept | {"weight": edge.shortest()} | given(**{_OWN_KEY: own})
+        yield f"[{ends}, {flow(attributes)}]"
