@@ -11,8 +11,9 @@ Names are loaded when they are first used, so importing the package is quick and
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from tsplan.lazy_names import lazily
 
 if TYPE_CHECKING:
     from tsplan.checking.assignment import assign
@@ -42,37 +43,6 @@ if TYPE_CHECKING:
     from tsplan.run.problem import Problem
     from tsplan.ts import Edge, State, TransitionSystem
     from tsplan.ts.io.map_files import load_map
-
-_HOMES = {
-    "tsplan.run.problem": ("Problem",),
-    "tsplan.errors": (
-        "Finding",
-        "FormulaError",
-        "InputError",
-        "MapError",
-        "MissionError",
-        "PlanError",
-        "SolverError",
-        "SolverUnavailableError",
-        "TsplanError",
-    ),
-    "tsplan.explanation": ("Explanation",),
-    "tsplan.explanation.whynot.explaining": ("explain",),
-    "tsplan.logic": ("parse",),
-    "tsplan.mission": ("Group", "Mission", "SolverChoice", "load_mission"),
-    "tsplan.run.planner": ("plan",),
-    "tsplan.checking.assignment": ("assign",),
-    "tsplan.plans.moves": ("Move",),
-    "tsplan.plans.plan": ("AgentPlan", "Plan"),
-    "tsplan.plans.plan_file": ("load_plan", "save_plan"),
-    "tsplan.plans.subswarms": ("SubSwarm",),
-    "tsplan.checking.plan_check": ("check",),
-    "tsplan.protocol.margin_size": ("margin_for",),
-    "tsplan.protocol.simulation": ("Simulation", "simulate"),
-    "tsplan.ts": ("Edge", "State", "TransitionSystem"),
-    "tsplan.ts.io.map_files": ("load_map",),
-}
-_HOME = {name: module for module, names in _HOMES.items() for name in names}
 
 __version__ = "0.1.0"
 __all__ = [
@@ -111,15 +81,35 @@ __all__ = [
     "simulate",
 ]
 
-
-def __getattr__(name: str) -> object:
-    """Load a public name from its module on first use."""
-    if name not in _HOME:
-        raise AttributeError(f"module 'tsplan' has no attribute '{name}'")
-    value: object = getattr(import_module(_HOME[name]), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+__getattr__, __dir__ = lazily(
+    __name__,
+    {
+        "run.problem": ("Problem",),
+        "errors": (
+            "Finding",
+            "FormulaError",
+            "InputError",
+            "MapError",
+            "MissionError",
+            "PlanError",
+            "SolverError",
+            "SolverUnavailableError",
+            "TsplanError",
+        ),
+        "explanation": ("Explanation",),
+        "explanation.whynot.explaining": ("explain",),
+        "logic": ("parse",),
+        "mission": ("Group", "Mission", "SolverChoice", "load_mission"),
+        "run.planner": ("plan",),
+        "checking.assignment": ("assign",),
+        "plans.moves": ("Move",),
+        "plans.plan": ("AgentPlan", "Plan"),
+        "plans.plan_file": ("load_plan", "save_plan"),
+        "plans.subswarms": ("SubSwarm",),
+        "checking.plan_check": ("check",),
+        "protocol.margin_size": ("margin_for",),
+        "protocol.simulation": ("Simulation", "simulate"),
+        "ts": ("Edge", "State", "TransitionSystem"),
+        "ts.io.map_files": ("load_map",),
+    },
+)

@@ -11,8 +11,9 @@ Names are loaded when they are first used: YAML and pydantic are slow to import,
 reads or writes a file needs neither.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from tsplan.lazy_names import lazily
 
 if TYPE_CHECKING:
     from tsplan.document.document import Document, Path, parse_document, read_document
@@ -20,11 +21,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Document", "Path", "parse_document", "read_document", "validated"]
 
-
-def __getattr__(name: str) -> object:
-    """Load a public name from its module on first use."""
-    if name not in __all__:
-        raise AttributeError(f"module 'tsplan.document' has no attribute '{name}'")
-    home = "validation" if name == "validated" else "document"
-    value: object = getattr(import_module(f"tsplan.document.{home}"), name)
-    return value
+__getattr__, __dir__ = lazily(
+    __name__,
+    {
+        "document": ("Document", "Path", "parse_document", "read_document"),
+        "validation": ("validated",),
+    },
+)

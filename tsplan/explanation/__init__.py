@@ -28,6 +28,7 @@ from tsplan.explanation.explanation import (
     Place,
     Status,
 )
+from tsplan.lazy_names import lazily
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.explaining import explain
@@ -44,11 +45,5 @@ __all__ = [
     "explain",
 ]
 
-
-def __getattr__(name: str) -> object:
-    """Load `explain` when it is first used: it loads a solver."""
-    if name != "explain":
-        raise AttributeError(f"module 'tsplan.explanation' has no attribute '{name}'")
-    from tsplan.explanation.whynot.explaining import explain  # noqa: PLC0415  (that is the purpose)
-
-    return explain
+# it loads a solver
+__getattr__, __dir__ = lazily(__name__, {"whynot.explaining": ("explain",)})

@@ -6,8 +6,9 @@ compares real signals. `parse` reads a text, `str` writes it again.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from tsplan.lazy_names import lazily
 from tsplan.logic.atoms import (
     Count,
     Function,
@@ -115,13 +116,7 @@ __all__ = [
     "walk_all",
 ]
 
-_EVALUATION = frozenset({"CountTrace", "SignalTrace", "holds", "robustness"})
-
-
-def __getattr__(name: str) -> Any:
-    """Import what needs NumPy only when it is asked for."""
-    if name in _EVALUATION:
-        from tsplan.logic import evaluation as evaluate  # noqa: PLC0415  (that is the purpose)
-
-        return getattr(evaluate, name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+# they need NumPy
+__getattr__, __dir__ = lazily(
+    __name__, {"evaluation": ("CountTrace", "SignalTrace", "holds", "robustness")}
+)
