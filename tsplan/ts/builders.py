@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from numbers import Integral, Real
 from reprlib import repr as clipped
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.errors import Finding, MapError
-from tsplan.ts.edges import NOTHING, Edge, State
+from tsplan.ts.edges import NOTHING, Edge, State, missing_waits, words
 from tsplan.ts.system import TransitionSystem
-from tsplan.ts.validity import problems
+from tsplan.ts.validity import Fault, problems
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -75,28 +75,14 @@ def grid(
     mappingproxy({'goal': ('r1c1',)})
 
     """
-    free = _free(rows, columns, blocked)
-    given = labels or {}
+    closed, labels = frozenset(blocked), labels or {}
+    cells = ((row, column) for row in range(rows) for column in range(columns))
+    free = {cell: cell_name(*cell) for cell in cells if cell not in closed}
     states = [
-        State(free[cell], _labels(given.get(cell)), _middle(cell), _square(cell)) for cell in free
+        State(state, words(labels.get(cell, ())), (cell[1] + 0.5, cell[0] + 0.5), _square(cell))
+        for cell, state in free.items()
     ]
     return TransitionSystem.build(states, _moves(free, duration, seed, waits=waits), name)
-
-
-def _free(rows: int, columns: int, blocked: Collection[Cell]) -> dict[Cell, str]:
-    closed = frozenset(blocked)
-    cells = ((row, column) for row in range(rows) for column in range(columns))
-    return {cell: cell_name(*cell) for cell in cells if cell not in closed}
-
-
-def _labels(given: str | Iterable[str] | None) -> frozenset[str]:
-    if given is None:
-        return NOTHING
-    return frozenset((given,) if isinstance(given, str) else given)
-
-
-def _middle(cell: Cell) -> tuple[float, float]:
-    return cell[1] + 0.5, cell[0] + 0.5
 
 
 def _square(cell: Cell) -> tuple[tuple[float, float], ...]:
@@ -160,56 +146,47 @@ def from_networkx(
     4
 
     """
-    names = {"labels": labels, "at": at, "duration": duration}
-    reading = _Reading(names)
-    states = [reading.state(node, data) for node, data in graph.nodes(data=True)]
+    reading = _Reading({"labels": labels, "at": at, "duration": duration})
+    states = [
+        State(str(node), **reading.fields(f"node '{node}'", _OF_STATES, data))
+        for node, data in graph.nodes(data=True)
+    ]
     edges = []
     for source, target, data in graph.edges(data=True):
-        edge = reading.edge(str(source), str(target), data)
-        if graph.is_directed() or edge.is_wait:
-            edges.append(edge)
-        else:
-            edges += [both := _both_ways(edge), both.reverse()]
+        pair = str(source), str(target)
+        both_ways = not graph.is_directed() and pair[0] != pair[1]
+        fields = reading.fields(_way(*pair), _OF_EDGES, data)
+        edge = Edge(*pair, **fields, both_ways=both_ways)
+        edges += [edge, edge.reverse()] if both_ways else [edge]
     if waits:
-        looping = {edge.source for edge in edges if edge.is_wait}
-        edges += [Edge(s.name, s.name) for s in states if s.name not in looping]
+        edges += missing_waits(states, edges)
     reading.judge(states, edges)
     return TransitionSystem.build(states, edges, name or str(graph.graph.get("name", "")))
 
 
 class _Reading:
-    """Attributes of nodes and edges as parts of a map; what is wrong is kept, with its place."""
+    """Attributes of nodes and edges as fields of states and edges; what is wrong is kept.
+
+    `names` has what the attribute of a field is called where it is not called as the field.
+    """
 
     def __init__(self, names: Mapping[str, str]) -> None:
         self._names = names
         self._findings: list[Finding] = []
 
-    def state(self, node: object, data: Mapping[str, Any]) -> State:
-        """The state of a node."""
-        where = f"node '{node}'"
-        return State(
-            str(node),
-            self._words(where, "labels", data),
-            _numbers(self._given("at", data)),
-            _numbers(self._given("shape", data)),
-            self._text(where, "color", data),
-            _number(data.get("capacity")),
-            self._words(where, "needs", data),
-        )
-
-    def edge(self, source: str, target: str, data: Mapping[str, Any]) -> Edge:
-        """The edge of an edge, in the direction in which it is listed."""
-        steps = data.get(self._names["duration"], 1)
-        if isinstance(steps, Mapping):
-            steps = {key: _number(value) for key, value in steps.items()}
-        return Edge(
-            source,
-            target,
-            _number(steps),
-            _number(data.get("cost")),
-            _number(data.get("capacity")),
-            self._words(_way(source, target), "needs", data),
-        )
+    def fields(
+        self, where: str, converters: _Converters, data: Mapping[str, Any]
+    ) -> dict[str, Any]:
+        """The fields that a node or edge gives."""
+        fields = {}
+        for field, converted in converters.items():
+            name = self._names.get(field, field)
+            value = converted(data[name]) if name in data else None
+            if isinstance(value, Fault):
+                self._note(where, field, f"{clipped(data[name])} is {value.what}", value.remedy)
+            elif name in data:
+                fields[field] = value
+        return fields
 
     def judge(self, states: Sequence[State], edges: Sequence[Edge]) -> None:
         """Raise MapError with all that is wrong about what was read."""
@@ -226,63 +203,46 @@ class _Reading:
         if self._findings:
             raise MapError(self._findings)
 
-    def _note(self, where: str, part: str | None, message: str, remedy: str) -> None:
-        if part in _ATTRIBUTES:
-            where = f"{where}, attribute '{self._names.get(part, part)}'"
+    def _note(self, where: str, field: str | None, message: str, remedy: str) -> None:
+        if field is not None and (field in _OF_STATES or field in _OF_EDGES):
+            where = f"{where}, attribute '{self._names.get(field, field)}'"
         self._findings.append(Finding(message, remedy, where))
-
-    def _given(self, part: str, data: Mapping[str, Any]) -> Any:
-        return data.get(self._names.get(part, part))
-
-    def _words(self, where: str, part: str, data: Mapping[str, Any]) -> frozenset[str]:
-        """One word, or a collection of words."""
-        given = self._given(part, data)
-        some = given is None or isinstance(given, str | Iterable)
-        found = (
-            ()
-            if given is None or not some
-            else (given,)
-            if isinstance(given, str)
-            else tuple(given)
-        )
-        if some and not isinstance(given, bytes | Mapping) and all(map(_is_word, found)):
-            return frozenset(found)
-        what = f"{clipped(given)} is neither a text nor a collection of texts"
-        self._note(where, part, what, "write it as 'door' or ['door', 'exit']")
-        return NOTHING
-
-    def _text(self, where: str, part: str, data: Mapping[str, Any]) -> str | None:
-        given = self._given(part, data)
-        if given is None or isinstance(given, str):
-            return given
-        self._note(where, part, f"{clipped(given)} is not a text", "write it as 'tan' or '#d2b48c'")
-        return None
-
-
-_ATTRIBUTES = frozenset({"labels", "at", "shape", "color", "capacity", "needs", "duration", "cost"})
 
 
 def _way(source: str, target: str) -> str:
     return f"edge from '{source}' to '{target}'"
 
 
-def _is_word(item: object) -> bool:
-    return isinstance(item, str)
+def _words(value: Any) -> frozenset[str] | Fault:
+    """One word, or a collection of words; none of None."""
+    if value is None or isinstance(value, str):
+        return NOTHING if value is None else frozenset((value,))
+    if isinstance(value, Iterable) and not isinstance(value, bytes | Mapping):
+        words = tuple(value)
+        if all(isinstance(word, str) for word in words):
+            return frozenset(words)
+    remedy = "write it as 'door' or ['door', 'exit']"
+    return Fault("neither a text nor a collection of texts", remedy)
 
 
-def _both_ways(edge: Edge) -> Edge:
-    return Edge(*edge.pair, edge.duration, edge.cost, edge.capacity, edge.needs, both_ways=True)
+def _text(value: Any) -> str | Fault | None:
+    if value is None or isinstance(value, str):
+        return value
+    return Fault("not a text", "write it as 'tan' or '#d2b48c'")
+
+
+def _steps(value: Any) -> Any:
+    """A number, or one for each class."""
+    if isinstance(value, Mapping):
+        return {name: _number(steps) for name, steps in value.items()}
+    return _number(value)
 
 
 def _numbers(value: Any) -> Any:
     """Collections of collections of numbers as tuples; what is none is left for the checks."""
-    if value is None or isinstance(value, str | Mapping) or not isinstance(value, Iterable):
+    if isinstance(value, str | Mapping) or not isinstance(value, Iterable):
         return value
-    return tuple(_numbers(item) if _is_list(item) else _number(item) for item in value)
-
-
-def _is_list(value: object) -> bool:
-    return isinstance(value, Iterable) and not isinstance(value, str | Mapping)
+    return tuple(_numbers(_number(member)) for member in value)
 
 
 def _number(value: Any) -> Any:
@@ -299,3 +259,21 @@ def _number(value: Any) -> Any:
         return int(value)
     number = float(value)
     return int(number) if number.is_integer() else number
+
+
+_Converters: TypeAlias = Mapping[str, Callable[[Any], Any]]
+_OF_STATES: _Converters = {
+    "labels": _words,
+    "at": _numbers,
+    "shape": _numbers,
+    "color": _text,
+    "capacity": _number,
+    "needs": _words,
+}
+_OF_EDGES: _Converters = {
+    "duration": _steps,
+    "cost": _number,
+    "capacity": _number,
+    "needs": _words,
+}
+"""The fields that attributes give, each with what makes it of a value."""

@@ -15,6 +15,10 @@ NOTHING: frozenset[str] = frozenset()
 DEFAULT = "default"
 
 
+Pair: TypeAlias = tuple[str, str]
+"""The names of both ends of an edge."""
+
+
 class ByClass(Mapping[str, int]):
     """A frozen mapping from class names to whole numbers; the key `default` covers the others.
 
@@ -109,7 +113,7 @@ class Edge:
             object.__setattr__(self, "needs", words(self.needs))
 
     @property
-    def pair(self) -> tuple[str, str]:
+    def pair(self) -> Pair:
         """The names of both ends, by which a transition system finds the edge."""
         return self.source, self.target
 

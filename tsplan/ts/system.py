@@ -7,19 +7,17 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 from tsplan.errors import Finding, MapError, Spot
 from tsplan.exact import common_unit, exact
-from tsplan.ts.edges import Edge, State
+from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.validity import Problem, in_order, problems
 
 if TYPE_CHECKING:
     import networkx as nx
 
     from tsplan.draw.canvas import Picture
-
-Pair: TypeAlias = tuple[str, str]
 
 
 @dataclass(frozen=True, slots=True)

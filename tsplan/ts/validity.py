@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.errors import Finding, Nearest
 from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, is_finite
-from tsplan.ts.edges import Edge, State
+from tsplan.ts.edges import Edge, Pair, State
 
 # the fewest corners of a shape
 CORNERS = 3
@@ -39,78 +39,6 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
     return sorted(dict.fromkeys(findings), key=lambda item: (item.line or 0, item.column or 0))
 
 
-def problems(states: Sequence[State], edges: Sequence[Edge]) -> Iterator[Problem]:
-    """Everything that keeps these states and edges from being a transition system."""
-    if not states:
-        yield Problem("system", 0, "states", "the map has no states", "add at least one state")
-    seen: dict[str, int] = {}
-    for index, state in enumerate(states):
-        yield from _state(index, state)
-        if state.name in seen:
-            message = f"the state '{state.name}' is defined twice"
-            yield Problem("state", index, None, message, "keep one of them", seen[state.name])
-        seen.setdefault(state.name, index)
-    yield from _edges(edges, seen)
-
-
-def _edges(edges: Sequence[Edge], names: Collection[str]) -> Iterator[Problem]:
-    known: dict[tuple[str, str], int] = {}
-    closest = Nearest(map(str, names))
-    repeated: set[tuple[str, str]] = set()
-    for index, edge in enumerate(edges):
-        for part, name in (("source", edge.source), ("target", edge.target)):
-            if name not in names and names:
-                message = f"no state is called '{name}'"
-                yield Problem("edge", index, part, message, closest(str(name)))
-        if not (type(edge.duration) is int and 1 <= edge.duration <= MOST_STEPS):
-            yield from _duration(index, edge)
-        yield from _cost(index, edge.cost)
-        yield from _capacity("edge", index, edge.capacity)
-        if edge.pair in known:
-            message = f"a second edge leads from '{edge.source}' to '{edge.target}'"
-            remedy = "keep one, or put a state between"
-            yield Problem("edge", index, None, message, remedy, known[edge.pair])
-            repeated.add(edge.pair)
-        known.setdefault(edge.pair, index)
-    yield from _pairs(edges, known, repeated)
-
-
-def _pairs(
-    edges: Sequence[Edge],
-    known: Mapping[tuple[str, str], int],
-    repeated: Collection[tuple[str, str]],
-) -> Iterator[Problem]:
-    """Each edge of both directions needs its reverse, equal to it in everything else."""
-    for index, edge in enumerate(edges):
-        if not edge.both_ways:
-            continue
-        if edge.is_wait:
-            message = f"the edge from '{edge.source}' to itself cannot go both ways"
-            yield Problem("edge", index, "both_ways", message, "drop both_ways")
-            continue
-        if (edge.target, edge.source) in repeated:
-            continue
-        back = known.get((edge.target, edge.source))
-        if back is None or edges[back] != edge.reverse():
-            message = f"the edge from '{edge.source}' to '{edge.target}' lacks its equal reverse"
-            yield Problem(
-                "edge", index, "both_ways", message, "add edge.reverse(), or drop both_ways"
-            )
-
-
-def _state(index: int, state: State) -> Iterator[Problem]:
-    if not isinstance(state.name, str) or not state.name:
-        message = f"{state.name!r} cannot be the name of a state"
-        yield Problem("state", index, "name", message, "use text of at least one character")
-    if state.at is not None and not _is_point(state.at):
-        message = f"at: {state.at} is not a pair of finite numbers"
-        yield Problem("state", index, "at", message, "write it as [x, y]")
-    if state.shape is not None and not _is_polygon(state.shape):
-        message = f"shape: not {CORNERS} or more pairs of finite numbers"
-        yield Problem("state", index, "shape", message, "write it as [[x, y], [x, y], [x, y]]")
-    yield from _capacity("state", index, state.capacity)
-
-
 class Fault(NamedTuple):
     """What a value is that it should not be, and what to do about it."""
 
@@ -118,52 +46,109 @@ class Fault(NamedTuple):
     remedy: str
 
 
+_Flaw: TypeAlias = tuple[str | None, str, str]
+"""The field that is wrong, what is wrong with it, and the remedy."""
+
+
+def problems(states: Sequence[State], edges: Sequence[Edge]) -> Iterator[Problem]:
+    """Everything that keeps these states and edges from being a transition system."""
+    if not states:
+        yield Problem("system", 0, "states", "the map has no states", "add at least one state")
+    seen: dict[str, int] = {}
+    for index, state in enumerate(states):
+        for flaw in _state(state):
+            yield Problem("state", index, *flaw)
+        if seen.setdefault(state.name, index) != index:
+            message = f"the state '{state.name}' is defined twice"
+            yield Problem("state", index, None, message, "keep one of them", seen[state.name])
+    yield from _edges(edges, seen)
+
+
+def _edges(edges: Sequence[Edge], names: Collection[str]) -> Iterator[Problem]:
+    known: dict[Pair, int] = {}
+    closest = Nearest(map(str, names))
+    repeated: set[Pair] = set()
+    for index, edge in enumerate(edges):
+        for part, name in (("source", edge.source), ("target", edge.target)):
+            if name not in names and names:
+                message = f"no state is called '{name}'"
+                yield Problem("edge", index, part, message, closest(str(name)))
+        for flaw in _edge(edge):
+            yield Problem("edge", index, *flaw)
+        if known.setdefault(edge.pair, index) != index:
+            message = f"a second edge leads from '{edge.source}' to '{edge.target}'"
+            remedy = "keep one, or put a state between"
+            yield Problem("edge", index, None, message, remedy, known[edge.pair])
+            repeated.add(edge.pair)
+    for index, edge in enumerate(edges):
+        back = (edge.target, edge.source)
+        if edge.both_ways and (edge.is_wait or back not in repeated):
+            other = edges[known[back]] if back in known else None
+            for flaw in _both_ways(edge, other):
+                yield Problem("edge", index, *flaw)
+
+
+def _both_ways(edge: Edge, back: Edge | None) -> Iterator[_Flaw]:
+    """An edge of both directions needs its reverse, equal to it in everything else."""
+    if edge.is_wait:
+        message = f"the edge from '{edge.source}' to itself cannot go both ways"
+        yield "both_ways", message, "drop both_ways"
+    elif back is None or back != edge.reverse():
+        message = f"the edge from '{edge.source}' to '{edge.target}' lacks its equal reverse"
+        yield "both_ways", message, "add edge.reverse(), or drop both_ways"
+
+
+def _state(state: State) -> Iterator[_Flaw]:
+    if not isinstance(state.name, str) or not state.name:
+        message = f"{state.name!r} cannot be the name of a state"
+        yield "name", message, "use text of at least one character"
+    if state.at is not None and not _is_point(state.at):
+        yield "at", f"at: {state.at} is not a pair of finite numbers", "write it as [x, y]"
+    if state.shape is not None and not _is_polygon(state.shape):
+        message = f"shape: not {CORNERS} or more pairs of finite numbers"
+        yield "shape", message, "write it as [[x, y], [x, y], [x, y]]"
+    yield from _capacity(state.capacity)
+
+
+def _edge(edge: Edge) -> Iterator[_Flaw]:
+    by_class = edge.duration if isinstance(edge.duration, Mapping) else {None: edge.duration}
+    if not by_class:
+        message = "duration: no class is listed, so nobody can use this edge"
+        yield "duration", message, "list a class, or drop the edge"
+    for class_name, value in by_class.items():
+        fault = steps_fault(value)
+        if fault is not None:
+            whose = "" if class_name is None else f" for '{class_name}'"
+            yield "duration", f"duration: {value}{whose} is {fault.what}", fault.remedy
+    cost: Any = edge.cost
+    if cost is not None and (not _is_number(cost) or cost < 0):
+        message = f"cost: {cost} is not a finite number of at least 0"
+        yield "cost", message, "write a number such as 2.5"
+    elif cost is not None and cost >= MOST_COST:
+        message = (
+            f"cost: {float(cost):g} is not below {MOST_COST:g}, which solvers take for infinity"
+        )
+        yield "cost", message, "write a number such as 2.5"
+    yield from _capacity(edge.capacity)
+
+
 def steps_fault(value: Any) -> Fault | None:
     """What keeps a value from being a duration; None if nothing does."""
     if type(value) is not int or value < 1:
         remedy = "durations are whole numbers of steps, at least 1"
         return Fault("not a whole number from 1 on", remedy)
-    return (
-        Fault(f"more than {MOST_STEPS:,} steps", "write a shorter one")
-        if value > MOST_STEPS
-        else None
-    )
+    if value > MOST_STEPS:
+        return Fault(f"more than {MOST_STEPS:,} steps", "write a shorter one")
+    return None
 
 
-def _duration(index: int, edge: Edge) -> Iterator[Problem]:
-    if isinstance(edge.duration, Mapping) and not edge.duration:
-        message = "duration: no class is listed, so nobody can use this edge"
-        yield Problem("edge", index, "duration", message, "list a class, or drop the edge")
-    by_class = edge.duration if isinstance(edge.duration, Mapping) else {None: edge.duration}
-    for class_name, value in by_class.items():
-        fault = steps_fault(value)
-        if fault is not None:
-            whose = "" if class_name is None else f" for '{class_name}'"
-            message = f"duration: {value}{whose} is {fault.what}"
-            yield Problem("edge", index, "duration", message, fault.remedy)
-
-
-def _capacity(kind: Literal["state", "edge"], index: int, value: Any) -> Iterator[Problem]:
+def _capacity(value: Any) -> Iterator[_Flaw]:
     if value is not None and (type(value) is not int or value < 0):
         message = f"capacity: {value} is not a whole number of at least 0"
-        yield Problem(kind, index, "capacity", message, "write how many agents fit, as in 2")
+        yield "capacity", message, "write how many agents fit, as in 2"
     elif value is not None and value > LARGEST:
         message = f"capacity: {value:.3e} is more than {LARGEST:,}"
-        yield Problem(kind, index, "capacity", message, "leave it out where all agents fit")
-
-
-def _cost(index: int, value: Any) -> Iterator[Problem]:
-    remedy = "write a number such as 2.5"
-    if value is None:
-        return
-    if not _is_number(value) or value < 0:
-        message = f"cost: {value} is not a finite number of at least 0"
-        yield Problem("edge", index, "cost", message, remedy)
-    elif value >= MOST_COST:
-        message = (
-            f"cost: {float(value):g} is not below {MOST_COST:g}, which solvers take for infinity"
-        )
-        yield Problem("edge", index, "cost", message, remedy)
+        yield "capacity", message, "leave it out where all agents fit"
 
 
 def _is_point(value: Any) -> bool:

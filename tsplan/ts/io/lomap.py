@@ -20,10 +20,10 @@ from tsplan.document.compose import SET, TUPLE
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
 from tsplan.document.pause import collector_paused
 from tsplan.errors import MapError
-from tsplan.ts.edges import Edge, State
+from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.io.flow_style import flow, given, short, word
 from tsplan.ts.io.map_draft import MapDraft, written_once
-from tsplan.ts.system import Extras, Pair, TransitionSystem
+from tsplan.ts.system import Extras, TransitionSystem
 from tsplan.ts.validity import CORNERS
 
 FORMAT = "lomap"
