@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
 from tsplan.milp.model import Bools, Draft, Floats, Ints
+from tsplan.ts.reachability import Lengths
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,21 +44,17 @@ class ClassGraph:
         """How many agents the class has."""
         return int(self.start.sum())
 
+    @cached_property
+    def lengths(self) -> Lengths:
+        """The durations of the edges, for shortest ways."""
+        return Lengths(len(self.start), self.tail, self.head, self.duration)
+
     def earliest(self, horizon: int) -> Ints:
         """First step at which an agent of the class can be at each state; horizon + 1 if never."""
-        count = len(self.start)
         sources = np.flatnonzero(self.start)
         if not len(sources):
-            return np.full(count, horizon + 1)
-        weight = self.duration.astype(np.float64)
-        # duplicate entries of a sparse matrix would be added up: keep the quickest of parallel
-        # edges
-        order = np.lexsort((weight, self.head, self.tail))
-        tail, head, weight = self.tail[order], self.head[order], weight[order]
-        fresh = np.ones(len(order), dtype=np.bool_)
-        fresh[1:] = (tail[1:] != tail[:-1]) | (head[1:] != head[:-1])
-        graph = sparse.csr_array((weight[fresh], (tail[fresh], head[fresh])), shape=(count, count))
-        distance = csgraph.dijkstra(graph, indices=sources, min_only=True, limit=float(horizon))
+            return np.full(len(self.start), horizon + 1)
+        distance = self.lengths.nearest(sources, limit=float(horizon))
         return np.where(np.isfinite(distance), distance, horizon + 1).astype(np.int64)
 
 

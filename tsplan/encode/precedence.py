@@ -13,8 +13,6 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
 from tsplan.encode.count_atoms import Bound
 from tsplan.encode.encoder_rules import Lasting, Witnesses
@@ -150,13 +148,4 @@ def _way(first: Bound, second: Bound, network: Network) -> int:
 
 def _distance(graph: ClassGraph, here: Sequence[int], there: Sequence[int]) -> float:
     """Fewest steps from one of some states to one of others."""
-    count = len(graph.start)
-    # entries at the same place would be added up: keep the quickest of parallel edges
-    order = np.lexsort((graph.duration, graph.head, graph.tail))
-    key = graph.tail[order] * count + graph.head[order]
-    _, fresh = np.unique(key, return_index=True)
-    edge = order[fresh]
-    entries = graph.duration[edge].astype(np.float64), (graph.tail[edge], graph.head[edge])
-    matrix = sparse.csr_array(entries, shape=(count, count))
-    found = csgraph.dijkstra(matrix, indices=np.array(here), min_only=True)
-    return float(found[np.array(there)].min())
+    return float(graph.lengths.nearest(here)[np.array(there)].min())

@@ -20,12 +20,11 @@ from heapq import heappop, heappush
 from typing import TypeAlias
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.milp.model import Bools, Ints
 from tsplan.search.clock import Clock
+from tsplan.ts.reachability import Lengths, quickest
 
 _CROWDED = 40  # states for each goal below which searches nearby are faster than compiled code
 
@@ -81,11 +80,7 @@ def shortcuts(
 
 def _moves(graph: ClassGraph, kept: Kept, longest: float) -> _Moves:
     move = np.flatnonzero(~graph.wait & (graph.group < 0))
-    order = move[np.lexsort((graph.duration[move], graph.head[move], graph.tail[move]))]
-    tail, head = graph.tail[order], graph.head[order]
-    fresh = np.ones(len(order), dtype=np.bool_)
-    fresh[1:] = (tail[1:] != tail[:-1]) | (head[1:] != head[:-1])
-    edge = order[fresh]
+    edge = move[quickest(graph.tail[move], graph.head[move], graph.duration[move])]
     scale = int(kept.free.sum()) + 2
     return _Moves(
         graph.tail[edge], graph.head[edge], edge, graph.duration[edge] * scale, scale, longest
@@ -104,24 +99,18 @@ def _on_the_whole_map(moves: _Moves, kept: Kept, goals: Ints) -> Iterator[tuple[
     weights = np.concatenate(
         [moves.weight[through] - kept.free[moves.head[through]], moves.weight[into]]
     )
-    size = count + len(goals)
-    matrix = sparse.csr_array((weights.astype(np.float64), (rows, columns)), shape=(size, size))
+    lengths = Lengths(count + len(goals), rows, columns, weights)
     key = moves.tail * count + moves.head
     for number, goal in enumerate(goals.tolist()):
-        distance, after = csgraph.dijkstra(
-            matrix,
-            indices=np.array([count + number]),
-            limit=moves.longest * moves.scale,
-            return_predecessors=True,
-        )
-        length = distance[0, kept.sources]
+        distance, after = lengths.ways(count + number, limit=moves.longest * moves.scale)
+        length = distance[kept.sources]
         length[np.isinf(length)] = 0.5  # no whole number: there is no way
         direct = (length % moves.scale == 0) & (kept.sources != goal)
         found = []
         for source in kept.sources[direct].tolist():
             way = [source]
             while way[-1] < count:
-                way.append(int(after[0, way[-1]]))
+                way.append(int(after[way[-1]]))
             way[-1] = goal
             states = np.array(way)
             edges = moves.edge[np.searchsorted(key, states[:-1] * count + states[1:])]

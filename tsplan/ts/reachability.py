@@ -14,6 +14,7 @@ from tsplan.ts.edges import Edge
 from tsplan.ts.system import TransitionSystem
 
 Floats: TypeAlias = npt.NDArray[np.float64]
+Ints: TypeAlias = npt.NDArray[np.int64]
 
 
 def usable(
@@ -80,6 +81,52 @@ def reachable(
     return tuple(name for name in system.states if name in found)
 
 
+class Lengths:
+    """Lengths of edges between numbered states, for Dijkstra's algorithm as scipy has it.
+
+    >>> Lengths(3, np.array([0, 0, 1]), np.array([1, 1, 2]), np.array([7, 4, 1])).distances([0])
+    array([[0., 4., 5.]])
+    """
+
+    def __init__(self, count: int, tail: Ints, head: Ints, length: Ints | Floats) -> None:
+        edge = quickest(tail, head, length)  # a sparse matrix would add parallel ones up
+        entries = length[edge].astype(np.float64), (tail[edge], head[edge])
+        self._matrix = sparse.csr_array(entries, shape=(count, count))
+
+    def distances(
+        self, sources: Sequence[int] | Ints | None = None, *, limit: float = np.inf
+    ) -> Floats:
+        """The length of the shortest way from each source (or state) to every state.
+
+        It is infinite where there is none of at most `limit`.
+        """
+        indices = None if sources is None else np.asarray(sources, dtype=np.intp)
+        found = csgraph.dijkstra(self._matrix, indices=indices, limit=limit)
+        return np.asarray(found, dtype=np.float64)
+
+    def nearest(self, sources: Sequence[int] | Ints, *, limit: float = np.inf) -> Floats:
+        """The length of the shortest way from any of the sources to every state."""
+        indices = np.asarray(sources, dtype=np.intp)
+        found = csgraph.dijkstra(self._matrix, indices=indices, min_only=True, limit=limit)
+        return np.asarray(found, dtype=np.float64)
+
+    def ways(self, source: int, *, limit: float = np.inf) -> tuple[Floats, npt.NDArray[np.int32]]:
+        """As `distances` from one state, and which state comes last before each on such a way."""
+        found, before = csgraph.dijkstra(
+            self._matrix, indices=[source], limit=limit, return_predecessors=True
+        )
+        return found[0], before[0]
+
+
+def quickest(tail: Ints, head: Ints, length: Ints | Floats) -> Ints:
+    """The edges without those that others between the same states undercut, by tail and head."""
+    order = np.lexsort((length, head, tail))
+    tail, head = tail[order], head[order]
+    first = np.ones(len(order), dtype=np.bool_)
+    first[1:] = (tail[1:] != tail[:-1]) | (head[1:] != head[:-1])
+    return order[first]
+
+
 def shortest_durations(
     system: TransitionSystem,
     starts: Sequence[str] | None = None,
@@ -97,11 +144,11 @@ def shortest_durations(
     array([[0., 1., 2.]])
     """
     number = {name: index for index, name in enumerate(system.states)}
-    chosen = [(e, w) for e, w in usable(system, class_name, capabilities) if not e.is_wait]
-    tails = [number[edge.source] for edge, _ in chosen]
-    heads = [number[edge.target] for edge, _ in chosen]
-    durations = np.array([duration for _, duration in chosen], dtype=np.float64)
-    size = len(number)
-    graph = sparse.csr_array((durations, (tails, heads)), shape=(size, size))
-    rows = None if starts is None else np.array([number[name] for name in starts], dtype=np.intp)
-    return np.asarray(csgraph.dijkstra(graph, indices=rows), dtype=np.float64)
+    moves = [
+        (number[edge.source], number[edge.target], duration)
+        for edge, duration in usable(system, class_name, capabilities)
+        if not edge.is_wait
+    ]
+    tail, head, duration = np.array(moves, dtype=np.int64).reshape(-1, 3).T
+    rows = None if starts is None else [number[name] for name in starts]
+    return Lengths(len(number), tail, head, duration).distances(rows)

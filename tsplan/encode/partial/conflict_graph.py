@@ -20,11 +20,10 @@ from typing import TypeAlias
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse import csgraph
 
 from tsplan.encode.count_atoms import Site
 from tsplan.encode.encoded import Encoded
-from tsplan.encode.flow_network import ClassGraph, Network
+from tsplan.encode.flow_network import Network
 from tsplan.encode.witness import Demand
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Bools, Draft, Floats, Ints, Model, Tag
@@ -149,7 +148,9 @@ def _waits(kinds: Sequence[Kind], network: Network) -> Ints:
     waits = np.zeros((len(kinds), len(kinds)), dtype=np.int64)
     places = sorted({state for states, _, _ in kinds for state in states})
     place = {state: number for number, state in enumerate(places)}
-    ways = [(item.graph, _distances(item.graph, places)) for item in network.classes]
+    ways = [
+        (item.graph, item.graph.lengths.distances(places)[:, places]) for item in network.classes
+    ]
     for first, (here, able, amount) in enumerate(kinds):
         for second, (there, skilled, number) in enumerate(kinds):
             if not set(here).isdisjoint(there):
@@ -170,19 +171,6 @@ def _waits(kinds: Sequence[Kind], network: Network) -> Ints:
             if lacking > 0:
                 waits[first, second] = never
     return waits
-
-
-def _distances(graph: ClassGraph, places: Sequence[int]) -> Floats:
-    """Steps from each place to each other one for a class."""
-    order = np.lexsort((graph.duration, graph.head, graph.tail))
-    tail, head, weight = graph.tail[order], graph.head[order], graph.duration[order]
-    fresh = np.ones(len(order), dtype=np.bool_)
-    fresh[1:] = (tail[1:] != tail[:-1]) | (head[1:] != head[:-1])
-    count = len(graph.start)
-    entries = (weight[fresh].astype(np.float64), (tail[fresh], head[fresh]))
-    matrix = sparse.csr_array(entries, shape=(count, count))
-    found: Floats = csgraph.dijkstra(matrix, indices=places)[:, places]
-    return found
 
 
 def without_rivalry(encoded: Encoded, objective: Floats, rivals: Rivals, clock: Clock) -> Encoded:
