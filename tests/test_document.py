@@ -76,7 +76,7 @@ def test_places_from_one():
     assert document.place(("a", 0, "é")) == (2, 8)
     assert document.key_place(("a", 0, "b")) == (3, 5)
     assert document.place(("a", 0, "nowhere", 7)) == document.place(("a", 0))
-    assert document.positions["a", 0, "b", 0] == (3, 9)
+    assert document.place(("a", 0, "b", 0)) == (3, 9)
     assert str(document.finding(("a", 0, "é"), "no", "fix")) == "f:2:8: no; fix"
 
 
@@ -180,7 +180,7 @@ def test_places_inside_a_scalar(style):
             if not char.isspace():
                 line, at = document.inside(("f",), number, column)
                 assert lines[line - 1][at - 1] == char
-    first = document.text_origin(("f",))
+    first = document.inside(("f",), 1, 1)
     if style != "commented":
         assert lines[first[0] - 1][first[1] - 1] == "F"
 
@@ -188,7 +188,7 @@ def test_places_inside_a_scalar(style):
 def test_a_place_behind_the_text_of_a_scalar():
     assert parse_document("f: 'F a'", "f").inside(("f",), 1, 4) == (1, 8)
     assert parse_document("f: |\n  F a\n", "f").inside(("f",), 1, 4) == (2, 6)
-    assert parse_document("f: ''", "f").text_origin(("f",)) == (1, 5)
+    assert parse_document("f: ''", "f").inside(("f",), 1, 1) == (1, 5)
 
 
 class Robot(BaseModel):
@@ -260,7 +260,15 @@ def test_any_text_is_a_document_or_an_input_error(text):
 def test_json_is_read_as_it_is(value):
     document = parse_document(json.dumps(value), "f")
     assert document.data == value
-    assert all(document.at(path) is not NotImplemented for path in document.positions)
+    assert all(document.at(path) == part for path, part in parts(value))
+
+
+def parts(value, path=()):
+    """Every part of a value with its path."""
+    yield path, value
+    if isinstance(value, list | dict):
+        for step, part in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from parts(part, (*path, step))
 
 
 def test_no_word_of_the_library_is_in_a_finding():

@@ -49,6 +49,15 @@ def is_finite(value: Any) -> bool:
         return False
 
 
+def is_number(value: Any) -> bool:
+    """Whether a value is a finite int or float, and no truth value.
+
+    >>> is_number(2.5), is_number(True), is_number(float("inf"))
+    (True, False, False)
+    """
+    return isinstance(value, int | float) and not isinstance(value, bool) and is_finite(value)
+
+
 @dataclass(frozen=True, slots=True)
 class Range:
     """The numbers that an option may have: `least` to `most`.

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import pathlib
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any, TypeAlias
 
 from tsplan.document import mishaps
@@ -42,21 +40,6 @@ class Document:
     digest: str
     content: str = field(repr=False, compare=False)
     root: Node = field(repr=False, compare=False)
-
-    @cached_property
-    def positions(self) -> Mapping[Path, tuple[int, int]]:
-        """The place of every value by its path (a mapping entry's is that of its value)."""
-        return {path: (node.line, node.column) for path, node in self._walk()}
-
-    def _walk(self) -> Iterator[tuple[Path, Node]]:
-        stack: list[tuple[Path, Node]] = [((), self.root)]
-        while stack:
-            path, node = stack.pop()
-            yield path, node
-            if isinstance(node.children, dict):
-                stack.extend(((*path, key), child) for key, child in node.children.items())
-            elif node.children:
-                stack.extend(((*path, index), child) for index, child in enumerate(node.children))
 
     def _nearest(self, path: Path) -> tuple[Node, int]:
         """The node at a path or its nearest ancestor, and how many steps of the path lead to it."""
@@ -138,10 +121,6 @@ class Document:
     def loses_end(self, path: Path) -> bool:
         """Whether YAML made a key of the end of the formula at a path, inside braces."""
         return mishaps.loses_end(self._node(path), self._node(path[:-1]), self.content)
-
-    def text_origin(self, path: Path) -> tuple[int, int]:
-        """Line and column of the first character of a scalar's content."""
-        return self.inside(path, 1, 1)
 
     def inside(self, path: Path, line: int, column: int) -> tuple[int, int]:
         """Where line `line`, column `column` of the text of a scalar lies in the file.

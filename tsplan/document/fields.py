@@ -6,13 +6,23 @@ Pydantic would turn `"3"`, `true` or `3.7` into numbers; here a whole number is 
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field
+from pydantic import AfterValidator, BeforeValidator, Field
 from pydantic_core import PydanticCustomError
 
-from tsplan.limits import LARGEST
+from tsplan.limits import LARGEST, is_number
+
+
+def _must_be(kind: type, what: str, remedy: str) -> BeforeValidator:
+    """A validator that takes values of one type only."""
+
+    def checked(value: Any) -> Any:
+        if not isinstance(value, kind):
+            raise complaint(f"{shown(value)} is {what}", remedy)
+        return value
+
+    return BeforeValidator(checked)
 
 
 def _whole(value: Any) -> Any:
@@ -24,28 +34,14 @@ def _whole(value: Any) -> Any:
 
 
 def _number(value: Any) -> Any:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    if not is_number(value):
         raise complaint(f"{shown(value)} is not a finite number", "write one, as in 1.5")
     return value
 
 
-def _truth(value: Any) -> Any:
-    if not isinstance(value, bool):
-        raise complaint(f"{shown(value)} is neither true nor false", "write true or false")
-    return value
-
-
-def _word(value: Any) -> Any:
-    if not isinstance(value, str):
-        raise complaint(f"{shown(value)} is not text", "put it in quotes")
+def _filled(value: str) -> str:
     if not value:
         raise complaint("the text is empty", "write at least one character")
-    return value
-
-
-def _several(value: Any) -> Any:
-    if not isinstance(value, list):
-        raise complaint(f"{shown(value)} is not a list", "write it as [a, b]")
     return value
 
 
@@ -73,14 +69,12 @@ def shown(value: Any) -> str:
     return f"'{text}'" if len(text) <= longest else f"'{text[: longest - 3]}...'"
 
 
+_LIST = _must_be(list, "not a list", "write it as [a, b]")
 Whole = Annotated[int, BeforeValidator(_whole)]
 Natural = Annotated[int, Field(ge=0, le=LARGEST), BeforeValidator(_whole)]
 Positive = Annotated[int, Field(ge=1, le=LARGEST), BeforeValidator(_whole)]
 Number = Annotated[float, BeforeValidator(_number)]
-Truth = Annotated[bool, BeforeValidator(_truth)]
-Word = Annotated[str, BeforeValidator(_word)]
-Words = Annotated[list[Word], BeforeValidator(_several)]
-Point = Annotated[
-    tuple[Number, Number],
-    BeforeValidator(_several),
-]
+Truth = Annotated[bool, _must_be(bool, "neither true nor false", "write true or false")]
+Word = Annotated[str, AfterValidator(_filled), _must_be(str, "not text", "put it in quotes")]
+Words = Annotated[list[Word], _LIST]
+Point = Annotated[tuple[Number, Number], _LIST]

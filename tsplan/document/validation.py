@@ -14,25 +14,19 @@ from tsplan.errors import Finding, nearest
 
 SchemaT = TypeVar("SchemaT", bound=BaseModel)
 
-# what pydantic calls the kind of an error: what a value should be, and how to write one
+_LIST = ("a list", "write it as [a, b]")
+_MAPPING = ("a mapping", "write it as {key: value}")
 _KINDS: dict[str, tuple[str, str]] = {
-    "int_type": ("a whole number", "write it without quotes, as in 3"),
-    "int_parsing": ("a whole number", "write it without quotes, as in 3"),
+    "int": ("a whole number", "write it without quotes, as in 3"),
     "int_from_float": ("a whole number", "round it"),
-    "float_type": ("a number", "write it without quotes, as in 1.5"),
-    "float_parsing": ("a number", "write it without quotes, as in 1.5"),
+    "float": ("a number", "write it without quotes, as in 1.5"),
     "finite_number": ("a finite number", "write its value"),
-    "string_type": ("text", "put it in quotes"),
-    "bool_type": ("true or false", "write true or false"),
-    "bool_parsing": ("true or false", "write true or false"),
-    "list_type": ("a list", "write it as [a, b]"),
-    "tuple_type": ("a list", "write it as [a, b]"),
-    "set_type": ("a list", "write it as [a, b]"),
-    "frozen_set_type": ("a list", "write it as [a, b]"),
-    "dict_type": ("a mapping", "write it as {key: value}"),
-    "model_type": ("a mapping", "write it as {key: value}"),
-    "model_attributes_type": ("a mapping", "write it as {key: value}"),
+    "string": ("text", "put it in quotes"),
+    "bool": ("true or false", "write true or false"),
+    **dict.fromkeys(("list", "tuple", "set", "frozen_set"), _LIST),
+    **dict.fromkeys(("dict", "model", "model_attributes"), _MAPPING),
 }
+"""What a value should be, and how to write one, by pydantic's words without `_type`, `_parsing`."""
 
 _LIMITS = {
     "ge": ("greater than or equal to", "at least"),
@@ -82,28 +76,16 @@ def salvaged(
 def _finding(
     document: Document, schema: type[BaseModel], path: Path, error: ErrorDetails
 ) -> Finding:
-    here = (*path, *error["loc"])
-    kind, context = error["type"], error.get("ctx", {})
+    here, kind, context = (*path, *error["loc"]), error["type"], error.get("ctx", {})
     if kind == "missing":
         return _missing(document, here, _only_value(schema, error["loc"]))
     if kind == "extra_forbidden":
         remedy = nearest(str(here[-1]), _known_keys(schema, error["loc"][:-1]))
         return document.key_finding(here, f"unknown key '{here[-1]}'", remedy)
-    if kind in _KINDS:
-        wanted, how = _KINDS[kind]
-        if error["input"] is None and kind != "string_type":
-            how = "give it a value or leave the key out"
-        return document.finding(
-            here, f"{_subject(here)}{shown(error['input'])} is not {wanted}", how
-        )
-    if kind == "too_short":
-        few = f"{context['actual_length']} entries are too few"
-        remedy = f"write at least {context['min_length']}"
-        return document.finding(here, f"{_subject(here)}{few}", remedy)
-    remedy = str(context.get("remedy", "")) or _bound_remedy(kind, context)
-    about = context.get("about")
-    subject = f"{about}: " if about else _subject(here)
-    return document.finding(here, f"{subject}{_message(error)}", remedy)
+    words = [step for step in here if isinstance(step, str)]  # the last one names what is wrong
+    subject = context.get("about") or "".join(words[-1:])
+    message, remedy = _told(error)
+    return document.finding(here, f"{subject}: {message}" if subject else message, remedy)
 
 
 def _missing(document: Document, path: Path, value: str | None) -> Finding:
@@ -124,31 +106,26 @@ def _only_value(schema: type[BaseModel], location: tuple[int | str, ...]) -> str
     return None
 
 
-def _subject(path: Path) -> str:
-    """The name of what is wrong: the last key of the path that is a word."""
-    words = [step for step in path if isinstance(step, str)]
-    return f"{words[-1]}: " if words else ""
-
-
-def _message(error: ErrorDetails) -> str:
-    """What is wrong, in words that do not depend on pydantic's where this project's files err."""
-    context, value = error.get("ctx", {}), shown(error["input"])
-    for key, (words, _) in _LIMITS.items():
+def _told(error: ErrorDetails) -> tuple[str, str]:
+    """What is wrong and what to do, in words of this project wherever its own files err."""
+    kind, context, value = error["type"], error.get("ctx", {}), shown(error["input"])
+    wanted = _KINDS.get(kind.removesuffix("_type").removesuffix("_parsing"))
+    if wanted is not None:
+        empty = error["input"] is None and wanted != _KINDS["string"]
+        how = "give it a value or leave the key out" if empty else wanted[1]
+        return f"{value} is not {wanted[0]}", how
+    if kind == "too_short":
+        least = f"write at least {context['min_length']}"
+        return f"{context['actual_length']} entries are too few", least
+    for key, (should_be, use) in _LIMITS.items():
         if key in context:
-            return f"{value} should be {words} {context[key]}"
-    if error["type"] == "literal_error":
-        return f"{value} should be {context['expected']}"
+            limit = context[key]
+            return f"{value} should be {should_be} {limit}", f"use a number that is {use} {limit}"
+    if kind == "literal_error":
+        return f"{value} should be {context['expected']}", f"use one of {context['expected']}"
     text = str(context.get("message") or context.get("error") or error["msg"])
-    return text[:1].lower() + text[1:] if text[1:2].islower() else text
-
-
-def _bound_remedy(kind: str, context: Mapping[str, Any]) -> str:
-    for key, (_, words) in _LIMITS.items():
-        if key in context:
-            return f"use a number that is {words} {context[key]}"
-    if kind == "literal_error" and "expected" in context:
-        return f"use one of {context['expected']}"
-    return ""
+    text = text[:1].lower() + text[1:] if text[1:2].islower() else text
+    return text, str(context.get("remedy", ""))
 
 
 def _models(annotation: Any) -> list[type[BaseModel]]:

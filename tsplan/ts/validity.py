@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.errors import Finding, Nearest
-from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, is_finite
+from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, is_number
 from tsplan.ts.edges import Edge, Pair, State
 
 # the fewest corners of a shape
@@ -121,7 +121,7 @@ def _edge(edge: Edge) -> Iterator[_Flaw]:
             whose = "" if class_name is None else f" for '{class_name}'"
             yield "duration", f"duration: {value}{whose} is {fault.what}", fault.remedy
     cost: Any = edge.cost
-    if cost is not None and (not _is_number(cost) or cost < 0):
+    if cost is not None and (not is_number(cost) or cost < 0):
         message = f"cost: {cost} is not a finite number of at least 0"
         yield "cost", message, "write a number such as 2.5"
     elif cost is not None and cost >= MOST_COST:
@@ -152,12 +152,8 @@ def _capacity(value: Any) -> Iterator[_Flaw]:
 
 
 def _is_point(value: Any) -> bool:
-    return isinstance(value, tuple) and len(value) == 2 and all(map(_is_number, value))  # noqa: PLR2004 - x and y
+    return isinstance(value, tuple) and len(value) == 2 and all(map(is_number, value))  # noqa: PLR2004 - x and y
 
 
 def _is_polygon(value: Any) -> bool:
     return isinstance(value, tuple) and len(value) >= CORNERS and all(map(_is_point, value))
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and is_finite(value)
