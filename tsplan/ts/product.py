@@ -8,10 +8,12 @@ Here an edge takes time, so both must take equally long.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
 
 from tsplan.errors import Finding, MapError
 from tsplan.exact import exact
-from tsplan.ts.edges import NOTHING, Edge, State
+from tsplan.ts.edges import Edge, State
 from tsplan.ts.system import TransitionSystem
 
 
@@ -42,31 +44,24 @@ def product(first: TransitionSystem, second: TransitionSystem) -> TransitionSyst
         found.append(Finding(message, "apply unit_steps to both systems first"))
     if found:
         raise MapError(dict.fromkeys(found))
-    return TransitionSystem.build(
-        _joint_states(first, second),
-        _joint_edges(first, second),
-        f"{first.name}|{second.name}" if first.name or second.name else "",
-    )
-
-
-def _joint_states(first: TransitionSystem, second: TransitionSystem) -> Iterator[State]:
-    for one in first.states.values():
-        for two in second.states.values():
-            yield State(
-                _joint(one.name, two.name), one.labels | two.labels, needs=one.needs | two.needs
-            )
-
-
-def _joint_edges(first: TransitionSystem, second: TransitionSystem) -> Iterator[Edge]:
-    for one in first.edges.values():
-        for two in second.edges.values():
-            yield Edge(
-                _joint(one.source, two.source),
-                _joint(one.target, two.target),
-                one.duration,
-                float(exact(_cost(one)) + exact(_cost(two))),
-                needs=one.needs | two.needs,
-            )
+    states = [
+        State(_joint(one.name, two.name), one.labels | two.labels, needs=one.needs | two.needs)
+        for one in first.states.values()
+        for two in second.states.values()
+    ]
+    edges = [
+        Edge(
+            _joint(one.source, two.source),
+            _joint(one.target, two.target),
+            one.duration,
+            float(exact(_cost(one)) + exact(_cost(two))),
+            needs=one.needs | two.needs,
+        )
+        for one in first.edges.values()
+        for two in second.edges.values()
+    ]
+    name = _joint(first.name, second.name) if first.name or second.name else ""
+    return TransitionSystem.build(states, edges, name)
 
 
 def _joint(one: str, two: str) -> str:
@@ -116,30 +111,19 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
         if not isinstance(duration, int):
             message = f"the duration from '{edge.source}' to '{edge.target}' differs by class"
             found.append(Finding(message, "name the class"))
-        elif duration > 1 and edge.capacity is not None:
+        elif duration == 1:
+            edges.append(replace(edge, duration=1))
+        elif edge.capacity is not None:
             message = f"the edge from '{edge.source}' to '{edge.target}' has a capacity"
             found.append(Finding(message, "drop its capacity, or give it duration 1"))
         else:
-            names = [edge.source, *_between(edge, duration), edge.target]
-            states += [State(name) for name in names[1:-1]]
-            edges += _chain(edge, names, class_name)
+            between = [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
+            states += map(State, between)
+            costs = [edge.cost_for(class_name or ""), *[0.0] * len(between)]
+            for pair, cost in zip(
+                pairwise([edge.source, *between, edge.target]), costs, strict=True
+            ):
+                edges.append(Edge(*pair, 1, cost, needs=edge.needs))
     if found:
         raise MapError(found)
     return TransitionSystem.build(states, edges, system.name)
-
-
-def _between(edge: Edge, duration: int) -> list[str]:
-    return [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
-
-
-def _chain(edge: Edge, names: list[str], class_name: str | None) -> Iterator[Edge]:
-    """The steps of one edge; it stays as it is where it has only one."""
-    if len(names) == 2:  # noqa: PLR2004 - both ends
-        yield Edge(
-            edge.source, edge.target, 1, edge.cost, edge.capacity, edge.needs, edge.both_ways
-        )
-        return
-    cost = edge.cost_for(class_name or "")
-    for index in range(len(names) - 1):
-        needs = edge.needs or NOTHING
-        yield Edge(names[index], names[index + 1], 1, cost if index == 0 else 0.0, needs=needs)

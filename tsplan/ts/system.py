@@ -117,18 +117,14 @@ class TransitionSystem:
     @cached_property
     def capacity_groups(self) -> tuple[tuple[int, tuple[Pair, ...]], ...]:
         """Edge capacities with the edges that share each: one edge, or one in both directions."""
-        groups: list[tuple[int, tuple[Pair, ...]]] = []
+        groups: dict[Pair, tuple[int, tuple[Pair, ...]]] = {}
         for pair, edge in self.edges.items():
-            if edge.capacity is None:
-                continue
-            if not edge.both_ways:
-                groups.append((edge.capacity, (pair,)))
-                continue
             back = (edge.target, edge.source)
             # the direction that comes first stands for both
-            if self._position[pair] < self._position[back]:
-                groups.append((edge.capacity, (pair, back)))
-        return tuple(groups)
+            if edge.capacity is not None and not (edge.both_ways and back in groups):
+                pairs = (pair, back) if edge.both_ways else (pair,)
+                groups[pair] = edge.capacity, pairs
+        return tuple(groups.values())
 
     @cached_property
     def cost_unit(self) -> Fraction:
@@ -136,10 +132,6 @@ class TransitionSystem:
         costs = {edge.cost for edge in self.edges.values() if edge.cost is not None}
         durations = any(e.cost is None and not e.is_wait for e in self.edges.values())
         return common_unit([*map(exact, costs), *([Fraction(1)] if durations else [])])
-
-    @cached_property
-    def _position(self) -> Mapping[Pair, int]:
-        return {pair: index for index, pair in enumerate(self.edges)}
 
     @cached_property
     def graph(self) -> nx.DiGraph[str]:

@@ -18,7 +18,6 @@ from pydantic import BaseModel, ConfigDict, Field
 from tsplan.document import Document, Path, validated
 from tsplan.document.compose import SET, TUPLE
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
-from tsplan.document.pause import collector_paused
 from tsplan.errors import MapError
 from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.io.flow_style import flow, given, short, word
@@ -212,7 +211,6 @@ def _polygon(kept: dict[str, Any]) -> tuple[tuple[float, float], ...] | None:
     return tuple((point[0], point[1]) for point in points if point is not None)
 
 
-@collector_paused()
 def read_lomap(document: Document, path: Path = ()) -> TransitionSystem:
     """A map in LOMAP's format, at `path` of a document.
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from tsplan.document import Document, Path, read_document
 from tsplan.document.files import write_whole
 from tsplan.document.kinds import MAP, misfit
+from tsplan.document.pause import collector_paused
 from tsplan.errors import InputError, MapError
 from tsplan.ts.io.lomap import is_lomap, lomap_to_yaml, read_lomap
 from tsplan.ts.io.tsplan_yaml import map_to_yaml, read_own
@@ -38,6 +39,7 @@ FORMATS: tuple[MapFormat, ...] = (
 """The first that recognises a document reads it; the own format takes what no other does."""
 
 
+@collector_paused()
 def map_from_document(document: Document, path: Path = ()) -> TransitionSystem:
     """The map at a path of a document, as for maps written inside a mission.
 

@@ -9,7 +9,6 @@ from pydantic import BaseModel, ConfigDict, Field, PlainValidator, RootModel
 
 from tsplan.document import Document, Path
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
-from tsplan.document.pause import collector_paused
 from tsplan.errors import MapError
 from tsplan.ts.edges import ByClass, Edge, State, missing_waits
 from tsplan.ts.io.flow_style import flow, given, short, word
@@ -122,7 +121,6 @@ class _Draft(MapDraft):
         self.add_edge(edge, path, back=edge.both_ways and not edge.is_wait)
 
 
-@collector_paused()
 def read_own(document: Document, path: Path = ()) -> TransitionSystem:
     """A map in the package's own format, at `path` of a document.
 
