@@ -108,7 +108,12 @@ def nearest(name: str, known: Iterable[str]) -> str:
     >>> nearest("gren", ["green", "blue"])
     "did you mean 'green'?"
     """
-    return Nearest(known)(name)
+    words = sorted(set(known))
+    close = get_close_matches(name[:_LONGEST], words, n=1, cutoff=0.5)
+    if close:
+        return f"did you mean '{close[0]}'?"
+    shown = [*words[:_SHOWN], *(["..."] if len(words) > _SHOWN else [])]
+    return f"known: {', '.join(shown)}" if words else "none are defined"
 
 
 class Nearest:
@@ -118,23 +123,11 @@ class Nearest:
     """
 
     def __init__(self, known: Iterable[str]) -> None:
-        self._words = sorted(set(known))
-        self._found: dict[str, str] = {}
+        self._words = frozenset(known)
+        self._remedies: dict[str, str] = {}
 
     def __call__(self, name: str) -> str:
         """The remedy for one name."""
-        if name not in self._found:
-            if len(self._found) >= MOST_TOLD:
-                return ""
-            self._found[name] = self._remedy(name[:_LONGEST])
-        return self._found[name]
-
-    def _remedy(self, name: str) -> str:
-        words = self._words
-        close = get_close_matches(name, words, n=1, cutoff=0.5)
-        if close:
-            return f"did you mean '{close[0]}'?"
-        if not words:
-            return "none are defined"
-        shown = ", ".join([*words[:_SHOWN], *(["..."] if len(words) > _SHOWN else [])])
-        return f"known: {shown}"
+        if name not in self._remedies and len(self._remedies) < MOST_TOLD:
+            self._remedies[name] = nearest(name, self._words)
+        return self._remedies.get(name, "")

@@ -6,7 +6,7 @@ much aliases multiply, and which tags are understood (an unknown tag is a findin
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import yaml
@@ -55,6 +55,12 @@ class Node:
     size: int = 1
     flow: bool = False
 
+    def put(self, key: str, child: Node, place: tuple[int, int]) -> None:
+        """Take in an entry of a mapping, whose key stands at a place."""
+        assert isinstance(self.children, dict)
+        assert self.keys is not None
+        self.children[key], self.value[key], self.keys[key] = child, child.value, place
+
 
 @dataclass(slots=True, eq=False)
 class _Open:
@@ -62,10 +68,8 @@ class _Open:
 
     node: Node
     anchor: str | None
-    mapping: bool
     flow: bool
     key: Node | None = None
-    key_places: dict[str, tuple[int, int]] = field(default_factory=dict)
     merged: list[Node] | None = None
 
 
@@ -106,7 +110,7 @@ class Composer:
     @property
     def what(self) -> str:
         """What the next text is, in words: a formula or just a text."""
-        keys = {item.key.text for item in self._stack if item.key is not None}
+        keys = {opened.key.text for opened in self._stack if opened.key is not None}
         return "formula" if keys & FORMULA_KEYS else "text"
 
     def all_findings(self) -> list[Finding]:
@@ -119,60 +123,53 @@ class Composer:
         last = Finding(message, remedy, self.source, mark.line + 1, mark.column + 1)
         return InputError([*self.findings, last])
 
-    def _report(self, message: str, remedy: str, line: int, column: int) -> None:
-        self.findings.append(Finding(message, remedy, self.source, line, column))
+    def _finding(self, node: Node, message: str, remedy: str) -> Finding:
+        return Finding(message, remedy, self.source, node.line, node.column)
+
+    def _report(self, node: Node, message: str, remedy: str) -> None:
+        self.findings.append(self._finding(node, message, remedy))
 
     def _scalar(self, event: Any) -> Node:
-        mark, text, tag = event.start_mark, nfc(event.value), event.tag
-        line, column = mark.line + 1, mark.column + 1
-        value: Any = text
-        if tag is None:
-            value = resolve(text) if event.implicit[0] else text
-        elif tag in TAGS:
+        mark, end, text, tag = event.start_mark, event.end_mark.index, nfc(event.value), event.tag
+        node = Node(text, mark.line + 1, mark.column + 1, mark.index, end, tag, text, event.style)
+        node.flow = self.flow
+        if tag in TAGS:
             try:
-                value = TAGS[tag](text)
+                node.value = TAGS[tag](text)
             except ValueError:
-                self._report(f"'{text}' does not fit its tag", "drop the tag", line, column)
-        else:
-            self._tagged(tag, text, line, column)
+                self._report(node, f"'{text}' does not fit its tag", "drop the tag")
+        elif tag is not None:
+            self._tagged(node)
+        elif event.implicit[0]:
+            node.value = resolve(text)
         if event.anchor is not None and self.what == "formula":
             message = f"YAML takes '&{event.anchor}' for an anchor, and only '{text}' is left"
-            remedy = quoted("formula")
-            self._unused[event.anchor] = Finding(message, remedy, self.source, line, column)
-        begin, end = mark.index, event.end_mark.index
-        return Node(value, line, column, begin, end, tag, text, event.style, flow=self.flow)
+            self._unused[event.anchor] = self._finding(node, message, quoted("formula"))
+        return node
 
-    def _tagged(self, tag: str, text: str, line: int, column: int) -> None:
-        """A word with an exclamation mark before a text: hardly ever meant as a tag."""
-        if tag.startswith(_STANDARD) and text:
-            self._unknown_tag(tag, line, column)
+    def _tagged(self, node: Node) -> None:
+        """A word with an exclamation mark: not accepted as a tag, and hardly ever meant as one."""
+        shown, text = str(node.tag).replace(_STANDARD, "!!"), node.text or ""
+        formula = self.what == "formula" and node.tag == "!"
+        if (node.text is None and not formula) or (shown.startswith("!!") and text):
+            self._report(node, f"the tag '{shown}' is not accepted", "write plain data")
             return
-        shown = tag.replace(_STANDARD, "!!")
         left = f", and only '{text}' is left" if text else ""
         remedy = f"put the {self.what} in quotes: '{f'{shown} {text}'.rstrip()}'"
-        self._report(f"YAML takes '{shown}' for a tag{left}", remedy, line, column)
-
-    def _unknown_tag(self, tag: str, line: int, column: int) -> None:
-        shown = tag.replace(_STANDARD, "!!")
-        self._report(f"the tag '{shown}' is not accepted", "write plain data", line, column)
+        self._report(node, f"YAML takes '{shown}' for a tag{left}", remedy)
 
     def _begin(self, event: Any, *, mapping: bool) -> None:
         mark, tag = event.start_mark, event.tag
         if len(self._stack) >= DEEPEST:
             raise self._stop(*TOO_DEEP, mark)
-        line, column = mark.line + 1, mark.column + 1
-        if tag == "!" and self.what == "formula":
-            self._tagged(tag, "", line, column)
-        elif tag is not None and tag not in _COLLECTIONS:
-            self._unknown_tag(tag, line, column)
-        value: Any = {} if mapping else []
-        node = Node(value, line, column, mark.index, mark.index, tag)
-        node.children = {} if mapping else []
+        node = Node([], mark.line + 1, mark.column + 1, mark.index, mark.index, tag, children=[])
+        if mapping:
+            node.value, node.children, node.keys = {}, {}, {}
+        if tag is not None and (tag not in _COLLECTIONS or (tag == "!" and self.what == "formula")):
+            self._tagged(node)
         if event.anchor is not None:
             self._anchors[event.anchor] = None
-        opened = _Open(node, event.anchor, mapping, bool(event.flow_style))
-        node.keys = opened.key_places
-        self._stack.append(opened)
+        self._stack.append(_Open(node, event.anchor, bool(event.flow_style)))
 
     def _alias(self, event: Any) -> None:
         self._unused.pop(event.anchor, None)
@@ -202,11 +199,11 @@ class Composer:
             self.root = _as_set(node)
             return
         top = self._stack[-1]
-        if not top.mapping:
+        if isinstance(top.node.children, list):
             node = _as_set(node)
             top.node.size += node.size
             top.node.value.append(node.value)
-            top.node.children.append(node)  # type: ignore[union-attr]  # a list, as `mapping` says
+            top.node.children.append(node)
         elif top.key is None:
             top.key = node
         else:
@@ -214,36 +211,29 @@ class Composer:
             top.key = None
 
     def _entry(self, top: _Open, key_node: Node, node: Node) -> None:
-        children = top.node.children
-        assert isinstance(children, dict)
-        key = self._key(key_node)
+        key, keys = self._key(key_node), top.node.keys or {}
         top.node.size += node.size + 1
         if key == MERGE and not key_node.style:
             if top.merged is None:
                 top.merged = self._sources(key_node, node)
             else:
                 remedy = f"name all in one list, {MERGE}: [*one, *two]"
-                what = f"the key '{MERGE}' appears twice"
-                self._report(what, remedy, key_node.line, key_node.column)
-            return
-        if key in children:
-            first = top.key_places[key][0]
-            what = f"the key '{key}' appears twice, first in line {first}"
-            self._report(what, "keep one of them", key_node.line, key_node.column)
-            return
-        top.node.value[key] = node.value
-        children[key] = node
-        top.key_places[key] = (key_node.line, key_node.column)
+                self._report(key_node, f"the key '{MERGE}' appears twice", remedy)
+        elif key in keys:
+            what = f"the key '{key}' appears twice, first in line {keys[key][0]}"
+            self._report(key_node, what, "keep one of them")
+        else:
+            top.node.put(key, node, (key_node.line, key_node.column))
 
     def _sources(self, key: Node, node: Node) -> list[Node]:
         """The mappings that a merge key names, the one that wins first."""
         several = isinstance(node.children, list)
         sources = list(node.children) if isinstance(node.children, list) else [node]
-        wrong = [item for item in sources if not isinstance(item.children, dict)]
+        wrong = [source for source in sources if not isinstance(source.children, dict)]
         if wrong or not sources:
             at = wrong[0] if wrong and several else key
             what = f"'{MERGE}' takes in the entries of mappings, and this is none"
-            self._report(what, f"write {MERGE}: *name or {MERGE}: [*one, *two]", at.line, at.column)
+            self._report(at, what, f"write {MERGE}: *name or {MERGE}: [*one, *two]")
             return []
         return sources
 
@@ -253,15 +243,11 @@ class Composer:
         An entry that the mapping has itself wins, then the first mapping that has it. What is
         taken in keeps its place, so that findings point at where it is written.
         """
-        children = top.node.children
         for source in top.merged or ():
-            assert isinstance(children, dict)
             assert isinstance(source.children, dict)
             for key, child in source.children.items():
-                if key not in children:
-                    children[key] = child
-                    top.node.value[key] = child.value
-                    top.key_places[key] = (source.keys or {})[key]
+                if key not in (top.node.keys or ()):
+                    top.node.put(key, child, (source.keys or {})[key])
 
     def _key(self, node: Node) -> str:
         """The text of a key; a sequence of scalars (a tuple in Python) is written `(a, b)`."""
@@ -269,18 +255,16 @@ class Composer:
             return node.text
         if isinstance(node.children, list) and all(c.text is not None for c in node.children):
             return "(" + ", ".join(str(child.text) for child in node.children) + ")"
-        self._report("a key cannot be a collection", "use a word", node.line, node.column)
+        self._report(node, "a key cannot be a collection", "use a word")
         return ""
 
 
 def _as_set(node: Node) -> Node:
     """A `!!set` as the list of its members; every other node as it is."""
-    if node.tag != SET or not isinstance(node.children, dict):
-        return node
-    members = []
-    for key, (line, column) in (node.keys or {}).items():
-        members.append(Node(key, line, column, node.start, node.end, text=key))
-    node.value, node.children = [child.value for child in members], list(members)
+    if node.tag == SET and isinstance(node.children, dict):
+        places = (node.keys or {}).items()
+        node.children = [Node(key, *at, node.start, node.end, text=key) for key, at in places]
+        node.value = [child.value for child in node.children]
     return node
 
 
@@ -344,11 +328,6 @@ def _character(error: yaml.YAMLError, text: str, source: str) -> Finding:
     for number, line in enumerate(text.split("\n"), start=1):
         for column, char in enumerate(line, start=1):
             if not char.isprintable() and char not in "\t\r\x85\ufeff\u2028\u2029":
-                return Finding(
-                    f"the character U+{ord(char):04X} is not allowed in YAML",
-                    "remove it",
-                    source,
-                    number,
-                    column,
-                )
+                what = f"the character U+{ord(char):04X} is not allowed in YAML"
+                return Finding(what, "remove it", source, number, column)
     return Finding(f"not valid YAML: {str(error).splitlines()[0]}", "", source)

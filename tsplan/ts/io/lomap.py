@@ -102,15 +102,15 @@ class _Draft(MapDraft):
         more = self._more(_StateMore, path, kept)
         at, shape = self._place(name, kept), _polygon(kept)
         color = kept.pop("color") if isinstance(kept.get("color"), str) else None
-        self.states.append(State(name, labels, at, shape, color, **dict(more)))
+        self.states.append(State(name, labels, at, shape, color, **more))
         if kept:
             self.state_extras[name] = kept
 
-    def _more(self, schema: type[_StateMore], path: Path, kept: dict[str, Any]) -> Any:
-        """What stands under this package's own attribute, if it is there."""
+    def _more(self, schema: type[BaseModel], path: Path, kept: dict[str, Any]) -> dict[str, Any]:
+        """The fields that stand under this package's own attribute, if it is there."""
         if kept.pop(_OWN_KEY, None) is None:
-            return schema()
-        return self.part(schema, (*path, _OWN_KEY)) or schema()
+            return {}
+        return dict(self.part(schema, (*path, _OWN_KEY)) or ())
 
     def _labels(self, path: Path) -> list[str]:
         """The propositions of a node: a set, a list, a mapping's keys or one word."""
@@ -148,16 +148,16 @@ class _Draft(MapDraft):
             self.refuse(path, "an edge is not [from, to, {weight: ...}]", "write it so")
             return
         kept = _native(self.document, (*path, 2)) if len(entry) > 2 else {}  # noqa: PLR2004
-        more = self._more(_EdgeMore, (*path, 2), kept)
-        self.findings += self.document.lost_digits((*path, 2, _OWN_KEY, "cost"), more.cost)
-        source, target = self._name((*path, 0)), self._name((*path, 1))
-        back = not self.directed and source != target
+        fields = self._more(_EdgeMore, (*path, 2), kept)
+        self.findings += self.document.lost_digits((*path, 2, _OWN_KEY, "cost"), fields.get("cost"))
         weight = kept.pop("weight", 1)
         # 2.0 is whole, anything else is left for the checks to refuse
         whole = isinstance(weight, float) and weight.is_integer()
-        more.duration = more.duration or (int(weight) if whole else weight)
-        more.both_ways |= back
-        edge = Edge(source, target, **dict(more))
+        fields["duration"] = fields.get("duration") or (int(weight) if whole else weight)
+        source, target = self._name((*path, 0)), self._name((*path, 1))
+        back = not self.directed and source != target
+        fields["both_ways"] = fields.get("both_ways", False) or back
+        edge = Edge(source, target, **fields)
         if self._known.get(edge.pair) != edge:
             self.add_edge(edge, path, back=back)
         for one in [edge, edge.reverse()] if back else [edge]:
