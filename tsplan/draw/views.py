@@ -41,6 +41,21 @@ PAGE = "page"
 """The name of the view that has the paths, the timeline and the requirements below each other."""
 
 
+def draw_plan(
+    plan: Plan, mission: Mission | None = None, view: str = "", ax: Any = None
+) -> Picture:
+    """One of the `VIEWS`: the paths unless named; without a mission the timeline, all there is.
+
+    Raises InputError for a view that does not exist or needs the mission.
+    """
+    if mission is not None:
+        return draw_view(plan, mission, view or "paths", ax)
+    if view not in ("", "timeline"):
+        remedy = "give the mission too: plan.plot(mission, ...)"
+        raise InputError([Finding(f"the view '{view}' needs the map of the mission", remedy)])
+    return draw_timeline(plan, None, ax)
+
+
 def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Picture:
     """One of the `VIEWS`, by name.
 

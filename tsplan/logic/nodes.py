@@ -14,12 +14,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from typing import Any, cast
 
+from tsplan import display
 from tsplan.logic.interning import Interned
 
 _SHOWN = 200  # characters of a formula that `repr` shows at most
 
 
-class Formula(metaclass=Interned):
+class Formula(display.Displayed, metaclass=Interned):
     """A formula of any of the languages; equality is identity.
 
     Formulas are combined with `&` (and), `|` (or), `~` (not), `>>` (implies) and the methods
@@ -107,13 +108,7 @@ class Formula(metaclass=Interned):
 
     def _repr_svg_(self) -> str:
         """The formula as a tree, as notebooks show it."""
-        from tsplan.draw.notebook import formula_svg  # noqa: PLC0415  (for notebooks only)
-
-        return formula_svg(self)
-
-    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
-        """The formula in every form a notebook may ask for."""
-        return {"text/plain": repr(self), "image/svg+xml": self._repr_svg_()}
+        return display.formula_svg(self)
 
     def __copy__(self) -> Formula:
         return self

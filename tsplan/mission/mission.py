@@ -15,6 +15,7 @@ from math import ceil
 from numbers import Integral
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, cast
 
+from tsplan import display
 from tsplan.errors import Finding, MissionError
 from tsplan.mission.objectives import DEFAULT_OBJECTIVE
 from tsplan.names import nfc
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from tsplan.document import Document
-    from tsplan.draw.canvas import Picture
     from tsplan.logic import Formula
     from tsplan.ts import TransitionSystem
 
@@ -280,14 +280,12 @@ class Mission:
         """How a class may divide into sub-swarms; None for ordinary robots."""
         return None if self.swarm is None else self.swarm.each.get(class_name)
 
-    def plot(self, ax: Any = None) -> Picture:
+    def plot(self, ax: Any = None) -> display.Picture:
         """The map with the team's starts: the matplotlib figure and its axes.
 
         Raises PlotUnavailableError without matplotlib.
         """
-        from tsplan.draw.map import draw_mission  # noqa: PLC0415  (draws this)
-
-        return draw_mission(self, ax)
+        return display.draw_mission(self, ax)
 
     @classmethod
     def of(

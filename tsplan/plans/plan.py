@@ -15,21 +15,18 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from tsplan import display
 from tsplan.asked import step_within
-from tsplan.errors import Finding, InputError, PlanError
+from tsplan.errors import Finding, PlanError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from tsplan.draw.canvas import Picture
-    from tsplan.explanation.why.requirements import Requirement
-    from tsplan.explanation.why.witness_tree import Evidence
     from tsplan.milp.model import Ints
     from tsplan.mission import Mission
     from tsplan.plans.moves import Move, Node
     from tsplan.plans.satisfaction import Fulfilment, Satisfaction
     from tsplan.plans.subswarms import SubSwarm
-    from tsplan.protocol.simulation import Simulation
 
 Stay: TypeAlias = tuple[int, int, str]
 """`(from, to, state)`: at that state at every step from..to, both included."""
@@ -169,7 +166,7 @@ class Bundle:
 
 
 @dataclass(frozen=True)
-class Plan:
+class Plan(display.Displayed):
     """What planning a mission ended with.
 
     `agents` is empty unless `status` is optimal or feasible. `availability` is the counting
@@ -283,18 +280,18 @@ class Plan:
 
         return asked_counts(self, states, capability)
 
-    def explain(self, mission: Mission) -> Evidence:
+    def explain(self, mission: Mission) -> display.Evidence:
         """Why the plan satisfies the formula of its mission, as a tree that prints itself.
 
         Every node says where it holds, by how many agents, and what it rests on there: which step,
         which agents. It comes from the evaluator and the counts alone. Raises PlanError for a
         plan without paths or of another mission.
         """
-        from tsplan.explanation.why.witness_tree import explain  # noqa: PLC0415  (the parser is slow to import)
+        return display.explain(self, mission)
 
-        return explain(self, mission)
-
-    def plot(self, mission: Mission | None = None, *, view: str = "", ax: Any = None) -> Picture:
+    def plot(
+        self, mission: Mission | None = None, *, view: str = "", ax: Any = None
+    ) -> display.Picture:
         """A picture of the plan: its matplotlib figure and axes.
 
         `view` is one of `paths` (the default with a mission), `timeline` (the default, and all
@@ -303,24 +300,14 @@ class Plan:
         matplotlib, InputError for an unknown view, and PlanError for a plan without paths or of
         another mission.
         """
-        from tsplan.draw.timeline import draw_timeline  # noqa: PLC0415  (draws this)
-        from tsplan.draw.views import draw_view  # noqa: PLC0415  (as above)
+        return display.draw_plan(self, mission, view, ax)
 
-        if mission is not None:
-            return draw_view(self, mission, view or "paths", ax)
-        if view not in ("", "timeline"):
-            remedy = "give the mission too: plan.plot(mission, ...)"
-            raise InputError([Finding(f"the view '{view}' needs the map of the mission", remedy)])
-        return draw_timeline(self, None, ax)
-
-    def requirements(self, mission: Mission) -> tuple[Requirement, ...]:
+    def requirements(self, mission: Mission) -> tuple[display.Requirement, ...]:
         """What the formula's atoms ask of the counts and what the plan gives, over all steps.
 
         Raises PlanError for a plan without paths or of another mission.
         """
-        from tsplan.explanation.why.requirements import requirements  # noqa: PLC0415  (as above)
-
-        return requirements(self, mission)
+        return display.requirements(self, mission)
 
     def view(self, mission: Mission, path: str | Path | None = None) -> Path:
         """Show the plan in the browser: one page that plays it, whose path is returned.
@@ -328,32 +315,21 @@ class Plan:
         With a `path` the page is written there and no browser is opened. Raises PlanError for a
         plan without paths and for one that does not fit the mission's map.
         """
-        from tsplan.viewer.browser import open_page, write_page  # noqa: PLC0415  (imports this)
+        return display.show_page(mission, self, None if path is None else Path(path))
 
-        written = write_page(mission, self, None if path is None else Path(path))
-        if path is None:
-            open_page(written)
-        return written
-
-    def simulate(self, mission: Mission, *, runs: int = 1000, seed: int = 0) -> Simulation:
+    def simulate(self, mission: Mission, *, runs: int = 1000, seed: int = 0) -> display.Simulation:
         """How often the plan's mission holds if every agent follows the shares at random.
 
         See `tsplan.simulate`; raises PlanError for a plan without moves of swarms.
         """
-        from tsplan.protocol.simulation import simulate  # noqa: PLC0415  (imports this module)
-
-        return simulate(mission, self, runs=runs, seed=seed)
+        return display.simulate(mission, self, runs=runs, seed=seed)
 
     def _repr_html_(self) -> str:
         """The plan as notebooks show it: what is known, and who is where when."""
-        from tsplan.draw.notebook import plan_html  # noqa: PLC0415  (for notebooks only)
+        return display.plan_html(self)
 
-        return plan_html(self)
-
-    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
-        """The plan in every form a notebook may ask for."""
-        words = f"<Plan of {self.mission.name!r}: {self.status}, {len(self.agents)} agents>"
-        return {"text/plain": words, "text/html": self._repr_html_()}
+    def _caption(self) -> str:
+        return f"<Plan of {self.mission.name!r}: {self.status}, {len(self.agents)} agents>"
 
     def to_json(self) -> str:
         """The plan as a `tsplan-plan/1` document, one agent a line."""

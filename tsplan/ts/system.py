@@ -9,6 +9,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from tsplan import display
 from tsplan.errors import Finding, MapError, Spot
 from tsplan.exact import common_unit, exact
 from tsplan.ts.edges import Edge, Pair, State
@@ -16,8 +17,6 @@ from tsplan.ts.validity import Problem, in_order, problems
 
 if TYPE_CHECKING:
     import networkx as nx
-
-    from tsplan.draw.canvas import Picture
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +34,7 @@ class Extras:
 
 
 @dataclass(frozen=True)
-class TransitionSystem:
+class TransitionSystem(display.Displayed):
     """States and directed edges, at most one edge for each ordered pair of states.
 
     Build one with `TransitionSystem.build`, which checks it. States and edges keep the order in
@@ -154,24 +153,16 @@ class TransitionSystem:
         """The edges that leave a state, waits included."""
         return self._leaving.get(state, ())
 
-    def plot(self, ax: Any = None) -> Picture:
+    def plot(self, ax: Any = None) -> display.Picture:
         """The map: its matplotlib figure and axes.
 
         Raises PlotUnavailableError without matplotlib.
         """
-        from tsplan.draw.map import draw_map  # noqa: PLC0415  (draws this)
-
-        return draw_map(self, ax)
+        return display.draw_map(self, ax)
 
     def _repr_svg_(self) -> str:
         """The map as notebooks show it."""
-        from tsplan.draw.notebook import map_svg  # noqa: PLC0415  (for notebooks only)
-
-        return map_svg(self)
-
-    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
-        """The map in every form a notebook may ask for."""
-        return {"text/plain": repr(self), "image/svg+xml": self._repr_svg_()}
+        return display.map_svg(self)
 
     @cached_property
     def _leaving(self) -> Mapping[str, tuple[Edge, ...]]:

@@ -32,6 +32,14 @@ def write_page(mission: Mission, plan: Plan, path: Path | None = None) -> Path:
     return path
 
 
+def show_page(mission: Mission, plan: Plan, path: Path | None = None) -> Path:
+    """Write the page of a plan and return its path; without a given one, open it too."""
+    written = write_page(mission, plan, path)
+    if path is None:
+        open_page(written)
+    return written
+
+
 def open_page(path: Path) -> bool:
     """Show a page in the person's browser; False if there is none to be found."""
     try:

@@ -1,0 +1,78 @@
+"""How data is shown: the functions of higher rooms that draw, explain or simulate what lies below.
+
+Maps, missions, formulas and plans say `plot`, `view` or how a notebook shows them, but know nothing
+of pictures and pages: they ask this module, which finds the function when it is first used. It is
+the only place below those rooms that names them.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from tsplan.draw.canvas import Picture
+    from tsplan.draw.map import draw_map, draw_mission
+    from tsplan.draw.notebook import formula_svg, map_svg, plan_html
+    from tsplan.draw.views import draw_plan
+    from tsplan.explanation.why.requirements import Requirement, requirements
+    from tsplan.explanation.why.witness_tree import Evidence, explain
+    from tsplan.protocol.simulation import Simulation, simulate
+    from tsplan.viewer.browser import show_page
+
+_HOMES = {
+    "draw_map": "tsplan.draw.map",
+    "draw_mission": "tsplan.draw.map",
+    "draw_plan": "tsplan.draw.views",
+    "explain": "tsplan.explanation.why.witness_tree",
+    "formula_svg": "tsplan.draw.notebook",
+    "map_svg": "tsplan.draw.notebook",
+    "plan_html": "tsplan.draw.notebook",
+    "requirements": "tsplan.explanation.why.requirements",
+    "show_page": "tsplan.viewer.browser",
+    "simulate": "tsplan.protocol.simulation",
+}
+"""Where each function is, by its name."""
+
+_FORMS = {"image/svg+xml": "_repr_svg_", "text/html": "_repr_html_"}
+
+__all__ = [
+    "Displayed",
+    "Evidence",
+    "Picture",
+    "Requirement",
+    "Simulation",
+    "draw_map",
+    "draw_mission",
+    "draw_plan",
+    "explain",
+    "formula_svg",
+    "map_svg",
+    "plan_html",
+    "requirements",
+    "show_page",
+    "simulate",
+]
+
+
+class Displayed:
+    """What a notebook shows: a class has `_repr_svg_` or `_repr_html_`, and words beside it."""
+
+    __slots__ = ()
+
+    def _caption(self) -> str:
+        """The words that stand for it where nothing can be drawn."""
+        return repr(self)
+
+    def _repr_mimebundle_(self, **_choice: Any) -> dict[str, str]:
+        """Every form that a notebook may ask for."""
+        forms = {kind: getattr(self, name, None) for kind, name in _FORMS.items()}
+        drawn = {kind: form() for kind, form in forms.items() if form is not None}
+        return {"text/plain": self._caption(), **drawn}
+
+
+def __getattr__(name: str) -> Any:
+    """Load a function from its room on first use."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'tsplan.display' has no attribute '{name}'")
+    return getattr(import_module(_HOMES[name]), name)
