@@ -17,10 +17,10 @@ from tsplan.encode.flow_network import ClassGraph
 from tsplan.encode.memory import Watch, free_memory
 from tsplan.encode.shortcuts import Kept
 from tsplan.milp.model import Draft
-from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Group
 from tsplan.run.events import Incumbent
 from tsplan.search.clock import Clock, Halted
+from tsplan.stopping import StoppedBy
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 

@@ -17,8 +17,9 @@ from tsplan.milp.child_process import CrashError, run_guarded
 from tsplan.milp.highs import Highs
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Draft, Model
-from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy
+from tsplan.milp.solution import Options, Progress, Solution, Status
 from tsplan.milp.solver import Solver, solver
+from tsplan.stopping import StoppedBy
 
 
 @pytest.fixture(params=["highs", "gurobi", "pulp:PULP_CBC_CMD"])

@@ -10,8 +10,9 @@ from scipy import sparse
 
 from tsplan.errors import SolverError
 from tsplan.milp.model import Model
-from tsplan.milp.solution import Options, Progress, Solution, Status, StoppedBy, settled
+from tsplan.milp.solution import Options, Progress, Solution, Status, settled
 from tsplan.milp.verdict import Ending, Question, Verdict
+from tsplan.stopping import StoppedBy
 
 REASONS = [StoppedBy.TIME_LIMIT, StoppedBy.INTERRUPT, StoppedBy.MEMORY]
 

@@ -9,8 +9,8 @@ import time
 
 import pytest
 
-from tsplan.milp.solution import StoppedBy
 from tsplan.milp.watchdog import Attendant, Patience
+from tsplan.stopping import StoppedBy
 
 
 def until(attendant: Attendant, *, most: float = 5.0) -> None:

@@ -20,13 +20,14 @@ from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs
 from tsplan.milp.model import Model
-from tsplan.milp.solution import Options, Solution, Status, StoppedBy
+from tsplan.milp.solution import Options, Solution, Status
 from tsplan.milp.solver import installed, solver
 from tsplan.milp.verdict import Ending, Question, Verdict
 from tsplan.search import search
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.target import Target
+from tsplan.stopping import StoppedBy
 
 ONCE_WRONG = sorted((Path(__file__).parent / "models").glob("*.json"))
 

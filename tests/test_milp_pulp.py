@@ -14,8 +14,9 @@ from tsplan.errors import SolverError, SolverUnavailableError
 from tsplan.milp.descendants import Offspring
 from tsplan.milp.model import Model
 from tsplan.milp.pulp_terms import UnclearError, told
-from tsplan.milp.solution import Options, StoppedBy
+from tsplan.milp.solution import Options
 from tsplan.milp.verdict import Ending, Question, Verdict
+from tsplan.stopping import StoppedBy
 
 
 @pytest.mark.parametrize(

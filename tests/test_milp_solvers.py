@@ -17,8 +17,9 @@ from scipy import sparse
 from tsplan.errors import SolverError, SolverUnavailableError
 from tsplan.milp.highs import load
 from tsplan.milp.model import Model
-from tsplan.milp.solution import Options, Progress, Status, StoppedBy
+from tsplan.milp.solution import Options, Progress, Status
 from tsplan.milp.solver import Solver, available, installed, solver
+from tsplan.stopping import StoppedBy
 
 INF = np.inf
 NAMES = installed()

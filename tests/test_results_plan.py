@@ -19,10 +19,10 @@ from tsplan.plans.plan import (
     Plan,
     SolverUse,
     Status,
-    StoppedBy,
     Timings,
 )
 from tsplan.plans.plan_file import load_plan, save_plan
+from tsplan.stopping import StoppedBy
 
 REF = MissionRef("farm", "0" * 64)
 SEE = frozenset({"see"})

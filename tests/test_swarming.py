@@ -13,11 +13,11 @@ import tsplan
 import tsplan.run.planner
 from tsplan.cli import main
 from tsplan.errors import SolverError, TsplanError
-from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
 from tsplan.plans.decomposition import agents_of
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.search.lexicographic import Reached
+from tsplan.stopping import StoppedBy
 
 MAP = """\
 name: lane

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from tsplan.milp.solution import StoppedBy
 from tsplan.search.clock import Clock, Halted
+from tsplan.stopping import StoppedBy
 
 COLUMN_BYTES = 400
 ENTRY_BYTES = 250

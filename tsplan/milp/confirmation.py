@@ -14,8 +14,9 @@ from dataclasses import dataclass, replace
 
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.solution import Options, Solution, Status, StoppedBy, Watcher
+from tsplan.milp.solution import Options, Solution, Status, Watcher
 from tsplan.milp.solver import Solver
+from tsplan.stopping import StoppedBy
 
 _SEEDS = 2**31
 _SAME = 1e-6  # relative distance of values that count as the same

@@ -17,10 +17,11 @@ import numpy as np
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.quiet_output import hushed
-from tsplan.milp.solution import Options, Progress, Solution, StoppedBy, Watcher, settled
+from tsplan.milp.solution import Options, Progress, Solution, Watcher, settled
 from tsplan.milp.solver import Availability
 from tsplan.milp.verdict import Ending, Question, Verdict
 from tsplan.milp.watchdog import Attendant
+from tsplan.stopping import StoppedBy
 
 _SMALL = 2000  # columns and rows that the licence in the package allows
 _TOO_LARGE = 10010  # Gurobi's error number for a model over its licence's size

@@ -15,10 +15,11 @@ import numpy as np
 from tsplan.errors import SolverError, nearest
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.quiet_output import Hear, hushed
-from tsplan.milp.solution import Options, Progress, Solution, StoppedBy, Watcher, settled
+from tsplan.milp.solution import Options, Progress, Solution, Watcher, settled
 from tsplan.milp.solver import Availability
 from tsplan.milp.verdict import Ending, Question, Verdict
 from tsplan.milp.watchdog import Attendant
+from tsplan.stopping import StoppedBy
 
 with hushed():
     import highspy

@@ -25,10 +25,11 @@ from tsplan.milp.descendants import Offspring
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.pulp_terms import UnclearError, load, pulp_module, told
 from tsplan.milp.quiet_output import hushed
-from tsplan.milp.solution import Options, Solution, StoppedBy, Watcher, settled
+from tsplan.milp.solution import Options, Solution, Watcher, settled
 from tsplan.milp.solver import Availability
 from tsplan.milp.verdict import Ending, Question, Verdict
 from tsplan.milp.watchdog import Attendant, Patience
+from tsplan.stopping import StoppedBy
 
 _PREFERRED = ("PULP_CBC_CMD", "COIN_CMD", "HiGHS", "HiGHS_CMD", "SCIP_PY", "SCIP_CMD", "GLPK_CMD")
 _UNFIT = frozenset({"CPSAT"})  # takes continuous columns for whole ones

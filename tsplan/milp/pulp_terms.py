@@ -14,8 +14,8 @@ import numpy as np
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.quiet_output import hushed
-from tsplan.milp.solution import StoppedBy
 from tsplan.milp.verdict import Ending, Verdict
+from tsplan.stopping import StoppedBy
 
 _NOT_SOLVED, _SOLVED, _INFEASIBLE, _UNBOUNDED, _UNDEFINED = 0, 1, -1, -2, -3  # PuLP 3 and 4
 _TIME, _MEMORY, _GAP, _NUMERICAL = -4, -5, -7, -12  # PuLP 4

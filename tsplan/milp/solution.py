@@ -12,6 +12,7 @@ import numpy as np
 
 from tsplan.gap import relative_gap
 from tsplan.milp.model import Floats, Model
+from tsplan.stopping import LIMITS, StoppedBy
 
 
 class Status(StrEnum):
@@ -23,25 +24,11 @@ class Status(StrEnum):
     UNKNOWN = "unknown"
 
 
-class StoppedBy(StrEnum):
-    """What ended a solve before its question was settled.
-
-    PRECISION: the solver is done, and what it says is not borne out by its own bound or point.
-    """
-
-    TIME_LIMIT = "time_limit"
-    GAP = "gap"
-    INTERRUPT = "interrupt"
-    MEMORY = "memory"
-    PRECISION = "precision"
-
-
-_LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}
 _POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
     Status.OPTIMAL: frozenset({None}),
     Status.FEASIBLE: frozenset({*StoppedBy, None}),
     Status.INFEASIBLE: frozenset({None}),
-    Status.UNKNOWN: _LIMITS,
+    Status.UNKNOWN: LIMITS,
 }
 _ROUNDING = 1e-9
 

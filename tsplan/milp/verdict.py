@@ -9,7 +9,8 @@ import numpy as np
 
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.solution import Options, Solution, Status, StoppedBy
+from tsplan.milp.solution import Options, Solution, Status
+from tsplan.stopping import StoppedBy
 
 TOLERANCE = 1e-5  # by which a point may violate the model
 _CLOSED, _DIGITS = 1e-6, 1e-9  # a gap that is none, absolute and relative to the objective

@@ -15,7 +15,7 @@ from queue import Empty, SimpleQueue
 from threading import Thread
 from typing import Any
 
-from tsplan.milp.solution import StoppedBy
+from tsplan.stopping import StoppedBy
 
 _POLL = 0.05  # seconds between looks at the clock
 

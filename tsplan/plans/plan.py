@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from tsplan import display
 from tsplan.asked import step_within
 from tsplan.errors import Finding, PlanError
+from tsplan.stopping import LIMITS, StoppedBy
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -42,26 +43,12 @@ class Status(StrEnum):
     ERROR = "error"
 
 
-class StoppedBy(StrEnum):
-    """What ended a search before its question was settled.
-
-    PRECISION: the solver's arithmetic cannot tell whether there is something better.
-    """
-
-    TIME_LIMIT = "time_limit"
-    GAP = "gap"
-    INTERRUPT = "interrupt"
-    MEMORY = "memory"
-    PRECISION = "precision"
-
-
-_LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}
 _POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
     Status.OPTIMAL: frozenset({None}),
     Status.FEASIBLE: frozenset(StoppedBy),
     Status.INFEASIBLE: frozenset({None}),
-    Status.NO_PLAN_FOUND: _LIMITS,
-    Status.ERROR: frozenset({None, *_LIMITS}),
+    Status.NO_PLAN_FOUND: LIMITS,
+    Status.ERROR: frozenset({None, *LIMITS}),
 }
 _WITH_PATHS = frozenset({Status.OPTIMAL, Status.FEASIBLE})
 

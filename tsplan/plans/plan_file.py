@@ -19,13 +19,13 @@ from tsplan.plans.plan import (
     Plan,
     SolverUse,
     Stay,
-    StoppedBy,
     Timings,
     contradictions,
 )
 from tsplan.plans.plan_text import FORMAT, plan_file, refuse_other, spelled
 from tsplan.plans.satisfaction import Depth, Fulfilment, Node, Satisfaction
 from tsplan.plans.swarm_fields import groups_of, groups_text, moves_of, moves_text
+from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

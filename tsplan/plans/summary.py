@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
 from tsplan.plans.split_history import timeline
+from tsplan.stopping import StoppedBy
 from tsplan.words import number, visible
 
 if TYPE_CHECKING:

@@ -26,8 +26,9 @@ from tsplan.milp.child_process import (
     run_guarded,
 )
 from tsplan.milp.grace_period import USUAL, Leash, Patience
-from tsplan.plans.plan import MissionRef, Plan, Status, StoppedBy
+from tsplan.plans.plan import MissionRef, Plan, Status
 from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
+from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
     from types import FrameType

@@ -19,13 +19,13 @@ from tsplan.exact import exact
 from tsplan.logic import Formula
 from tsplan.logic.witness_steps import spots
 from tsplan.milp.model import Floats
-from tsplan.milp.solution import StoppedBy
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Reached, Tell
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.search import Found, Search
 from tsplan.search.target import Target
+from tsplan.stopping import StoppedBy
 
 _PART = 0.8  # of the time limit that settling may take
 _PATIENCE = 30.0  # seconds before the general solver takes over

@@ -26,11 +26,11 @@ from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.fraction import shares
 from tsplan.logic.traces import CountTrace
 from tsplan.logic.witness_steps import Pair, demanded, levels, satisfied, spots
-from tsplan.milp.solution import StoppedBy
 from tsplan.mission import Mission
 from tsplan.run.maximise import Settled, Settling
 from tsplan.search.clock import Clock
-from tsplan.search.lexicographic import Outcome, Reached, Stages
+from tsplan.search.lexicographic import Outcome, Point, Reached, Stages
+from tsplan.stopping import StoppedBy
 
 FIRST = frozenset({"satisfaction", "preferences"})
 """Objectives that say what is to hold."""

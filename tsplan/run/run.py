@@ -16,7 +16,6 @@ from typing import Any, Generic, TypedDict, TypeVar
 from tsplan.checking.plan_check import certify
 from tsplan.limits import refuse_options
 from tsplan.milp.quiet_output import audible, hushed_alone
-from tsplan.milp.solution import StoppedBy as Stopped
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
@@ -28,7 +27,6 @@ from tsplan.plans.plan import (
     Plan,
     SolverUse,
     Status,
-    StoppedBy,
     Timings,
 )
 from tsplan.plans.satisfaction import Depth, Satisfaction
@@ -36,6 +34,7 @@ from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
 from tsplan.search.clock import Clock, Halted
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Reached
+from tsplan.stopping import StoppedBy, true_reason
 from tsplan.words import known
 
 FoundT = TypeVar("FoundT")
@@ -86,7 +85,7 @@ class Result(Generic[FoundT]):
     reached: tuple[Reached, ...]
     proven: bool
     infeasible: bool
-    stopped_by: Stopped | None
+    stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
     satisfaction: Satisfaction | None = None
     notes: tuple[str, ...] = ()
@@ -170,12 +169,12 @@ class Run(ABC, Generic[FoundT]):
             return self._halted(halted.reason, halted.words)
         except MemoryError:
             # what was being built is gone with the error, so there is room again
-            return self._halted(Stopped.MEMORY)
+            return self._halted(StoppedBy.MEMORY)
         finally:
             built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
             self._seconds["solve"] = time.perf_counter() - began - built
 
-    def _halted(self, reason: Stopped, words: str = "") -> Result[FoundT]:
+    def _halted(self, reason: StoppedBy, words: str = "") -> Result[FoundT]:
         """The last plan that was heard of, if any, and why there is no more."""
         return Result(
             self._newest,
@@ -190,16 +189,6 @@ class Run(ABC, Generic[FoundT]):
     def _stop(self) -> None:
         if self._stopped is None:
             self._stopped = self._clock.elapsed
-
-    def _why(self, said: Stopped | None) -> StoppedBy | None:
-        """What truly ended the search: a wish to stop is no time limit, nor the other way round."""
-        if said not in (Stopped.INTERRUPT, Stopped.TIME_LIMIT):
-            return None if said is None else StoppedBy(said.value)
-        limit = self._clock.limit
-        if limit is None:
-            return StoppedBy(said.value) if self._stopped is None else StoppedBy.INTERRUPT
-        asked = self._stopped is not None and self._stopped < limit
-        return StoppedBy.INTERRUPT if asked else StoppedBy.TIME_LIMIT
 
     def _options(self) -> dict[str, object]:
         asked = {
@@ -261,7 +250,7 @@ class Run(ABC, Generic[FoundT]):
             reached = list(self._open())
         made = Plan(
             status=result.status,
-            stopped_by=self._why(result.stopped_by),
+            stopped_by=true_reason(result.stopped_by, self._stopped, self._clock.limit),
             mission=MissionRef(mission.name, mission.digest),
             horizon=mission.horizon,
             objective=tuple(item for item in reached if item.name != "own"),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
-from tsplan.milp.solution import StoppedBy
+from tsplan.stopping import StoppedBy
 
 
 class Halted(Exception):  # noqa: N818 - nothing has gone wrong

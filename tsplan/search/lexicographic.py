@@ -20,7 +20,6 @@ from tsplan.encode.objectives import Availability, LevelObjective, ModelObjectiv
 from tsplan.encode.options import Idea
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats
-from tsplan.milp.solution import StoppedBy
 from tsplan.search.chained_witnesses import chain_model, first_flows
 from tsplan.search.clock import Clock, Halted
 from tsplan.search.effort import Effort
@@ -28,6 +27,7 @@ from tsplan.search.group_search import GroupSearch
 from tsplan.search.question import FIRST_PLAN, Kept, Question, start_in
 from tsplan.search.search import Found, Search
 from tsplan.search.target import CLOSED
+from tsplan.stopping import StoppedBy
 
 Tell: TypeAlias = Callable[[str, "Point | None", "float | None", "float | None"], None]
 """Hears of a stage, a point, the value of the best plan and a bound, in the objective's unit."""

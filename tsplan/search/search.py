@@ -23,13 +23,14 @@ from tsplan.gap import relative_gap
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import Floats, Model, Tag
-from tsplan.milp.solution import Progress, Solution, Status, StoppedBy
+from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.search.branch_and_bound import Grown, Tree, Witnessing
 from tsplan.search.clock import Clock
 from tsplan.search.dive import Earliest, Picker, dive, largest
 from tsplan.search.effort import Effort
 from tsplan.search.rounding import Wholes
 from tsplan.search.target import Target
+from tsplan.stopping import StoppedBy
 
 _ROUNDS = 12  # of separation at the root
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import Cut, Element
 from tsplan.explanation.whynot.relaxing import any_plan, relaxed
-from tsplan.plans.plan import Status, StoppedBy
+from tsplan.plans.plan import Status
 from tsplan.run.planner import plan
+from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission

@@ -1,0 +1,40 @@
+"""What ends a search before its question is settled."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+
+class StoppedBy(StrEnum):
+    """What ended a search before its question was settled.
+
+    PRECISION: the solver is done, and its arithmetic cannot tell whether there is something better.
+    """
+
+    TIME_LIMIT = "time_limit"
+    GAP = "gap"
+    INTERRUPT = "interrupt"
+    MEMORY = "memory"
+    PRECISION = "precision"
+
+
+LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}
+"""What may keep a search from finding anything at all."""
+
+
+def true_reason(
+    said: StoppedBy | None, asked: float | None, limit: float | None
+) -> StoppedBy | None:
+    """What truly ended a search: a wish to stop is no time limit, nor the other way round.
+
+    `said` is what the search calls the reason, `asked` the seconds after which it was asked to stop
+    (None: never), `limit` its time limit in seconds.
+
+    >>> true_reason(StoppedBy.TIME_LIMIT, 2.0, 5.0).value
+    'interrupt'
+    """
+    if said not in (StoppedBy.INTERRUPT, StoppedBy.TIME_LIMIT):
+        return said
+    if limit is None:
+        return said if asked is None else StoppedBy.INTERRUPT
+    return StoppedBy.INTERRUPT if asked is not None and asked < limit else StoppedBy.TIME_LIMIT
