@@ -1,5 +1,6 @@
 """Missions: a map, a team, a formula and what to optimise."""
 
+from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission import (
     LANGUAGES,
     ORDERS,
@@ -8,7 +9,6 @@ from tsplan.mission.mission import (
     Group,
     Mission,
     Preference,
-    SolverChoice,
     SwarmBounds,
     SwarmRules,
 )

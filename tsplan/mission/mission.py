@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, cast
 
 from tsplan import display
 from tsplan.errors import Finding, MissionError
+from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.objectives import DEFAULT_OBJECTIVE
 from tsplan.names import nfc
 
@@ -133,17 +134,6 @@ class Preference:
     partial: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class SolverChoice:
-    """What the mission asks of the solver; None leaves it to the planner."""
-
-    name: str | None = None
-    time_limit: float | None = None
-    gap: float | None = None
-    threads: int | None = None
-    seed: int | None = None
-
-
 @dataclass(frozen=True)
 class Mission:
     """A map, a team, a formula and what to optimise.
@@ -174,7 +164,7 @@ class Mission:
     horizon: int
     objective: tuple[str, ...] = DEFAULT_OBJECTIVE
     task_interval: TaskInterval = "closed"
-    solver: SolverChoice = SolverChoice()
+    solver: SolverChoice = field(default_factory=SolverChoice)
     swarm: SwarmRules | None = None
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()

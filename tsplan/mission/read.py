@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tsplan.errors import Finding, InputError, MissionError
+from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.costs import cost_problems
 from tsplan.mission.findings import Entry, Place, Problem
 from tsplan.mission.formulas import Formulas, spelled_out
@@ -19,7 +20,6 @@ from tsplan.mission.mission import (
     Mission,
     Order,
     Preference,
-    SolverChoice,
     SwarmBounds,
     SwarmRules,
 )

@@ -8,7 +8,7 @@ from textwrap import shorten
 from typing import TYPE_CHECKING
 
 from tsplan.mission.objectives import OBJECTIVES
-from tsplan.plans.plan import Bundle, ObjectiveValue, Plan, Status, StoppedBy
+from tsplan.plans.plan import Bundle, ObjectiveValue, Plan, Status
 from tsplan.plans.split_history import timeline
 from tsplan.stopping import StoppedBy
 from tsplan.words import number, visible

@@ -29,7 +29,7 @@ from tsplan.logic.witness_steps import Pair, demanded, levels, satisfied, spots
 from tsplan.mission import Mission
 from tsplan.run.maximise import Settled, Settling
 from tsplan.search.clock import Clock
-from tsplan.search.lexicographic import Outcome, Point, Reached, Stages
+from tsplan.search.lexicographic import Outcome, Reached, Stages
 from tsplan.stopping import StoppedBy
 
 FIRST = frozenset({"satisfaction", "preferences"})

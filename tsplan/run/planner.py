@@ -11,12 +11,13 @@ from tsplan.encode.own_constraints import worth
 from tsplan.encode.read_back import class_flow, listed, moves_of
 from tsplan.errors import SolverError
 from tsplan.exact import digits
+from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
 from tsplan.plans.decomposition import decompose
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import AgentPlan, Plan
 from tsplan.run.problem import Problem, Tuning
-from tsplan.run.run import Listener, Result, Run, Settings, Tell, Ways, claimed_depths
+from tsplan.run.run import Listener, Result, Run, Tell, Ways, claimed_depths
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Reached
@@ -50,17 +51,17 @@ def plan(
     SolverUnavailableError for a solver that cannot be used, and SolverError when a solver fails or
     a plan is refused by the independent check.
     """
-    asked = Settings(solver, time_limit, gap, threads, seed)
+    choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Problem) else Problem(mission, tuning)
-    return MissionRun(problem, asked.over(problem.mission), on_event).plan()
+    return MissionRun(problem, choice, on_event).plan()
 
 
 class MissionRun(Run[Point]):
     """One planning run for a mission or a problem made of it."""
 
-    def __init__(self, problem: Problem, settings: Settings, listener: Listener | None) -> None:
-        super().__init__(problem.mission, settings, listener)
+    def __init__(self, problem: Problem, choice: SolverChoice, listener: Listener | None) -> None:
+        super().__init__(problem.mission, choice, listener)
         self._problem = problem
         self._reached: dict[str, Reached] = {}
 
@@ -88,7 +89,7 @@ class MissionRun(Run[Point]):
 
         Those of swarms are left out where there are more than `MOST_AGENTS` agents in all.
         """
-        setting, mission, seed = self._problem.setting, self._mission, self._settings.seed
+        setting, mission, seed = self._problem.setting, self._mission, self._choice.seed
         begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
         agents: list[AgentPlan | None] = [None] * mission.size
         moves: dict[str, tuple[Move, ...]] = {}

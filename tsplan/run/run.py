@@ -14,9 +14,9 @@ from types import FrameType
 from typing import Any, Generic, TypedDict, TypeVar
 
 from tsplan.checking.plan_check import certify
-from tsplan.limits import refuse_options
 from tsplan.milp.quiet_output import audible, hushed_alone
 from tsplan.milp.solver import solver as solver_named
+from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import (
@@ -39,38 +39,6 @@ from tsplan.words import known
 
 FoundT = TypeVar("FoundT")
 Listener = Callable[[Event], "bool | None"]
-
-
-@dataclass(frozen=True)
-class Settings:
-    """How long and how hard to search, and with what; None leaves it to the mission or default.
-
-    Raises InputError for numbers out of range.
-    """
-
-    solver: str | None = None
-    time_limit: float | None = None
-    gap: float | None = None
-    threads: int | None = None
-    seed: int | None = None
-    log: Callable[[str], None] | None = None
-
-    def __post_init__(self) -> None:
-        refuse_options(
-            time_limit=self.time_limit, gap=self.gap, threads=self.threads, seed=self.seed
-        )
-
-    def over(self, mission: Mission) -> Settings:
-        """These settings, filled up with what the mission asks for."""
-        asked = mission.solver
-        return Settings(
-            solver=self.solver or asked.name or "highs",
-            time_limit=asked.time_limit if self.time_limit is None else self.time_limit,
-            gap=(asked.gap if self.gap is None else self.gap) or 0.0,
-            threads=asked.threads if self.threads is None else self.threads,
-            seed=asked.seed if self.seed is None else self.seed,
-            log=self.log,
-        )
 
 
 @dataclass(frozen=True)
@@ -111,13 +79,13 @@ Tell = Callable[[str, FoundT | None, float | None, float | None], None]
 class Run(ABC, Generic[FoundT]):
     """One planning run. What it searches, and how that becomes paths, is said by each kind."""
 
-    def __init__(self, mission: Mission, settings: Settings, listener: Listener | None) -> None:
+    def __init__(self, mission: Mission, choice: SolverChoice, listener: Listener | None) -> None:
         self._mission = mission
-        self._settings = settings
+        self._choice = choice.over(mission.solver).over(DEFAULT_CHOICE)
         self._listener = listener
         self._stopped: float | None = None  # seconds after which it was asked to stop
         self._newest: FoundT | None = None
-        self._clock = Clock(settings.time_limit, lambda: self._stopped is not None)
+        self._clock = Clock(self._choice.time_limit, lambda: self._stopped is not None)
         self._seconds = {"reduce": 0.0, "build": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
 
     @abstractmethod
@@ -138,22 +106,14 @@ class Run(ABC, Generic[FoundT]):
         Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out,
         the best plan known is certified, with that as the reason.
         """
-        with on_interrupt(self._stop), hushed_alone(self._settings.log):
+        with on_interrupt(self._stop), hushed_alone():
             return self._planned()
 
     def _planned(self) -> Plan:
-        settings = self._settings
-        chosen = solver_named(settings.solver or "highs")
-        availability = chosen.availability()
-        effort = Effort(
-            solver=chosen,
-            gap=settings.gap or 0.0,
-            threads=settings.threads,
-            seed=settings.seed,
-            log=None if settings.log is None else audible(settings.log),
-        )
-        used = SolverUse(chosen.name, availability.version or "", self._options())
-        result = self._searched(effort)
+        solver = solver_named(self._choice.name or "")
+        version = solver.availability().version or ""
+        used = SolverUse(solver.name, version, self._choice.numbers)
+        result = self._searched(Effort(solver, self._choice))
         with _uncollected():
             return self._finished(result, used)
 
@@ -189,15 +149,6 @@ class Run(ABC, Generic[FoundT]):
     def _stop(self) -> None:
         if self._stopped is None:
             self._stopped = self._clock.elapsed
-
-    def _options(self) -> dict[str, object]:
-        asked = {
-            "time_limit": self._settings.time_limit,
-            "gap": self._settings.gap,
-            "threads": self._settings.threads,
-            "seed": self._settings.seed,
-        }
-        return {name: value for name, value in asked.items() if value is not None}
 
     def _tell(
         self, stage: str, found: FoundT | None, value: float | None, bound: float | None

@@ -19,7 +19,6 @@ from tsplan.encode.objectives import GroupMoves, Splits, Travel
 from tsplan.encode.options import Idea
 from tsplan.milp.confirmation import tried
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.solution import Options
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.guided_restriction import guided
@@ -154,12 +153,10 @@ class GroupSearch:
 
     def _solve(self, model: Model, seconds: float | None = None) -> Floats | None:
         """A point of a part of the problem, if it is found soon."""
-        options = Options(
-            time_limit=self.clock.within(_COUNTING).left if seconds is None else seconds,
-            threads=self.effort.threads,
-            seed=self.effort.seed,
-            stop=self.clock.stop,
-        )
+        clock = self.clock.within(_COUNTING)
+        options = self.effort.limited(clock)
+        if seconds is not None:
+            options = replace(options, time_limit=seconds)
         return tried(self.effort.solver, model, options)
 
     def _point(self, values: Floats) -> Point:

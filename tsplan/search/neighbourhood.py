@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -18,7 +18,6 @@ from tsplan.encode.encoded import Encoded
 from tsplan.milp.confirmation import tried
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats, Ints, Model
-from tsplan.milp.solution import Options
 from tsplan.search.clock import Clock
 from tsplan.search.dive import dive
 from tsplan.search.effort import Effort
@@ -87,13 +86,10 @@ class Improving:
         for number, group in enumerate(self.encoded.choices):
             if number not in freed:
                 _hold(group, values, lower, upper)
-        options = Options(
-            time_limit=self.clock.within(seconds).left,
+        options = replace(
+            self.effort.limited(self.clock.within(seconds)),
             absolute_gap=self.target.absolute_gap,
-            threads=self.effort.threads,
-            seed=self.effort.seed,
             cutoff=None if known is None else self.target.cutoff(self._value(known)),
-            stop=self.clock.stop,
         )
         found = tried(self.effort.solver, model.with_bounds(lower, upper), options)
         if found is None or known is None:

@@ -176,11 +176,11 @@ class Search:
     @property
     def _near(self) -> bool:
         """Whether the gap that was asked for is reached."""
-        if not self._effort.gap or not np.isfinite(self._bound) or self._values is None:
+        if not self._effort.choice.gap or not np.isfinite(self._bound) or self._values is None:
             return False
         own = self._target.own
         gap = relative_gap(own(self._value), own(self._bound))
-        return gap is not None and gap <= self._effort.gap
+        return gap is not None and gap <= self._effort.choice.gap
 
     @property
     def _cutoff(self) -> float | None:
