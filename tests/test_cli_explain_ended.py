@@ -12,7 +12,8 @@ import pytest
 from tsplan.cli import explain_command as explain
 from tsplan.cli import main
 from tsplan.explanation.explanation import Explanation, Fact, Status
-from tsplan.milp.grace_period import Patience
+from tsplan.process import child_process
+from tsplan.process.grace_period import GracePeriod
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs forks and signals")
 
@@ -22,6 +23,7 @@ map: {waiting: true, states: {p: {}, q: {labels: [Q]}}, edges: [[p, q, 5]]}
 team: [{class: a, count: 1, at: p}]
 spec: {language: mtl, formula: "F[0,3] Q"}
 """
+SHORT = GracePeriod(0.2, 0.2, finishing=25.0, settling=1.0)
 KNOWN = Explanation(Status.EXPLAINED, "far away", facts=(Fact("reach", "it is too far"),))
 
 
@@ -43,7 +45,7 @@ def ending(monkeypatch: pytest.MonkeyPatch, how) -> None:
         raise AssertionError
 
     monkeypatch.setattr(explain, "_job", job)
-    monkeypatch.setattr(explain, "Patience", lambda limit: Patience(limit, grace=0.2))
+    monkeypatch.setattr(child_process, "CHILD", SHORT)
 
 
 def deaf() -> None:
@@ -76,6 +78,6 @@ def test_what_the_child_knew_is_printed_with_the_true_reason(
 
 def test_nothing_known_is_no_answer(mission, monkeypatch, capsys) -> None:
     monkeypatch.setattr(explain, "_job", lambda *_: time.sleep(60))
-    monkeypatch.setattr(explain, "Patience", lambda limit: Patience(limit, grace=0.2))
+    monkeypatch.setattr(child_process, "CHILD", SHORT)
     assert main(["explain", mission, "--time-limit", "0.1"]) == 4
     assert "stays open; try a longer time limit" in capsys.readouterr().out

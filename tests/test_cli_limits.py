@@ -17,7 +17,7 @@ import pytest
 
 import tsplan
 from tsplan.cli import main
-from tsplan.milp.grace_period import Patience
+from tsplan.process.grace_period import GracePeriod
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.run.isolate import Forward
 
@@ -38,8 +38,8 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "mission.yaml").write_text(MISSION)
     monkeypatch.chdir(tmp_path)
     # tests need not wait as long as people
-    short = Patience(grace=0.2, finishing=0.5, settling=0.2, poll=0.02)
-    monkeypatch.setattr("tsplan.cli.plan_command.USUAL", short)
+    short = GracePeriod(0.2, 0.2, finishing=0.5, settling=0.2, poll=0.02)
+    monkeypatch.setattr("tsplan.process.child_process.CHILD", short)
     return tmp_path
 
 
@@ -222,7 +222,7 @@ def slow_reading(path):
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs the system's timer")
 def test_the_limit_holds_while_the_mission_is_read(folder, capsys, monkeypatch):
     monkeypatch.setattr("tsplan.cli.inputs.load_mission", slow_reading)
-    monkeypatch.setattr("tsplan.cli.time_limit._READING", 0.0)
+    monkeypatch.setattr("tsplan.cli.inputs._READING", 0.0)
     for command in ("plan", "explain"):
         assert main([command, "mission.yaml", "--time-limit", "0.2"]) == 4
         assert capsys.readouterr().err == "the time limit was reached while the mission was read\n"

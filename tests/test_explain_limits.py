@@ -18,7 +18,7 @@ from tsplan.explanation.whynot import facts, oracle
 from tsplan.explanation.whynot.facts import View, facts_of
 from tsplan.explanation.whynot.oracle import EnoughError
 from tsplan.plans.plan import Plan
-from tsplan.run.run import on_interrupt
+from tsplan.process.interrupt import on_interrupt
 from tsplan.stopping import StoppedBy
 
 MISSION = row("F[0,2] sum(C) >= 1 && F[0,4] sum(C) >= 3 && G[0,4] max(B) <= 1")

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import tsplan
-from tsplan.milp.quiet_output import aloud, hushed, hushed_alone
+from tsplan.process.quiet_output import aloud, hushed, hushed_alone
 
 ROOT = str(Path(tsplan.__file__).parents[1])
 MISSION = """\

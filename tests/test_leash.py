@@ -11,12 +11,12 @@ import time
 
 import pytest
 
-from tsplan.milp.child_process import CrashError, LateError, OutOfMemoryError, run_guarded
-from tsplan.milp.grace_period import Leash, Patience
+from tsplan.process.child_process import CrashError, LateError, Leash, OutOfMemoryError, run_guarded
+from tsplan.process.grace_period import GracePeriod
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs processes made by fork")
 
-SHORT = Patience(limit=0.1, grace=0.1, finishing=0.5, settling=0.1, poll=0.01)
+SHORT = GracePeriod(0.1, 0.1, finishing=0.5, settling=0.1, poll=0.01)
 
 
 def sleeps(seconds: float, send) -> None:
@@ -51,7 +51,7 @@ def test_a_stopped_child_is_ended_after_its_limit():
     heard: list[object] = []
     began = time.monotonic()
     with pytest.raises(LateError, match="did not stop in time"):
-        run_guarded(stops_itself, "alive", heard.append, Leash(SHORT))
+        run_guarded(stops_itself, "alive", heard.append, Leash(0.1, SHORT))
     assert heard == ["alive"]
     assert time.monotonic() - began >= 0.2
 
@@ -61,17 +61,17 @@ def test_a_message_that_stops_in_the_middle_is_not_waited_for():
         time.sleep(0.3)
 
     with pytest.raises(LateError):
-        run_guarded(sends_half_a_message, None, slow, Leash(SHORT))
+        run_guarded(sends_half_a_message, None, slow, Leash(0.1, SHORT))
 
 
 def test_who_is_asked_and_does_not_hear_is_ended():
-    leash = Leash(Patience(limit=None, grace=0.1, poll=0.01))
+    leash = Leash(None, GracePeriod(0.1, 0.1, poll=0.01))
     with pytest.raises(LateError):
         run_guarded(deaf, 30.0, lambda _: leash.ask(), leash)
 
 
 def test_who_is_asked_twice_is_ended_at_once():
-    leash = Leash(Patience(grace=60.0, poll=0.01))
+    leash = Leash(None, GracePeriod(60.0, 60.0, poll=0.01))
 
     def ask(_: object) -> None:
         leash.ask()
@@ -82,7 +82,7 @@ def test_who_is_asked_twice_is_ended_at_once():
 
 
 def test_who_makes_an_answer_ready_gets_more_time():
-    leash = Leash(Patience(limit=0.05, grace=0.05, finishing=30.0, poll=0.01))
+    leash = Leash(0.05, GracePeriod(0.05, 0.05, finishing=30.0, poll=0.01))
 
     def hear(_: object) -> None:
         leash.finishing = True
@@ -100,7 +100,7 @@ def test_lack_of_memory_is_told_from_other_crashes():
 
 
 def test_a_stop_that_comes_before_the_child_reaches_it():
-    leash = Leash(Patience(grace=60.0, poll=0.01))
+    leash = Leash(None, GracePeriod(60.0, 60.0, poll=0.01))
     leash.ask()
 
     with pytest.raises(KeyboardInterrupt):
@@ -111,5 +111,5 @@ def test_no_watch_is_left_behind():
     before = threading.active_count()
     for _ in range(3):
         with pytest.raises(LateError):
-            run_guarded(stops_itself, "alive", None, Leash(SHORT))
+            run_guarded(stops_itself, "alive", None, Leash(0.1, SHORT))
     assert threading.active_count() == before

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 from tsplan.errors import Finding, FormulaError, SolverError, SolverUnavailableError
-from tsplan.milp.child_process import CrashError, run_guarded
 from tsplan.milp.highs import Highs
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Draft, Model
 from tsplan.milp.solution import Options, Progress, Solution, Status
 from tsplan.milp.solver import Solver, solver
+from tsplan.process.child_process import CrashError, run_guarded
 from tsplan.stopping import StoppedBy
 
 

@@ -10,8 +10,8 @@ from scipy import sparse
 
 from tsplan.errors import SolverError
 from tsplan.milp.model import Model
-from tsplan.milp.solution import Options, Progress, Solution, Status, settled
-from tsplan.milp.verdict import Ending, Question, Verdict
+from tsplan.milp.request import RawResult, Request
+from tsplan.milp.solution import Options, Progress, Solution, Status, presolved
 from tsplan.stopping import StoppedBy
 
 REASONS = [StoppedBy.TIME_LIMIT, StoppedBy.INTERRUPT, StoppedBy.MEMORY]
@@ -31,8 +31,8 @@ def model() -> Model:
     )
 
 
-def answer(said: Ending, **options) -> Solution:
-    return Question(model(), Options(**options)).answer(said, 0.5)
+def answer(said: RawResult, **options) -> Solution:
+    return Request(model(), Options(**options)).solution(said, 0.5)
 
 
 BEST, GOOD = np.array([0.0, 3.0]), np.array([1.0, 2.0])
@@ -88,19 +88,19 @@ def test_gaps_are_relative_to_the_objective() -> None:
 
 
 def test_an_optimum_has_its_objective_as_bound() -> None:
-    found = answer(Ending(Verdict.SOLVED, BEST))
+    found = answer(RawResult(Status.OPTIMAL, BEST))
     assert (found.status, found.objective, found.bound) == (Status.OPTIMAL, 4.0, 4.0)
     assert found.seconds == 0.5
 
 
 def test_integers_are_rounded() -> None:
-    found = answer(Ending(Verdict.SOLVED, np.array([1e-7, 3.0 - 1e-7]), 4.0 - 1e-8))
+    found = answer(RawResult(Status.OPTIMAL, np.array([1e-7, 3.0 - 1e-7]), 4.0 - 1e-8))
     assert found.values.tolist() == [0.0, 3.0]
     assert (found.objective, found.status) == (4.0, Status.OPTIMAL)
 
 
 def test_a_point_that_only_fits_unrounded_is_none() -> None:
-    tight = Question(
+    tight = Request(
         Model(
             np.ones(2),
             np.zeros(2),
@@ -113,7 +113,7 @@ def test_a_point_that_only_fits_unrounded_is_none() -> None:
         Options(),
     )
     point = np.array([1.000004, 1.000004e-6])
-    assert tight.whole(point) is None
+    assert tight.rounded(point) is None
 
 
 @pytest.mark.parametrize(
@@ -121,95 +121,95 @@ def test_a_point_that_only_fits_unrounded_is_none() -> None:
 )
 def test_a_point_that_violates_the_model_is_an_error(point) -> None:
     with pytest.raises(SolverError, match="violates"):
-        answer(Ending(Verdict.SOLVED, np.array(point)))
+        answer(RawResult(Status.OPTIMAL, np.array(point)))
 
 
 def test_what_stopped_a_solve_is_kept_with_what_is_known() -> None:
     for reason in REASONS:
-        found = answer(Ending(Verdict.ENDED, GOOD, 2.0, reason, 7))
+        found = answer(RawResult(Status.UNKNOWN, GOOD, 2.0, reason, 7))
         assert (found.status, found.stopped_by, found.bound) == (Status.FEASIBLE, reason, 2.0)
         assert found.nodes == 7
-        nothing = answer(Ending(Verdict.ENDED, None, 2.0, reason))
+        nothing = answer(RawResult(Status.UNKNOWN, None, 2.0, reason))
         assert (nothing.status, nothing.stopped_by, nothing.bound) == (Status.UNKNOWN, reason, 2.0)
 
 
 def test_infinite_bounds_are_none() -> None:
     for bound in (-np.inf, np.inf, np.nan):
-        assert answer(Ending(Verdict.ENDED, GOOD, bound, StoppedBy.TIME_LIMIT)).bound is None
+        assert answer(RawResult(Status.UNKNOWN, GOOD, bound, StoppedBy.TIME_LIMIT)).bound is None
 
 
 def test_a_bound_that_a_point_refutes_is_not_believed() -> None:
-    found = answer(Ending(Verdict.ENDED, GOOD, 9.0, StoppedBy.TIME_LIMIT))
+    found = answer(RawResult(Status.UNKNOWN, GOOD, 9.0, StoppedBy.TIME_LIMIT))
     assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.TIME_LIMIT)
     assert (found.objective, found.bound) == (5.0, None)
-    found = answer(Ending(Verdict.SOLVED, GOOD, 5.0), start=BEST)
+    found = answer(RawResult(Status.OPTIMAL, GOOD, 5.0), start=BEST)
     assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
     assert (found.objective, found.bound) == (4.0, None)
 
 
 def test_an_optimum_that_its_own_bound_does_not_bear_out_is_none() -> None:
-    found = answer(Ending(Verdict.SOLVED, GOOD, 2.0))
+    found = answer(RawResult(Status.OPTIMAL, GOOD, 2.0))
     assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
     assert (found.objective, found.bound) == (5.0, 2.0)
     # the point as the solver gave it is worth less than the whole one
-    silent = answer(Ending(Verdict.SOLVED, np.array([1.0 - 1e-4, 2.0 + 1e-4])))
+    silent = answer(RawResult(Status.OPTIMAL, np.array([1.0 - 1e-4, 2.0 + 1e-4])))
     assert (silent.status, silent.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
     assert silent.bound < silent.objective == 5.0
 
 
 def test_a_gap_is_what_ended_a_search_that_left_one() -> None:
-    left = answer(Ending(Verdict.SOLVED, GOOD, 4.0), gap=0.5)
+    left = answer(RawResult(Status.OPTIMAL, GOOD, 4.0), gap=0.5)
     assert (left.status, left.stopped_by, left.bound) == (Status.FEASIBLE, StoppedBy.GAP, 4.0)
-    closed = answer(Ending(Verdict.SOLVED, BEST, 4.0), gap=0.5)
+    closed = answer(RawResult(Status.OPTIMAL, BEST, 4.0), gap=0.5)
     assert (closed.status, closed.stopped_by) == (Status.OPTIMAL, None)
-    silent = answer(Ending(Verdict.SOLVED, GOOD), gap=0.5)
+    silent = answer(RawResult(Status.OPTIMAL, GOOD), gap=0.5)
     assert (silent.stopped_by, silent.bound) == (StoppedBy.GAP, None)
-    whole = answer(Ending(Verdict.SOLVED, GOOD, 4.1), absolute_gap=0.999)
+    whole = answer(RawResult(Status.OPTIMAL, GOOD, 4.1), absolute_gap=0.999)
     assert (whole.status, whole.bound) == (Status.OPTIMAL, 4.1)
 
 
 def test_a_first_point_was_stopped_by_nothing() -> None:
-    found = answer(Ending(Verdict.ENDED, GOOD, 1.0), first=True)
+    found = answer(RawResult(Status.UNKNOWN, GOOD, 1.0), first=True)
     assert (found.status, found.stopped_by) == (Status.FEASIBLE, None)
     with pytest.raises(SolverError, match="without a reason"):
-        answer(Ending(Verdict.ENDED), first=True)
+        answer(RawResult(Status.UNKNOWN), first=True)
 
 
 def test_a_better_start_is_the_answer() -> None:
     for values in (None, GOOD):
-        found = answer(Ending(Verdict.ENDED, values, 2.0, StoppedBy.TIME_LIMIT), start=BEST)
+        found = answer(RawResult(Status.UNKNOWN, values, 2.0, StoppedBy.TIME_LIMIT), start=BEST)
         assert found.values.tolist() == BEST.tolist()
-    found = answer(Ending(Verdict.ENDED, BEST, 2.0, StoppedBy.TIME_LIMIT), start=GOOD)
+    found = answer(RawResult(Status.UNKNOWN, BEST, 2.0, StoppedBy.TIME_LIMIT), start=GOOD)
     assert found.values.tolist() == BEST.tolist()
     useless = np.array([0.0, 1.0])
-    found = answer(Ending(Verdict.ENDED, None, 2.0, StoppedBy.TIME_LIMIT), start=useless)
+    found = answer(RawResult(Status.UNKNOWN, None, 2.0, StoppedBy.TIME_LIMIT), start=useless)
     assert found.status == Status.UNKNOWN
 
 
 def test_a_solver_may_not_deny_a_point_that_is_known() -> None:
-    assert answer(Ending(Verdict.REFUTED)).status == Status.INFEASIBLE
+    assert answer(RawResult(Status.INFEASIBLE)).status == Status.INFEASIBLE
     with pytest.raises(SolverError, match="a point is known"):
-        answer(Ending(Verdict.REFUTED), start=GOOD)
-    assert answer(Ending(Verdict.REFUTED), start=GOOD, cutoff=5.0).status == Status.INFEASIBLE
+        answer(RawResult(Status.INFEASIBLE), start=GOOD)
+    assert answer(RawResult(Status.INFEASIBLE), start=GOOD, cutoff=5.0).status == Status.INFEASIBLE
 
 
 def test_points_that_do_not_beat_the_cutoff_are_none() -> None:
-    assert answer(Ending(Verdict.SOLVED, BEST), cutoff=4.0).status == Status.INFEASIBLE
-    assert answer(Ending(Verdict.SOLVED, BEST), cutoff=4.1).status == Status.OPTIMAL
-    stopped = answer(Ending(Verdict.ENDED, GOOD, 9.0, StoppedBy.TIME_LIMIT), cutoff=5.0)
+    assert answer(RawResult(Status.OPTIMAL, BEST), cutoff=4.0).status == Status.INFEASIBLE
+    assert answer(RawResult(Status.OPTIMAL, BEST), cutoff=4.1).status == Status.OPTIMAL
+    stopped = answer(RawResult(Status.UNKNOWN, GOOD, 9.0, StoppedBy.TIME_LIMIT), cutoff=5.0)
     assert (stopped.status, stopped.bound) == (Status.UNKNOWN, 5.0)
 
 
 def test_the_cutoff_as_a_row() -> None:
-    question = Question(model(), Options(cutoff=5.0))
+    question = Request(model(), Options(cutoff=5.0))
     assert question.cut().size.rows == 2
     assert question.cut().violation(GOOD) > 0
     assert question.cut().violation(BEST) == 0
-    plain = Question(model(), Options())
+    plain = Request(model(), Options())
     assert plain.cut() is plain.model
 
 
 def test_some_models_need_no_solver() -> None:
-    assert settled(model()) is None
+    assert presolved(model()) is None
     crossed = model().with_bounds(np.array([0.0, 2.0]), np.array([5.0, 1.0]))
-    assert settled(crossed).status == Status.INFEASIBLE
+    assert presolved(crossed).status == Status.INFEASIBLE

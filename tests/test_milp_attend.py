@@ -9,14 +9,15 @@ import time
 
 import pytest
 
-from tsplan.milp.watchdog import Attendant, Patience
+from tsplan.process.grace_period import GracePeriod
+from tsplan.process.watchdog import Watchdog
 from tsplan.stopping import StoppedBy
 
 
-def until(attendant: Attendant, *, most: float = 5.0) -> None:
+def until(watchdog: Watchdog, *, most: float = 5.0) -> None:
     """Work that ends when it is asked to."""
     began = time.perf_counter()
-    while not attendant.stopping and time.perf_counter() - began < most:
+    while not watchdog.stopping and time.perf_counter() - began < most:
         time.sleep(0.005)
 
 
@@ -28,16 +29,16 @@ def test_news_are_heard_in_order_and_in_this_thread() -> None:
         heard.append((news, threading.current_thread() is here))
         return False
 
-    attendant = Attendant(hear=hear)
-    assert attendant.run(lambda: [attendant.tell(number) for number in range(5)] and None)
+    watchdog = Watchdog(hear=hear)
+    assert watchdog.run(lambda: [watchdog.tell(number) for number in range(5)] and None)
     assert heard == [(number, True) for number in range(5)]
-    assert attendant.stopped_by is None
+    assert watchdog.stopped_by is None
 
 
 def test_short_work_is_not_waited_for() -> None:
     began = time.perf_counter()
     for _ in range(20):
-        assert Attendant().run(lambda: None)
+        assert Watchdog().run(lambda: None)
     assert time.perf_counter() - began < 0.5
 
 
@@ -46,46 +47,46 @@ def test_errors_come_out_where_the_work_was_asked_for() -> None:
         raise MemoryError
 
     with pytest.raises(MemoryError):
-        Attendant().run(work)
+        Watchdog().run(work)
 
 
 @pytest.mark.parametrize("how", ["asked", "hear"])
 def test_a_listener_may_stop_the_work(how: str) -> None:
     stops: list[int] = []
-    attendant = Attendant(**{how: lambda *_: True}, stop=lambda: stops.append(1))
+    watchdog = Watchdog(**{how: lambda *_: True}, stop=lambda: stops.append(1))
 
     def work() -> None:
-        attendant.tell("news")
-        until(attendant)
+        watchdog.tell("news")
+        until(watchdog)
 
-    assert attendant.run(work)
-    assert (attendant.stopped_by, stops) == (StoppedBy.INTERRUPT, [1])
+    assert watchdog.run(work)
+    assert (watchdog.stopped_by, stops) == (StoppedBy.INTERRUPT, [1])
 
 
 def test_a_deadline_stops_the_work() -> None:
-    attendant = Attendant(deadline=time.perf_counter() + 0.1)
-    assert attendant.run(lambda: until(attendant))
-    assert attendant.stopped_by is StoppedBy.TIME_LIMIT
+    watchdog = Watchdog(deadline=time.perf_counter() + 0.1)
+    assert watchdog.run(lambda: until(watchdog))
+    assert watchdog.stopped_by is StoppedBy.TIME_LIMIT
 
 
 def test_a_flood_of_news_hides_no_deadline() -> None:
-    attendant = Attendant(deadline=time.perf_counter() + 0.2)
+    watchdog = Watchdog(deadline=time.perf_counter() + 0.2)
     began = time.perf_counter()
 
     def work() -> None:
-        while not attendant.stopping and time.perf_counter() - began < 5:
-            attendant.tell("news")
+        while not watchdog.stopping and time.perf_counter() - began < 5:
+            watchdog.tell("news")
 
-    attendant.run(work)
-    assert attendant.stopped_by is StoppedBy.TIME_LIMIT
+    watchdog.run(work)
+    assert watchdog.stopped_by is StoppedBy.TIME_LIMIT
     assert time.perf_counter() - began < 2
 
 
 def test_work_that_does_not_listen_is_left_behind() -> None:
     free = threading.Event()
     began = time.perf_counter()
-    attendant = Attendant(deadline=began + 0.1, patience=Patience(time_limit=0.1))
-    assert not attendant.run(lambda: free.wait(10) and None)
+    watchdog = Watchdog(deadline=began + 0.1, grace=GracePeriod(0.1, 1.0))
+    assert not watchdog.run(lambda: free.wait(10) and None)
     assert time.perf_counter() - began < 0.5
     free.set()
 
@@ -94,16 +95,16 @@ def test_an_error_of_the_listener_stops_the_work() -> None:
     def hear(_: object) -> bool:
         raise LookupError("mine")
 
-    attendant = Attendant(hear=hear)
+    watchdog = Watchdog(hear=hear)
     done = threading.Event()
 
     def work() -> None:
-        attendant.tell("news")
-        until(attendant)
+        watchdog.tell("news")
+        until(watchdog)
         done.set()
 
     with pytest.raises(LookupError, match="mine"):
-        attendant.run(work)
+        watchdog.run(work)
     assert done.wait(1.0)
 
 
@@ -111,12 +112,12 @@ def test_ctrl_c_asks_once_and_raises_the_second_time() -> None:
     def press(*, after: float) -> None:
         threading.Timer(after, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 
-    attendant = Attendant()
+    watchdog = Watchdog()
     press(after=0.2)
-    assert attendant.run(lambda: until(attendant))
-    assert attendant.stopped_by is StoppedBy.INTERRUPT
+    assert watchdog.run(lambda: until(watchdog))
+    assert watchdog.stopped_by is StoppedBy.INTERRUPT
     free = threading.Event()
-    stubborn = Attendant(patience=Patience(interrupt=10))
+    stubborn = Watchdog(grace=GracePeriod(0.2, 10.0))
     press(after=0.2)
     press(after=0.5)
     began = time.perf_counter()

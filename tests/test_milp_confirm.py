@@ -20,9 +20,9 @@ from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs
 from tsplan.milp.model import Model
+from tsplan.milp.request import RawResult, Request
 from tsplan.milp.solution import Options, Solution, Status
 from tsplan.milp.solver import installed, solver
-from tsplan.milp.verdict import Ending, Question, Verdict
 from tsplan.search import search
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
@@ -86,32 +86,32 @@ def listed(model: Model) -> float:
     return float((model.objective @ points[:, good]).min())
 
 
-Lie = Callable[[Question, Ending], Ending]
+Lie = Callable[[Request, RawResult], RawResult]
 
 
-def worse(question: Question, said: Ending) -> Ending:
+def worse(question: Request, said: RawResult) -> RawResult:
     """A point that is not the best is called so; the bound stays what it is."""
     return replace(said, values=np.zeros_like(said.values))
 
 
-def refuted(question: Question, said: Ending) -> Ending:
-    return Ending(Verdict.REFUTED)
+def refuted(question: Request, said: RawResult) -> RawResult:
+    return RawResult(Status.INFEASIBLE)
 
 
-def outside(question: Question, said: Ending) -> Ending:
+def outside(question: Request, said: RawResult) -> RawResult:
     return replace(said, values=said.values + 1.0)
 
 
-def split(question: Question, said: Ending) -> Ending:
+def split(question: Request, said: RawResult) -> RawResult:
     return replace(said, values=said.values - 0.6)
 
 
-def silent(question: Question, said: Ending) -> Ending:
+def silent(question: Request, said: RawResult) -> RawResult:
     """A worse point without any bound."""
-    return Ending(Verdict.SOLVED, np.zeros_like(said.values))
+    return RawResult(Status.OPTIMAL, np.zeros_like(said.values))
 
 
-def high(question: Question, said: Ending) -> Ending:
+def high(question: Request, said: RawResult) -> RawResult:
     """A bound above the point."""
     return replace(said, values=np.zeros_like(said.values), bound=3.0)
 
@@ -131,9 +131,9 @@ class Liar:
         found = Highs().solve(model, options, watch)
         if lie is None or found.values is None:
             return found
-        question = Question(model, options)
-        said = Ending(Verdict.SOLVED, found.values, found.bound)
-        return question.answer(lie(question, said), found.seconds)
+        question = Request(model, options)
+        said = RawResult(Status.OPTIMAL, found.values, found.bound)
+        return question.solution(lie(question, said), found.seconds)
 
 
 @pytest.mark.parametrize("lie", [worse, refuted, outside, split, silent, high])
@@ -166,7 +166,7 @@ def test_points_and_refutations_contradict_each_other() -> None:
 
 
 def test_an_optimum_without_a_bound_is_said_twice() -> None:
-    def mute(question: Question, said: Ending) -> Ending:
+    def mute(question: Request, said: RawResult) -> RawResult:
         return replace(said, bound=None)
 
     liar = Liar(dict.fromkeys(range(9), mute))

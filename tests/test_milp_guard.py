@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from tsplan.errors import Finding, InputError, SolverError, TsplanError
-from tsplan.milp.child_process import CrashError, run_guarded
+from tsplan.process.child_process import CrashError, run_guarded
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs signals between processes")
 
@@ -162,7 +162,7 @@ SCRIPT = """
 import os, signal, sys
 sys.path.insert(0, {tests!r})
 from test_milp_guard import ignores, waits
-from tsplan.milp.child_process import run_guarded
+from tsplan.process.child_process import run_guarded
 
 def told(child):
     print(child, flush=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import threading
 import time
 from types import SimpleNamespace
 
@@ -11,48 +12,48 @@ import numpy as np
 import pytest
 
 from tsplan.errors import SolverError, SolverUnavailableError
-from tsplan.milp.descendants import Offspring
 from tsplan.milp.model import Model
 from tsplan.milp.pulp_terms import UnclearError, told
-from tsplan.milp.solution import Options
-from tsplan.milp.verdict import Ending, Question, Verdict
+from tsplan.milp.request import RawResult, Request
+from tsplan.milp.solution import Options, Status
+from tsplan.process.descendants import INTERRUPT, KILL, Descendants
 from tsplan.stopping import StoppedBy
 
 
 @pytest.mark.parametrize(
-    ("status", "sol_status", "verdict"),
+    ("status", "sol_status", "claim"),
     [
-        (1, 1, Verdict.SOLVED),
-        (1, 2, Verdict.ENDED),  # "Optimal", but stopped by its time limit
-        (0, 0, Verdict.ENDED),
-        (0, -1, Verdict.ENDED),  # PuLP's translation of "not solved" is no proof
-        (-1, -1, Verdict.REFUTED),
-        (-1, 0, Verdict.REFUTED),
-        (-2, -2, Verdict.REFUTED),
+        (1, 1, Status.OPTIMAL),
+        (1, 2, Status.UNKNOWN),  # "Optimal", but stopped by its time limit
+        (0, 0, Status.UNKNOWN),
+        (0, -1, Status.UNKNOWN),  # PuLP's translation of "not solved" is no proof
+        (-1, -1, Status.INFEASIBLE),
+        (-1, 0, Status.INFEASIBLE),
+        (-2, -2, Status.INFEASIBLE),
     ],
 )
-def test_pulp_3(status: int, sol_status: int, verdict: Verdict) -> None:
+def test_pulp_3(status: int, sol_status: int, claim: Status) -> None:
     problem = SimpleNamespace(status=status, sol_status=sol_status)
-    assert told(problem, status).verdict is verdict
+    assert told(problem, status).status is claim
 
 
 @pytest.mark.parametrize(
-    ("status", "verdict", "stopped_by"),
+    ("status", "claim", "stopped_by"),
     [
-        (1, Verdict.SOLVED, None),
-        (-7, Verdict.SOLVED, None),
-        (-4, Verdict.ENDED, StoppedBy.TIME_LIMIT),
-        (-5, Verdict.ENDED, StoppedBy.MEMORY),
-        (-10, Verdict.ENDED, None),
-        (-11, Verdict.ENDED, None),
-        (-1, Verdict.REFUTED, None),
-        (-2, Verdict.REFUTED, None),
+        (1, Status.OPTIMAL, None),
+        (-7, Status.OPTIMAL, None),
+        (-4, Status.UNKNOWN, StoppedBy.TIME_LIMIT),
+        (-5, Status.UNKNOWN, StoppedBy.MEMORY),
+        (-10, Status.UNKNOWN, None),
+        (-11, Status.UNKNOWN, None),
+        (-1, Status.INFEASIBLE, None),
+        (-2, Status.INFEASIBLE, None),
     ],
 )
-def test_pulp_4(status: int, verdict: Verdict, stopped_by: StoppedBy | None) -> None:
+def test_pulp_4(status: int, claim: Status, stopped_by: StoppedBy | None) -> None:
     stats = SimpleNamespace(status=status, has_solution=True, best_bound=1e9, status_str="")
     said = told(object(), stats)
-    assert (said.verdict, said.stopped_by, said.bound) == (verdict, stopped_by, None)
+    assert (said.status, said.stopped_by, said.bound) == (claim, stopped_by, None)
 
 
 def test_no_answer_is_an_error() -> None:
@@ -71,24 +72,24 @@ def test_either_infeasible_or_unbounded_is_asked_again(monkeypatch, point) -> No
 
     asked: list[Model] = []
 
-    def run(_: _Solve, model: Model) -> Ending:
+    def run(_: _Solve, model: Model) -> RawResult:
         asked.append(model)
         if model.objective.any():
             raise UnclearError("PuLP's solver ended without an answer (Undefined)")
-        return Ending(Verdict.REFUTED if point is None else Verdict.SOLVED, point)
+        return RawResult(Status.INFEASIBLE if point is None else Status.OPTIMAL, point)
 
     monkeypatch.setattr(_Solve, "_run", run)
     falling = made([-1], [[1]], [2], [np.inf])
     if point is None:
-        ending = _Solve("ANY", Question(falling, Options()), 0.0).ending()
-        assert ending.verdict is Verdict.REFUTED
+        answered = _Solve("ANY", Request(falling, Options())).answer()
+        assert answered.status is Status.INFEASIBLE
     else:
         with pytest.raises(SolverError, match="unbounded"):
-            _Solve("ANY", Question(falling, Options()), 0.0).ending()
+            _Solve("ANY", Request(falling, Options())).answer()
     assert len(asked) == 2
     bounded = made([-1], [[1]], [2], [np.inf], upper=[9])
     with pytest.raises(UnclearError):
-        _Solve("ANY", Question(bounded, Options()), 0.0).ending()
+        _Solve("ANY", Request(bounded, Options())).answer()
 
 
 def test_a_missing_backend_is_refused_with_those_that_are_there() -> None:
@@ -118,11 +119,11 @@ def test_a_point_with_few_digits_is_polished() -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="needs /proc")
 def test_offspring_are_this_threads_processes_alone() -> None:
-    offspring = Offspring()
-    offspring.interrupt()  # nobody yet
-    offspring.mine()
+    descendants = Descendants()
+    descendants.send(INTERRUPT)  # nobody yet
+    descendants.thread = threading.get_native_id()
     command = [sys.executable, "-c", "import time; time.sleep(30)"]
     mine = subprocess.Popen(command, stderr=subprocess.DEVNULL)
     time.sleep(0.1)
-    offspring.kill()
+    descendants.send(KILL)
     assert mine.wait(5) < 0

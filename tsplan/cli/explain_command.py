@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_to_solve
-from tsplan.cli.output import ERR, console, remark, say_json
-from tsplan.cli.time_limit import rest
+from tsplan.cli.output import ERR, attempted, console, remark, say_json
 from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.explanation import Cut, Explanation, Status
 from tsplan.explanation.report import print_explanation
-from tsplan.milp.child_process import LateError, OutOfMemoryError, run_guarded
-from tsplan.milp.grace_period import Leash, Patience
-from tsplan.run.isolate import Requests
+from tsplan.process.child_process import (
+    LateError,
+    Leash,
+    OutOfMemoryError,
+    reason_of,
+    run_guarded,
+)
+from tsplan.process.interrupt import Requests
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable
     from pathlib import Path
 
+    from tsplan.milp.solver_choice import SolverChoice
     from tsplan.mission import Mission
+    from tsplan.stopping import StoppedBy
 
 _PIPE_WIDTH = 100  # columns where there is no terminal to ask
 
@@ -31,11 +37,12 @@ def run(asked: argparse.Namespace) -> Exit:
     """Explain the mission; write a changed one where that is asked for."""
     if (asked.fix is None) != (asked.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
-    mission, loaded = mission_to_solve(asked, "the mission")
-    requests = Requests(what=b"what is known")
+    mission, choice, _ = mission_to_solve(asked, "the mission")
+    requests, unwritten = Requests(what=b"what is known"), None
     with requests.heard():
-        found = _explained(mission, asked, loaded, requests)
-        unwritten = _written(mission, found, asked)
+        found = _explained(mission, choice, asked, requests)
+        if asked.fix is not None:
+            unwritten = attempted(lambda: _write(mission, found, asked))
     if asked.json:
         say_json(found.to_json())
     else:
@@ -43,17 +50,6 @@ def run(asked: argparse.Namespace) -> Exit:
     if unwritten is not None:
         raise unwritten
     return Exit.NO_PLAN if found.status is Status.NO_ANSWER else Exit.DONE
-
-
-@dataclass(frozen=True, slots=True)
-class _Order:
-    """What the child process is to do."""
-
-    mission: Mission
-    conflicts: int
-    slack: bool
-    time_limit: float | None
-    solver: str | None
 
 
 @dataclass(eq=False, slots=True)
@@ -72,64 +68,43 @@ class _Heard:
         if ERR.isatty():
             remark(f"{news} ...")
 
-    def given_up(self, error: BaseException, *, asked: bool) -> Explanation:
+    def given_up(self, why: StoppedBy) -> Explanation:
         """What was known when the child had to be ended, or ended by itself, with the reason."""
-        why: Cut = "interrupt"
-        if isinstance(error, OutOfMemoryError):
-            why = "memory"
-        elif isinstance(error, LateError) and not asked:
-            why = "time_limit"
-        return replace(self.known, cut={**self.known.cut, self.stage: why})
+        return replace(self.known, cut={**self.known.cut, self.stage: cast("Cut", why.value)})
 
 
 def _explained(
-    mission: Mission, asked: argparse.Namespace, loaded: float, requests: Requests
+    mission: Mission, choice: SolverChoice, asked: argparse.Namespace, requests: Requests
 ) -> Explanation:
     """The explanation, made in a child process: a crash of native code becomes a message.
 
     What the child has handed over is kept where it does not come to an end.
     """
-    from tsplan.explanation.whynot.explaining import MOST_CONFLICTS  # noqa: PLC0415  (loads a solver)
-
-    most = MOST_CONFLICTS if asked.all else 1
-    limit = mission.solver.time_limit if asked.time_limit is None else asked.time_limit
-    limit = rest(limit, loaded)  # reading the mission was a part of the work
-    order = _Order(mission, most, asked.slack, limit, asked.solver)
-
     heard = _Heard("facts", Explanation(Status.NO_ANSWER, mission.name))
-    leash = Leash(Patience(limit))
+    options = {
+        "slack": asked.slack,
+        "time_limit": choice.time_limit,
+        "solver": choice.name,
+    }
+    leash = Leash(choice.time_limit)
     try:
-        with requests.passed_to(leash):
-            return run_guarded(_job, order, heard.hear, leash)
+        with requests.passed_to(leash.ask):
+            return run_guarded(_job, (mission, asked.all, options), heard.hear, leash)
     except (LateError, OutOfMemoryError, KeyboardInterrupt) as error:
         words = "it was interrupted" if isinstance(error, KeyboardInterrupt) else str(error)
         remark(f"{words}; this is what was known")
-        return heard.given_up(error, asked=requests.asked > 0)
+        return heard.given_up(reason_of(error, asked=requests.asked > 0))
 
 
-def _job(order: _Order, send: Callable[[str | Explanation], object]) -> Explanation:
+def _job(
+    given: tuple[Mission, bool, dict[str, Any]], send: Callable[[str | Explanation], object]
+) -> Explanation:
     """The child's part."""
-    from tsplan.explanation.whynot.explaining import explain  # noqa: PLC0415  (loads a solver)
+    from tsplan.explanation.whynot.explaining import MOST_CONFLICTS, explain  # noqa: PLC0415  (slow)
 
-    return explain(
-        order.mission,
-        conflicts=order.conflicts,
-        slack=order.slack,
-        time_limit=order.time_limit,
-        solver=order.solver,
-        on_stage=send,
-        on_found=send,
-    )
-
-
-def _written(mission: Mission, found: Explanation, asked: argparse.Namespace) -> InputError | None:
-    """Write the changed mission before anything is printed; what keeps it unwritten comes last."""
-    if asked.fix is not None:
-        try:
-            _write(mission, found, asked)
-        except InputError as error:
-            return error
-    return None
+    mission, every, options = given
+    most = MOST_CONFLICTS if every else 1
+    return explain(mission, conflicts=most, **options, on_stage=send, on_found=send)
 
 
 def _write(mission: Mission, found: Explanation, asked: argparse.Namespace) -> None:

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 
 from tsplan.checking.fitting import refuse_impossible, refuse_pathless, with_groups
 from tsplan.cli.output import remark
-from tsplan.cli.time_limit import reading_limit
 from tsplan.errors import Finding, InputError, PlanError, nearest, told
+from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import load_mission
 from tsplan.plans.plan_file import load_plan
+from tsplan.process.interrupt import alarm
 
 if TYPE_CHECKING:
     import argparse
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
 
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
+
+_READING = 2.0  # seconds that reading may always take: without it there is no answer at all
+_CHOICES = ("solver", "time_limit", "gap", "threads", "seed")  # as options of a command
+_LEAST = 1.0  # seconds that are left for the rest however long reading took
 
 
 def mission_of(path: Path) -> Mission:
@@ -30,19 +35,32 @@ def mission_of(path: Path) -> Mission:
     return mission
 
 
-def mission_to_solve(asked: argparse.Namespace, what: str) -> tuple[Mission, float]:
-    """The mission of a command that solves and may write `what`, and the seconds it took to read.
+def mission_to_solve(asked: argparse.Namespace, what: str) -> tuple[Mission, SolverChoice, float]:
+    """The mission of a command that solves and may write `what`, and what is chosen of the solver.
 
-    Reading has to keep the time limit; the solver and the place to write to are looked at as well.
+    Reading the mission is a part of the work: it has to keep the time limit, which is chosen less
+    the seconds that it took; these come last. The solver and the place to write to are looked at.
     """
     refuse_place(asked.output, what, [asked.mission])
+    limit = None if asked.time_limit is None else max(asked.time_limit, _READING)
     began = time.perf_counter()
-    with reading_limit(asked.time_limit):
+    with alarm(limit, "the time limit was reached while the mission was read"):
         mission = mission_of(asked.mission)
     loaded = time.perf_counter() - began
     refuse_place(asked.output, what, files_of(mission))
-    refuse_solver(asked.solver or mission.solver.name or "highs")
-    return mission, loaded
+    given = (getattr(asked, name, None) for name in _CHOICES)
+    choice = SolverChoice(*given).over(mission.solver)
+    refuse_solver(choice.name or "highs")
+    return mission, replace(choice, time_limit=rest(choice.time_limit, loaded)), loaded
+
+
+def rest(limit: float | None, spent: float) -> float | None:
+    """What is left of a limit in seconds, though never so little that nothing could be done.
+
+    >>> rest(60.0, 2.0), rest(3.0, 2.9), rest(0.5, 0.4), rest(None, 2.0)
+    (58.0, 1.0, 0.5, None)
+    """
+    return None if limit is None else max(limit - spent, min(limit, _LEAST))
 
 
 def mission_and_plan(mission_path: Path, plan_path: Path) -> tuple[Mission, Plan]:

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit, parser
-from tsplan.cli.time_limit import TimeUpError
+from tsplan.process.interrupt import TimeUpError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

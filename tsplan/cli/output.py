@@ -13,6 +13,7 @@ import sys
 from contextlib import suppress
 from typing import TYPE_CHECKING, Literal
 
+from tsplan.errors import InputError
 from tsplan.words import visible
 
 if TYPE_CHECKING:
@@ -127,6 +128,15 @@ def _in_ascii(text: str) -> str:
 def _json_escape(letter: str) -> str:
     units = letter.encode("utf-16-be", "surrogatepass")
     return "".join(f"\\u{units[n]:02x}{units[n + 1]:02x}" for n in range(0, len(units), 2))
+
+
+def attempted(write: Callable[[], object]) -> InputError | None:
+    """Write a file before anything is printed; what keeps it from being written comes last."""
+    try:
+        write()
+    except InputError as error:
+        return error
+    return None
 
 
 def console(width: int) -> Console:

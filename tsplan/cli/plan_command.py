@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING
 from tsplan.checking.assignment import assign
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_to_solve
-from tsplan.cli.output import console, remark, say_json
-from tsplan.cli.time_limit import rest
-from tsplan.errors import InputError, SolverError
-from tsplan.milp.child_process import may_have_children
-from tsplan.milp.grace_period import USUAL
+from tsplan.cli.output import attempted, console, remark, say_json
+from tsplan.cli.progress import Progress
+from tsplan.errors import SolverError
 from tsplan.plans.plan import Plan, Status
 from tsplan.plans.plan_file import save_plan
+from tsplan.process.child_process import may_have_children
+from tsplan.process.interrupt import Requests
+from tsplan.run.isolate import Order, Planning
 
 if TYPE_CHECKING:
     import argparse
 
     from tsplan.mission import Mission
-    from tsplan.run.isolate import Requests
 
 _CODES = {
     Status.OPTIMAL: Exit.DONE,
@@ -34,43 +34,24 @@ _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 def run(asked: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
-    from tsplan.run.isolate import Requests  # noqa: PLC0415  (needs what help does not)
-
-    mission, loaded = mission_to_solve(asked, "the plan")
-    requests = Requests(quiet=asked.quiet)
+    mission, choice, loaded = mission_to_solve(asked, "the plan")
+    order = Order(mission, choice, asked.encoding, tuple(asked.without))
+    requests, unwritten = Requests(quiet=asked.quiet), None
     with requests.heard():
-        plan = _timed(_planned(asked, mission, requests, loaded), mission, loaded)
+        if not (may_have_children() or asked.quiet):
+            remark("this process may start no other: a crash of the solver would end it")
+        with Progress(quiet=asked.quiet) as progress:
+            plan = _timed(Planning(progress, requests).plan(order), mission, loaded)
         if plan.has_paths and not plan.verified:
             raise SolverError("the plan that was found has not been checked; it is not shown")
         if asked.agents and plan.moves and not plan.agents:
             plan = assign(mission, plan, seed=asked.seed)
-        unwritten = _written(plan, asked)
+        if asked.output is not None:
+            unwritten = attempted(lambda: save_plan(plan, asked.output))
     _show(plan, asked)
     if unwritten is not None:
         raise unwritten
     return _CODES[plan.status]
-
-
-def _planned(
-    asked: argparse.Namespace, mission: Mission, requests: Requests, loaded: float
-) -> Plan:
-    from tsplan.cli.progress import Progress  # noqa: PLC0415  (the solver's module comes first)
-    from tsplan.run.isolate import Order, Planning  # noqa: PLC0415
-
-    limit = mission.solver.time_limit if asked.time_limit is None else asked.time_limit
-    order = Order(
-        solver=asked.solver,
-        time_limit=rest(limit, loaded),  # reading the mission was a part of the work
-        gap=asked.gap,
-        threads=asked.threads,
-        seed=asked.seed,
-        encoding=asked.encoding,
-        without=tuple(asked.without),
-    )
-    if not (may_have_children() or asked.quiet):
-        remark("this process may start no other: a crash of the solver would end it")
-    with Progress(quiet=asked.quiet) as progress:
-        return Planning(mission, progress, requests, USUAL).plan(order)
 
 
 def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:
@@ -82,16 +63,6 @@ def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:
         total=plan.timings.total + loaded,
     )
     return replace(plan, timings=timings)
-
-
-def _written(plan: Plan, asked: argparse.Namespace) -> InputError | None:
-    """Write the plan before anything is printed; what keeps it from being written comes last."""
-    if asked.output is not None:
-        try:
-            save_plan(plan, asked.output)
-        except InputError as error:
-            return error
-    return None
 
 
 def _show(plan: Plan, asked: argparse.Namespace) -> None:

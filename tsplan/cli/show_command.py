@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import os
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from tsplan.checking.fitting import refuse_pathless
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import files_of, fitted, mission_beside, mission_of, refuse_place
 from tsplan.cli.output import remark, say
-from tsplan.cli.pictures import own_backend
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.why.witness_tree import explain_preferred
 from tsplan.plans.plan_file import load_plan
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Iterator
     from pathlib import Path
 
     from tsplan.mission import Mission
@@ -30,11 +32,25 @@ def run(asked: argparse.Namespace) -> Exit:
     if reasons is not None:
         say(reasons)
     elif asked.output is None:
-        with own_backend():
+        with _own_backend():
             plt = _window()
             _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
             plt.show()
     return Exit.DONE
+
+
+@contextmanager
+def _own_backend() -> Iterator[None]:
+    """Let matplotlib choose a backend with windows; the environment's is not meant for us.
+
+    A notebook leaves its own to every process it starts. Pictures in files need none at all.
+    """
+    former = os.environ.pop("MPLBACKEND", None)
+    try:
+        yield
+    finally:
+        if former is not None:
+            os.environ["MPLBACKEND"] = former
 
 
 def _save(asked: argparse.Namespace) -> None:

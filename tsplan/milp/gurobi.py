@@ -7,8 +7,7 @@ usable are two things; a model that is too large is refused in words.
 from __future__ import annotations
 
 import signal
-import time
-from dataclasses import dataclass, field
+from collections.abc import Callable
 from importlib.util import find_spec
 from typing import Any
 
@@ -16,11 +15,11 @@ import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
 from tsplan.milp.model import Model
-from tsplan.milp.quiet_output import hushed
-from tsplan.milp.solution import Options, Progress, Solution, Watcher, settled
-from tsplan.milp.solver import Availability
-from tsplan.milp.verdict import Ending, Question, Verdict
-from tsplan.milp.watchdog import Attendant
+from tsplan.milp.request import NativeRun, RawResult, Request
+from tsplan.milp.solution import Options, Status
+from tsplan.milp.solver import Availability, Solver
+from tsplan.process.quiet_output import hushed
+from tsplan.process.watchdog import Watchdog
 from tsplan.stopping import StoppedBy
 
 _SMALL = 2000  # columns and rows that the licence in the package allows
@@ -30,149 +29,87 @@ _INSTALL = "pip install 'tsplan[gurobi]'"
 _REMEDY = "get a full licence from Gurobi (free for academics), or use --solver highs"
 
 
-class Gurobi:
+class Gurobi(Solver):
     """Solves models with gurobipy."""
 
     name = "gurobi"
-    features = frozenset(
-        {
-            *("start", "progress", "incumbents", "first", "log"),
-            *("seed", "threads", "gap", "cutoff", "presolve"),
-        }
-    )
 
     def availability(self) -> Availability:
         """Installed if gurobipy is there; usable if an environment starts."""
         if find_spec("gurobipy") is None:
-            return Availability(
-                installed=False, usable=False, why="gurobipy is not installed", remedy=_INSTALL
-            )
+            return Availability(False, None, "gurobipy is not installed", _INSTALL)
         try:
             with hushed():
                 import gurobipy  # noqa: PLC0415 - never imported unasked
         except ImportError as error:
-            why = f"gurobipy cannot be imported ({error})"
-            return Availability(installed=True, usable=False, why=why, remedy=_INSTALL)
+            return Availability(True, None, f"gurobipy cannot be imported ({error})", _INSTALL)
         version = ".".join(str(part) for part in gurobipy.gurobi.version())
         try:
             with _environment():
-                return Availability(installed=True, usable=True, version=version)
+                return Availability(True, version)
         except gurobipy.GurobiError as error:
-            why = f"its licence fails ({error})"
-            return Availability(
-                installed=True, usable=False, version=version, why=why, remedy=_REMEDY
-            )
+            return Availability(True, version, f"its licence fails ({error})", _REMEDY)
 
     def native(self, model: Model) -> Any:
         """The model as a `gurobipy.Model`."""
-        _imported()
         return _load(model, _environment())
 
-    def solve(
-        self, model: Model, options: Options | None = None, watch: Watcher | None = None
-    ) -> Solution:
-        """Minimise the model; see `tsplan.milp.solver.Solver`."""
+    def answer(self, request: Request) -> RawResult:
+        """What Gurobi makes of a request; see `tsplan.milp.solver.Solver`."""
         gurobipy = _imported()
-        began = time.perf_counter()
-        options = options or Options()
-        known = settled(model)
-        if known is not None:
-            return known
-        question = Question(model, options)
         try:
-            said = _Solve(question, watch, began).ending()
+            return NativeRun(request).result(lambda watchdog: _solved(request, watchdog))
         except (gurobipy.GurobiError, TypeError) as error:
-            raise _refusal(error, model, options) from error
-        return question.answer(said, time.perf_counter() - began)
+            raise _refusal(error, request.model, request.options) from error
 
 
-@dataclass(eq=False)
-class _Solve:
-    """One solve; everything native happens in one thread, which also disposes of it."""
-
-    question: Question
-    watch: Watcher | None
-    began: float
-    _said: Ending = field(default=Ending(Verdict.ENDED), init=False)
-    _best: Any = field(default=None, init=False)
-    _bound: float | None = field(default=None, init=False)
-
-    def ending(self) -> Ending:
-        options = self.question.options
-        limit = options.time_limit
-        deadline = None if limit is None else self.began + max(limit, 0.0)
-        attendant = Attendant(deadline, self._hear, options.stop or (lambda: False))
-        try:
-            ended = attendant.run(lambda: self._work(attendant))
-        except MemoryError:
-            return Ending(Verdict.ENDED, self._best, self._bound, StoppedBy.MEMORY)
-        if not ended:
-            return Ending(Verdict.ENDED, self._best, self._bound, attendant.stopped_by)
-        if self._said.stopped_by is StoppedBy.INTERRUPT and not attendant.stopping:
-            _pass_interrupt_on()
-        return self._said
-
-    def _work(self, attendant: Attendant) -> None:
-        grb = _imported().GRB
-        with _environment() as environment, _load(self.question.model, environment) as native:
-            _configure(native, self.question.options)
-            watched = _Callback(attendant, grb, quiet=self.watch is None)
+def _solved(request: Request, watchdog: Watchdog) -> RawResult:
+    """What Gurobi says at its end; all is done in the calling thread, which also disposes of it."""
+    grb = _imported().GRB
+    with _environment() as environment, _load(request.model, environment) as native:
+        _configure(native, request.options)
+        watched = _callback(watchdog, grb, quiet=request.watch is None)
+        native.optimize(watched)
+        if native.Status == grb.INF_OR_UNBD:
+            native.Params.DualReductions = 0
             native.optimize(watched)
-            if native.Status == grb.INF_OR_UNBD:
-                native.Params.DualReductions = 0
-                native.optimize(watched)
-            if native.Status in (grb.UNBOUNDED, grb.INF_OR_UNBD):
-                # a ray says nothing about points: ask for one
-                native.setAttr("Obj", native.getVars(), [0.0] * native.NumVars)
-                native.Params.Cutoff = grb.INFINITY
-                native.optimize(watched)
-                if native.SolCount:
-                    raise SolverError("the model is unbounded: its objective can fall without end")
-            self._said = _read(native, grb, attendant.stopped_by)
-
-    def _hear(self, news: Any) -> bool:
-        """Pass progress and log lines on, in the calling thread."""
-        if isinstance(news, str):
-            if self.question.options.log is not None:
-                self.question.options.log(news)
-            return False
-        objective, bound, values = news
-        point = None if values is None else self.question.whole(values)
-        if point is not None:
-            self._best = point
-        self._bound = self.question.true_bound(bound)
-        elapsed = time.perf_counter() - self.began
-        progress = Progress(objective, self._bound, elapsed, point)
-        return self.watch is not None and self.watch(progress)
+        if native.Status in (grb.UNBOUNDED, grb.INF_OR_UNBD):
+            # a ray says nothing about points: ask for one
+            native.setAttr("Obj", native.getVars(), [0.0] * native.NumVars)
+            native.Params.Cutoff = grb.INFINITY
+            native.optimize(watched)
+            if native.SolCount:
+                raise SolverError("the model is unbounded: its objective can fall without end")
+        raw = _read(native, grb)
+    if raw.stopped_by is StoppedBy.INTERRUPT and not watchdog.stopping:
+        _pass_interrupt_on()
+    return raw
 
 
-@dataclass(eq=False)
-class _Callback:
-    """Tells the attendant what Gurobi tells, and Gurobi to stop when the attendant says so."""
+def _callback(watchdog: Watchdog, grb: Any, *, quiet: bool) -> Callable[[Any, int], None]:
+    """Tells the watchdog what Gurobi tells, and Gurobi to stop when the watchdog says so."""
+    where = grb.Callback
 
-    attendant: Attendant
-    grb: Any
-    quiet: bool
+    def tell(model: Any, objective: int, bound: int, values: Any) -> None:
+        ends = (_finite(model.cbGet(what), grb) for what in (objective, bound))
+        watchdog.tell((*ends, values))
 
-    def __call__(self, model: Any, where: int) -> None:
-        callback = self.grb.Callback
-        if self.attendant.stopping:
+    def hear(model: Any, now: int) -> None:
+        if watchdog.stopping:
             model.terminate()
-        if where == callback.MESSAGE:
-            self.attendant.tell(model.cbGet(callback.MSG_STRING).rstrip("\n"))
-        elif where == callback.MIPSOL:
+        if now == where.MESSAGE:
+            watchdog.tell(model.cbGet(where.MSG_STRING))
+        elif now == where.MIPSOL:
             values = np.array(model.cbGetSolution(model.getVars()))
-            self._told(
-                model.cbGet(callback.MIPSOL_OBJ), model.cbGet(callback.MIPSOL_OBJBND), values
-            )
-        elif where == callback.MIP and not self.quiet:
-            self._told(model.cbGet(callback.MIP_OBJBST), model.cbGet(callback.MIP_OBJBND), None)
+            tell(model, where.MIPSOL_OBJ, where.MIPSOL_OBJBND, values)
+        elif now == where.MIP and not quiet:
+            tell(model, where.MIP_OBJBST, where.MIP_OBJBND, None)
 
-    def _told(self, objective: float, bound: float, values: Any) -> None:
-        self.attendant.tell((self._finite(objective), self._finite(bound), values))
+    return hear
 
-    def _finite(self, value: float) -> float | None:
-        return value if abs(value) < self.grb.INFINITY else None
+
+def _finite(value: float, grb: Any) -> float | None:
+    return value if abs(value) < grb.INFINITY else None
 
 
 def _pass_interrupt_on() -> None:
@@ -258,28 +195,21 @@ def _configure(native: Any, options: Options) -> None:
         native.setAttr("Start", native.getVars(), np.asarray(options.start).tolist())
 
 
-def _read(native: Any, grb: Any, stopped_by: StoppedBy | None) -> Ending:
+def _read(native: Any, grb: Any) -> RawResult:
     """What Gurobi says at its end."""
-    verdicts = {
-        grb.OPTIMAL: Verdict.SOLVED,
-        grb.INFEASIBLE: Verdict.REFUTED,
-        grb.CUTOFF: Verdict.REFUTED,
-        grb.SOLUTION_LIMIT: Verdict.ENDED,
-    }
-    reasons = {
-        grb.TIME_LIMIT: StoppedBy.TIME_LIMIT,
-        grb.INTERRUPTED: StoppedBy.INTERRUPT,
-        grb.MEM_LIMIT: StoppedBy.MEMORY,
+    ends: dict[int, tuple[Status, StoppedBy | None]] = {
+        grb.OPTIMAL: (Status.OPTIMAL, None),
+        grb.INFEASIBLE: (Status.INFEASIBLE, None),
+        grb.CUTOFF: (Status.INFEASIBLE, None),
+        grb.SOLUTION_LIMIT: (Status.UNKNOWN, None),
+        grb.TIME_LIMIT: (Status.UNKNOWN, StoppedBy.TIME_LIMIT),
+        grb.INTERRUPTED: (Status.UNKNOWN, StoppedBy.INTERRUPT),
+        grb.MEM_LIMIT: (Status.UNKNOWN, StoppedBy.MEMORY),
     }
     ended = native.Status
-    if ended not in verdicts and ended not in reasons:
+    if ended not in ends:
         raise SolverError(f"Gurobi could not solve the model (status {ended})")
+    claim, why = ends[ended]
     values = np.array(native.getAttr("X", native.getVars())) if native.SolCount else None
-    bound = float(native.ObjBound) if native.IsMIP else None
-    return Ending(
-        verdicts.get(ended, Verdict.ENDED),
-        values,
-        None if bound is None or abs(bound) >= grb.INFINITY else bound,
-        stopped_by or reasons.get(ended),
-        int(native.NodeCount),
-    )
+    bound = _finite(float(native.ObjBound), grb) if native.IsMIP else None
+    return RawResult(claim, values, bound, why, int(native.NodeCount))

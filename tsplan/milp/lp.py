@@ -15,9 +15,9 @@ from scipy import sparse
 from tsplan.errors import SolverError
 from tsplan.milp.highs import checked, load, set_option
 from tsplan.milp.model import Floats, Ints, Model
-from tsplan.milp.quiet_output import hushed
-from tsplan.milp.solution import hopeless
-from tsplan.milp.watchdog import Attendant
+from tsplan.milp.solution import trivially_infeasible
+from tsplan.process.quiet_output import hushed
+from tsplan.process.watchdog import Watchdog
 
 with hushed():
     import highspy
@@ -94,7 +94,7 @@ class WarmLP:
         self._left_running = False
         # HiGHS calls a program without columns empty, whatever its rows say
         self._offset = float(model.offset)
-        self._hopeless = hopeless(model)
+        self._refuted = trivially_infeasible(model)
         set_option(self._highs, "solver", "simplex")
 
     def bounds(self, columns: Ints, lower: npt.ArrayLike, upper: npt.ArrayLike) -> None:
@@ -140,7 +140,7 @@ class WarmLP:
         began = time.perf_counter()
         if self._left_running:
             return LPResult("limit", _INFINITY, 0.0)
-        if self._hopeless:
+        if self._refuted:
             return LPResult("infeasible", _INFINITY, 0.0)
         most = _INFINITY if cutoff is None else float(cutoff)
         if most != self._cutoff:
@@ -205,20 +205,22 @@ class WarmLP:
             # raised in the callback, through HiGHS: what it has begun is lost
             highs.clearSolver()
             raise
-        return Ended.kSolveError if status == highspy.HighsStatus.kError else highs.getModelStatus()
+        return self._status(status)
 
     def _apart(self, until: float) -> Ended:
         """Run attended by this thread, and leave it behind where it does not hear that it is over.
 
         HiGHS looks at the time and at the callback between iterations, not while it presolves.
         """
-        ends: list[highspy.HighsStatus] = []
         deadline = None if until == _INFINITY else until
-        attendant = Attendant(deadline, asked=self._stop or (lambda: False))
-        if not attendant.run(lambda: ends.append(self._highs.run())):
+        ended = Watchdog(deadline, asked=self._stop or (lambda: False)).run(self._highs.run)
+        if ended is None:
             self._left_running = True
             return Ended.kTimeLimit
-        failed = ends[0] == highspy.HighsStatus.kError
+        return self._status(ended.result)
+
+    def _status(self, returned: highspy.HighsStatus) -> Ended:
+        failed = returned == highspy.HighsStatus.kError
         return Ended.kSolveError if failed else self._highs.getModelStatus()
 
     def _without_presolve(self, until: float) -> Ended:

@@ -7,7 +7,7 @@ from outside; what differs between PuLP 3 and PuLP 4 is in `tsplan.milp.pulp_ter
 from __future__ import annotations
 
 import inspect
-import time
+import threading
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -21,34 +21,36 @@ from typing import Any
 import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
-from tsplan.milp.descendants import Offspring
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.pulp_terms import UnclearError, load, pulp_module, told
-from tsplan.milp.quiet_output import hushed
-from tsplan.milp.solution import Options, Solution, Watcher, settled
-from tsplan.milp.solver import Availability
-from tsplan.milp.verdict import Ending, Question, Verdict
-from tsplan.milp.watchdog import Attendant, Patience
+from tsplan.milp.request import NativeRun, RawResult, Request
+from tsplan.milp.solution import Status
+from tsplan.milp.solver import Availability, Solver
+from tsplan.process.descendants import INTERRUPT, KILL, Descendants
+from tsplan.process.grace_period import COMMAND
+from tsplan.process.quiet_output import hushed
+from tsplan.process.watchdog import Watchdog
 from tsplan.stopping import StoppedBy
 
 _PREFERRED = ("PULP_CBC_CMD", "COIN_CMD", "HiGHS", "HiGHS_CMD", "SCIP_PY", "SCIP_CMD", "GLPK_CMD")
 _UNFIT = frozenset({"CPSAT"})  # takes continuous columns for whole ones
 _INSTALL = "pip install 'tsplan[pulp]'"
-_LEAST_GAP = (
-    1e-9  # some backends take a gap of 0 for none given, and have a larger one of their own
-)
+# some backends take a gap of 0 for none given, and have a larger one of their own
+_LEAST_GAP = 1e-9
 _SLACK = 0.25  # seconds after its time limit until a backend is interrupted from outside
-_PATIENCE = Patience(time_limit=1.0, interrupt=3.0)  # then it has to write its point
 _MOST = 0.9  # of a time limit, after which it is what stopped a backend that does not say
 _CBC = frozenset({"PULP_CBC_CMD", "COIN_CMD"})
 
 
-class Pulp:
-    """Solves models through PuLP with the named backend, or with the first good one it finds."""
+class Pulp(Solver):
+    """Solves models through PuLP with the named backend, or with the first good one it finds.
 
-    def __init__(self, backend: str = "") -> None:
-        self._backend = backend
-        self.name = f"pulp:{backend}" if backend else "pulp"
+    PuLP hands no progress over, so nobody hears of any; wishes to stop are heard.
+    """
+
+    def __init__(self, variant: str = "") -> None:
+        super().__init__(variant)
+        self.name = f"pulp:{variant}" if variant else "pulp"
 
     @cached_property
     def _found(self) -> list[str]:
@@ -56,65 +58,42 @@ class Pulp:
         return backends() if find_spec("pulp") is not None else []
 
     @property
-    def features(self) -> frozenset[str]:
+    def features(self) -> frozenset[str]:  # type: ignore[override]  # it depends on the backend
         """What the backend can do through PuLP; empty while there is none."""
         if not self.availability().usable:
             return frozenset()
         name = self._chosen()
         known = _parameters(name)
-        able = {
-            "start": "warmStart" in known,
-            "log": "logPath" in known,
-            "threads": "threads" in known,
-            "gap": "gapRel" in known,
-            "seed": bool(_seeded(name, 0, known)),
-            "first": name in _CBC,
-            "cutoff": True,
-        }
-        return frozenset(feature for feature, can in able.items() if can)
+        taken = {"start": "warmStart", "log": "logPath", "threads": "threads", "gap": "gapRel"}
+        able = {feature for feature, word in taken.items() if word in known} | {"cutoff"}
+        able |= {"seed"} if _seeded(name, 0, known) else set()
+        return frozenset(able | {"first"} if name in _CBC else able)
 
     def availability(self) -> Availability:
         """Installed if PuLP is there; usable if PuLP finds the backend."""
         if find_spec("pulp") is None:
-            return Availability(
-                installed=False, usable=False, why="PuLP is not installed", remedy=_INSTALL
-            )
+            return Availability(False, None, "PuLP is not installed", _INSTALL)
         found, number = self._found, version("pulp")
         listed = f"PuLP finds here: {', '.join(found)}" if found else "PuLP finds none here"
-        if self._backend and self._backend not in found:
-            why = f"PuLP finds no usable {self._backend}"
-            return Availability(
-                installed=True, usable=False, version=number, why=why, remedy=listed
-            )
+        if self.variant and self.variant not in found:
+            return Availability(True, number, f"PuLP finds no usable {self.variant}", listed)
         if not found:
             remedy = "install one, such as CBC (pip install cbcbox), or use --solver highs"
-            return Availability(
-                installed=True, usable=False, version=number, why=listed, remedy=remedy
-            )
-        return Availability(installed=True, usable=True, version=number)
+            return Availability(True, number, listed, remedy)
+        return Availability(True, number)
+
+    def names(self) -> list[str]:
+        """Every backend that PuLP finds."""
+        return [f"{self.name}:{name}" for name in self._found]
 
     def native(self, model: Model) -> Any:
         """The model as a `pulp.LpProblem`."""
         self._chosen()
         return load(model)[0]
 
-    def solve(
-        self, model: Model, options: Options | None = None, watch: Watcher | None = None
-    ) -> Solution:
-        """Minimise the model; see `tsplan.milp.solver.Solver`.
-
-        PuLP hands no progress over, so `watch` is not called; `Options.stop` is asked.
-        """
-        del watch
-        began = time.perf_counter()
-        options = options or Options()
-        name = self._chosen()
-        known = settled(model)
-        if known is not None:
-            return known
-        question = Question(model, options)
-        said = _Solve(name, question, began).ending()
-        return question.answer(said, time.perf_counter() - began)
+    def answer(self, request: Request) -> RawResult:
+        """What the backend makes of a request; see `tsplan.milp.solver.Solver`."""
+        return _Solve(self._chosen(), request).answer()
 
     def _chosen(self) -> str:
         """PuLP's name of the backend. Raises SolverUnavailableError if it cannot be used."""
@@ -122,7 +101,7 @@ class Pulp:
         if not state.usable:
             raise SolverUnavailableError(f"{state.why}; {state.remedy}")
         best = (name for name in _PREFERRED if name in self._found)
-        return self._backend or next(best, self._found[0])
+        return self.variant or next(best, self._found[0])
 
 
 @dataclass(eq=False)
@@ -130,107 +109,104 @@ class _Solve:
     """One solve with one backend."""
 
     backend: str
-    question: Question
-    began: float
-    _said: Ending = field(default=Ending(Verdict.ENDED), init=False)
+    request: Request
     _read: int = field(default=0, init=False)
 
-    def ending(self) -> Ending:
-        model, said = self.question.model, None
+    def answer(self) -> RawResult:
+        model, raw = self.request.model, None
         try:
             # no backend has a cutoff that all versions of PuLP pass on
-            said = self._run(self.question.cut())
+            raw = self._run(self.request.cut())
         except UnclearError:
             if _bounded(model):
                 raise
-        if said is None or (said.verdict is Verdict.REFUTED and not _bounded(model)):
+        if raw is None or (raw.status is Status.INFEASIBLE and not _bounded(model)):
             # some backends say so of unbounded models too: ask for any point
-            said = self._run(model.with_objective(np.zeros(model.size.columns)))
-            if said.values is not None:
+            raw = self._run(model.with_objective(np.zeros(model.size.columns)))
+            if raw.values is not None:
                 raise SolverError("the model is unbounded: its objective can fall without end")
-        return said
+        return raw
 
-    def _run(self, model: Model) -> Ending:
-        with TemporaryDirectory(prefix="tsplan-") as folder:
-            log = Path(folder, "log")
-            return self._logged(model, log)
+    def _run(self, model: Model) -> RawResult:
+        """Run the backend, watched from outside, as it knows no interruption."""
+        descendants, deadline = Descendants(), self.request.deadline
 
-    def _logged(self, model: Model, log: Path) -> Ending:
-        offspring, limit = Offspring(), self.question.options.time_limit
-        attendant = Attendant(
-            None if limit is None else self.began + max(limit, 0.0) + _SLACK,
-            asked=lambda: self._asked(log),
-            stop=offspring.interrupt,
-            patience=_PATIENCE,
-        )
-
-        def work() -> None:
-            offspring.mine()
+        def work(watchdog: Watchdog) -> RawResult:
+            descendants.thread = threading.get_native_id()
             try:
-                self._said = self._solved(model, log, attendant)
+                return self._solved(model, log, watchdog)
             except SolverError:
                 raise
             except Exception as error:
                 # backends raise errors of their own, and some when they are interrupted
-                if not attendant.stopping:
+                if not watchdog.stopping:
                     raise SolverError(f"PuLP's {self.backend} failed: {error}") from error
-                self._said = Ending(Verdict.ENDED, stopped_by=attendant.stopped_by)
+                return RawResult(Status.UNKNOWN)
 
-        if attendant.run(work):
+        with TemporaryDirectory(prefix="tsplan-") as folder:
+            log = Path(folder, "log")
+            try:
+                raw = NativeRun(self.request).result(
+                    work,
+                    deadline=None if deadline is None else deadline + _SLACK,
+                    asked=lambda: self._asked(log),
+                    stop=lambda: descendants.send(INTERRUPT),
+                    grace=COMMAND,
+                )
+            finally:
+                descendants.send(KILL)  # one that was left behind
             self._pass_on(log)
-            return self._said
-        offspring.kill()
-        return Ending(Verdict.ENDED, stopped_by=attendant.stopped_by)
+            return raw
 
-    def _solved(self, model: Model, log: Path, attendant: Attendant) -> Ending:
+    def _solved(self, model: Model, log: Path, watchdog: Watchdog) -> RawResult:
         problem, variables = load(model)
         arguments = self._arguments(log)
-        start = self.question.options.start
+        start = self.request.options.start
         if "warmStart" in arguments and start is not None:
             for variable, value in zip(variables, start.tolist(), strict=True):
                 variable.setInitialValue(value, check=False)
         answer = problem.solve(_backend(self.backend, arguments))
-        said = told(problem, answer)
-        if said.verdict is Verdict.REFUTED:
-            return said
-        values = self._values(variables, said.verdict)
-        reason = said.stopped_by or attendant.stopped_by
-        if said.verdict is Verdict.ENDED and reason is None:
+        raw = told(problem, answer)
+        if raw.status is Status.INFEASIBLE:
+            return raw
+        values = self._values(variables, raw.status)
+        reason = raw.stopped_by or watchdog.stopped_by
+        if raw.status is Status.UNKNOWN and reason is None:
             reason = self._reason(values)
-        return replace(said, values=values, stopped_by=reason)
+        return replace(raw, values=values, stopped_by=reason)
 
     def _reason(self, values: Floats | None) -> StoppedBy | None:
         """What may have stopped a backend that does not say."""
-        options = self.question.options
+        options = self.request.options
         if options.first and values is not None:
             return None
-        limit, spent = options.time_limit, time.perf_counter() - self.began
-        late = limit is not None and spent >= _MOST * limit
+        limit = options.time_limit
+        late = limit is not None and self.request.elapsed >= _MOST * limit
         return StoppedBy.TIME_LIMIT if late else StoppedBy.INTERRUPT
 
-    def _values(self, variables: list[Any], verdict: Verdict) -> Floats | None:
+    def _values(self, variables: list[Any], claim: Status) -> Floats | None:
         """The backend's point, or None; the model says whether what it left behind is one."""
-        model = self.question.model
+        model = self.request.model
         listed = (variable.value() for variable in variables)
         read = np.array([0.0 if value is None else float(value) for value in listed])
         values: Floats = np.minimum(np.maximum(read, model.lower), model.upper)
-        if self.question.whole(values) is not None:
+        if self.request.rounded(values) is not None:
             return values
-        if verdict is Verdict.ENDED:
+        if claim is Status.UNKNOWN:
             return None
         polished = _polished(model, values)
         return values if polished is None else polished
 
     def _arguments(self, log: Path) -> dict[str, object]:
         """What the backend is given, as far as it takes it."""
-        options, known = self.question.options, _parameters(self.backend)
+        options, known = self.request.options, _parameters(self.backend)
         asked: dict[str, object] = {
             "msg": False,
             "gapRel": max(options.gap, _LEAST_GAP),
             "threads": options.threads,
         }
         if options.time_limit is not None:
-            left = self.began + options.time_limit - time.perf_counter()
+            left = options.time_limit - self.request.elapsed
             asked["timeLimit"] = max(round(left, 3), 0.01)
         if options.start is not None:
             asked["warmStart"] = True
@@ -245,12 +221,12 @@ class _Solve:
 
     def _asked(self, log: Path) -> bool:
         self._pass_on(log)
-        stop = self.question.options.stop
+        stop = self.request.options.stop
         return stop is not None and stop()
 
     def _pass_on(self, log: Path) -> None:
         """Hand the new lines of the backend's log over."""
-        hear = self.question.options.log
+        hear = self.request.options.log
         if hear is None or not log.exists():
             return
         with log.open(errors="replace") as file:

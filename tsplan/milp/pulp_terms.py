@@ -1,4 +1,4 @@
-"""PuLP's own terms: problems out of models, and verdicts out of answers.
+"""PuLP's own terms: problems out of models, and raw results out of answers.
 
 Works with PuLP 3.3.2 and PuLP 4. PuLP 3 calls a time-limited incumbent "Optimal" in `status` and an
 unsolved model "infeasible" in `sol_status`, so each is asked only what it tells truly; PuLP 4
@@ -13,8 +13,9 @@ import numpy as np
 
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.quiet_output import hushed
-from tsplan.milp.verdict import Ending, Verdict
+from tsplan.milp.request import RawResult
+from tsplan.milp.solution import Status
+from tsplan.process.quiet_output import hushed
 from tsplan.stopping import StoppedBy
 
 _NOT_SOLVED, _SOLVED, _INFEASIBLE, _UNBOUNDED, _UNDEFINED = 0, 1, -1, -2, -3  # PuLP 3 and 4
@@ -72,29 +73,30 @@ def _sides(bounds: Floats) -> list[float | None]:
     return [bound if np.isfinite(bound) else None for bound in bounds.tolist()]
 
 
-def told(problem: Any, answer: Any) -> Ending:
+_CLAIMS = {
+    _INFEASIBLE: RawResult(Status.INFEASIBLE),
+    _UNBOUNDED: RawResult(Status.INFEASIBLE),  # the model says which of the two
+    _SOLVED: RawResult(Status.OPTIMAL),
+    _GAP: RawResult(Status.OPTIMAL),
+    _TIME: RawResult(Status.UNKNOWN, stopped_by=StoppedBy.TIME_LIMIT),
+    _MEMORY: RawResult(Status.UNKNOWN, stopped_by=StoppedBy.MEMORY),
+}
+
+
+def told(problem: Any, answer: Any) -> RawResult:
     """What PuLP says, without a point: `problem.solve` gave `answer`. Raises SolverError."""
-    if hasattr(answer, "has_solution"):
-        return _told_by_stats(answer)
+    unknown = RawResult(Status.UNKNOWN)
+    if hasattr(answer, "has_solution"):  # PuLP 4
+        status = int(answer.status)
+        if status in (_UNDEFINED, _NUMERICAL, _NOT_SOLVED):
+            # PuLP 4 has the first for "infeasible or unbounded" too
+            kind = UnclearError if status == _UNDEFINED else SolverError
+            raise kind(f"PuLP's solver ended without an answer ({answer.status_str})")
+        # its `best_bound` is read off logs, and was seen above the best point of a stopped CBC
+        return _CLAIMS.get(status, unknown)
     status, found = int(problem.status), int(problem.sol_status)
     if status == _INFEASIBLE or _UNBOUNDED in (status, found):
-        return Ending(Verdict.REFUTED)
+        return _CLAIMS[_INFEASIBLE]
     if status == _UNDEFINED:
         raise SolverError("PuLP's solver ended without an answer")
-    return Ending(Verdict.SOLVED if status == found == _SOLVED else Verdict.ENDED)
-
-
-def _told_by_stats(stats: Any) -> Ending:
-    """The same from the object that PuLP 4 returns."""
-    status = int(stats.status)
-    if status in (_INFEASIBLE, _UNBOUNDED):
-        return Ending(Verdict.REFUTED)
-    if status in (_UNDEFINED, _NUMERICAL, _NOT_SOLVED):
-        # PuLP 4 has the first for "infeasible or unbounded" too
-        kind = UnclearError if status == _UNDEFINED else SolverError
-        raise kind(f"PuLP's solver ended without an answer ({stats.status_str})")
-    # its `best_bound` is read off logs, and was seen above the best point of a stopped CBC
-    if status in (_SOLVED, _GAP):
-        return Ending(Verdict.SOLVED)
-    reasons = {_TIME: StoppedBy.TIME_LIMIT, _MEMORY: StoppedBy.MEMORY}
-    return Ending(Verdict.ENDED, stopped_by=reasons.get(status))
+    return _CLAIMS[_SOLVED] if status == found == _SOLVED else unknown

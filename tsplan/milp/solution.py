@@ -138,21 +138,21 @@ Watcher: TypeAlias = Callable[[Progress], bool]
 """Called with news in the thread that called `solve`; True asks to stop and keep the best point."""
 
 
-def settled(model: Model) -> Solution | None:
+def presolved(model: Model) -> Solution | None:
     """The solution of a model that needs no solver, else None.
 
     Solvers and modelling layers differ in what they make of rows without entries, of contradictory
     bounds and of models without columns.
     """
     contradictory = (model.row_lower > model.row_upper).any() or (model.lower > model.upper).any()
-    if bool(contradictory) or hopeless(model):
+    if bool(contradictory) or trivially_infeasible(model):
         return Solution(Status.INFEASIBLE)
     if not model.size.columns:
         return Solution(Status.OPTIMAL, None, np.empty(0), model.offset, model.offset)
     return None
 
 
-def hopeless(model: Model) -> bool:
+def trivially_infeasible(model: Model) -> bool:
     """Whether a row without entries has bounds that zero does not meet."""
     empty = np.diff(model.matrix.indptr) == 0
     return bool((((model.row_lower > 0) | (model.row_upper < 0)) & empty).any())

@@ -1,72 +1,103 @@
-"""The protocol every solver fulfils, and the registry that finds one by name."""
+"""What every solver fulfils, and the registry that finds one by name.
+
+To add a solver: one file with a class of `Solver`, and one line in `SOLVERS`.
+"""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from importlib import import_module
 from types import MappingProxyType
-from typing import Any, Protocol
+from typing import Any
 
 from tsplan.errors import SolverUnavailableError, nearest
 from tsplan.milp.model import Model
-from tsplan.milp.solution import Options, Solution, Watcher
+from tsplan.milp.request import RawResult, Request
+from tsplan.milp.solution import Options, Solution, Watcher, presolved
+
+FEATURES = frozenset(
+    {
+        *("start", "progress", "incumbents", "first", "log"),
+        *("seed", "threads", "gap", "cutoff", "presolve"),
+    }
+)
+"""What a solver may be able to do."""
 
 
 @dataclass(frozen=True)
 class Availability:
     """Whether a solver is installed and whether it may be used here; why not, and what to do."""
 
-    installed: bool
-    usable: bool
+    installed: bool = True
     version: str | None = None
     why: str = ""
     remedy: str = ""
 
+    @property
+    def usable(self) -> bool:
+        """Whether it may be used."""
+        return not self.why
 
-class Solver(Protocol):
-    """A solver of mixed-integer linear programs. `name` is what the registry knows it by."""
+
+class Solver(ABC):
+    """A solver of mixed-integer linear programs.
+
+    `name` is what the registry knows it by, before the colon of a variant. Of `FEATURES` it has
+    `features`; options for what it cannot do are passed over.
+    """
 
     name: str
+    features: frozenset[str] = FEATURES
 
-    @property
-    def features(self) -> frozenset[str]:
-        """What it can do.
+    def __init__(self, variant: str = "") -> None:
+        self.variant = variant
 
-        Of "start", "progress", "incumbents", "first", "log", "seed", "threads", "gap", "cutoff" and
-        "presolve";
-        options for what it cannot do are passed over.
-        """
-
+    @abstractmethod
     def availability(self) -> Availability:
         """Whether it is installed and usable. Never raises."""
 
-    def solve(self, model: Model, options: Options, watch: Watcher | None = None) -> Solution:
-        """Minimise the model. Raises SolverError or SolverUnavailableError, nothing else."""
-
+    @abstractmethod
     def native(self, model: Model) -> Any:
         """The model loaded into the solver's own object, not yet solved."""
 
+    @abstractmethod
+    def answer(self, request: Request) -> RawResult:
+        """What the solver makes of a request; `NativeRun` keeps its limits for it."""
 
-def _highs(_: str) -> Solver:
-    from tsplan.milp.highs import Highs  # noqa: PLC0415 - no solver is imported unasked
+    def solve(
+        self, model: Model, options: Options | None = None, watch: Watcher | None = None
+    ) -> Solution:
+        """Minimise the model. Raises SolverError or SolverUnavailableError, nothing else.
 
-    return Highs()
+        `watch` is called where the solver has the features "progress" or "incumbents".
+        """
+        request = Request(model, options or Options(), watch)
+        known = presolved(model)
+        return known or request.solution(self.answer(request), request.elapsed)
+
+    def names(self) -> list[str]:
+        """The names by which it can be used here, that of each variant on its own."""
+        return [self.name] if self.availability().usable else []
 
 
-def _gurobi(_: str) -> Solver:
-    from tsplan.milp.gurobi import Gurobi  # noqa: PLC0415 - no solver is imported unasked
+def _deferred(module: str, kind: str) -> Callable[[str], Solver]:
+    """Makes a solver of a class, given the name of a variant; none is imported unasked."""
 
-    return Gurobi()
+    def make(variant: str) -> Solver:
+        made: Solver = getattr(import_module(f"tsplan.milp.{module}"), kind)(variant)
+        return made
 
-
-def _pulp(backend: str) -> Solver:
-    from tsplan.milp.pulp import Pulp  # noqa: PLC0415 - no solver is imported unasked
-
-    return Pulp(backend)
+    return make
 
 
 SOLVERS: Mapping[str, Callable[[str], Solver]] = MappingProxyType(
-    {"highs": _highs, "gurobi": _gurobi, "pulp": _pulp}
+    {
+        "highs": _deferred("highs", "Highs"),
+        "gurobi": _deferred("gurobi", "Gurobi"),
+        "pulp": _deferred("pulp", "Pulp"),
+    }
 )
 """How to make each solver from what follows the colon in its name."""
 
@@ -77,13 +108,13 @@ def solver(name: str) -> Solver:
     Raises SolverUnavailableError for unknown names and for solvers that cannot be used, with
     what to do about it.
     """
-    family, _, backend = name.partition(":")
+    family, _, variant = name.partition(":")
     if family not in SOLVERS:
         raise SolverUnavailableError(f"there is no solver '{name}'; {nearest(family, SOLVERS)}")
-    made = SOLVERS[family](backend)
-    found = made.availability()
-    if not found.usable:
-        raise SolverUnavailableError(f"solver '{name}' cannot be used: {found.why}; {found.remedy}")
+    made = SOLVERS[family](variant)
+    state = made.availability()
+    if not state.usable:
+        raise SolverUnavailableError(f"solver '{name}' cannot be used: {state.why}; {state.remedy}")
     return made
 
 
@@ -94,9 +125,4 @@ def available() -> dict[str, Availability]:
 
 def installed() -> list[str]:
     """The names of the solvers that can be used here, PuLP's each on its own."""
-    names = [name for name, state in available().items() if state.usable and name != "pulp"]
-    if available()["pulp"].usable:
-        from tsplan.milp.pulp import backends  # noqa: PLC0415 - no solver is imported unasked
-
-        names += [f"pulp:{name}" for name in backends()]
-    return names
+    return [name for make in SOLVERS.values() for name in make("").names()]

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import gc
-import signal
-import threading
 import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from types import FrameType
-from typing import Any, Generic, TypedDict, TypeVar
+from typing import Generic, TypedDict, TypeVar
 
 from tsplan.checking.plan_check import certify
-from tsplan.milp.quiet_output import audible, hushed_alone
 from tsplan.milp.solver import solver as solver_named
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
 from tsplan.mission import Mission
@@ -30,6 +26,8 @@ from tsplan.plans.plan import (
     Timings,
 )
 from tsplan.plans.satisfaction import Depth, Satisfaction
+from tsplan.process.interrupt import on_interrupt
+from tsplan.process.quiet_output import audible, hushed_alone
 from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
 from tsplan.search.clock import Clock, Halted
 from tsplan.search.effort import Effort
@@ -234,21 +232,6 @@ def claimed_depths(mission: Mission, levels: Iterable[Reached]) -> Satisfaction 
     return Satisfaction(mission.satisfaction, depths=tuple(depths))
 
 
-@dataclass(eq=False, slots=True)
-class _Asked:
-    """What the first Ctrl-C does: ask a run to stop, and every run that this one is a part of."""
-
-    stop: Callable[[], None]
-    former: Any
-
-    def __call__(self, number: int, frame: FrameType | None) -> None:
-        """Hear Ctrl-C; the next one is for whoever heard it before."""
-        self.stop()
-        signal.signal(signal.SIGINT, self.former)
-        if isinstance(self.former, _Asked):
-            self.former(number, frame)
-
-
 @contextmanager
 def _uncollected() -> Iterator[None]:
     """Without the garbage collector: of millions of paths that stay it would search all, often."""
@@ -259,23 +242,3 @@ def _uncollected() -> Iterator[None]:
     finally:
         if enabled:
             gc.enable()
-
-
-@contextmanager
-def on_interrupt(stop: Callable[[], None]) -> Iterator[None]:
-    """Ctrl-C asks the search to stop and keep its best plan; a second one interrupts for good.
-
-    Where Ctrl-C is ignored, as in a background job of a shell, it stays so.
-    """
-    former = signal.getsignal(signal.SIGINT)
-    elsewhere = threading.current_thread() is not threading.main_thread()
-    if elsewhere or former in (None, signal.SIG_IGN):
-        yield
-        return
-    asked = _Asked(stop, former)
-    signal.signal(signal.SIGINT, asked)
-    try:
-        yield
-    finally:
-        if signal.getsignal(signal.SIGINT) is asked:  # a second one is still for the one before
-            signal.signal(signal.SIGINT, former)

@@ -17,8 +17,8 @@ from tsplan.explanation.whynot.joint_repair import Several
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
 from tsplan.explanation.whynot.team_map_edits import EdgeTime
 from tsplan.limits import refuse_options
-from tsplan.milp.quiet_output import audible, hushed_alone
-from tsplan.run.run import on_interrupt
+from tsplan.process.interrupt import on_interrupt
+from tsplan.process.quiet_output import audible, hushed_alone
 from tsplan.search.clock import Clock
 
 if TYPE_CHECKING:

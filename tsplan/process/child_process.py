@@ -15,30 +15,26 @@ import pickle
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from types import FrameType
 from typing import Any, TypeVar
 
 from tsplan.errors import SolverError, TsplanError
-from tsplan.milp.grace_period import Leash
-from tsplan.milp.quiet_output import hush_for_good
+from tsplan.process.grace_period import CHILD, GracePeriod
+from tsplan.process.interrupt import hear_again, held_back, own_handlers, passed_on
+from tsplan.process.quiet_output import hush_for_good
+from tsplan.stopping import StoppedBy
 from tsplan.words import visible
 
 A = TypeVar("A")
 R = TypeVar("R")
 Send = Callable[[Any], object]
-
-STOPPING = tuple(
-    number
-    for name in ("SIGINT", "SIGTERM", "SIGHUP")
-    if (number := getattr(signal, name, None)) is not None
-)
-"""Signals by which a process is asked to stop."""
 
 _WORDS = 200  # letters of a child's last words
 _TAIL = 4000  # bytes in which they are looked for
@@ -54,6 +50,92 @@ class OutOfMemoryError(CrashError):
 
 class LateError(CrashError):
     """It had to be ended, as it neither answered nor stopped in time."""
+
+
+def reason_of(error: BaseException, *, asked: bool) -> StoppedBy:
+    """What a child without an answer was stopped by, if it was `asked` to stop or was not."""
+    if isinstance(error, OutOfMemoryError):
+        return StoppedBy.MEMORY
+    late = isinstance(error, LateError) and not asked
+    return StoppedBy.TIME_LIMIT if late else StoppedBy.INTERRUPT
+
+
+@dataclass(eq=False)
+class Leash:
+    """One child process, held by whoever started it; usable in signal handlers.
+
+    `limit` is seconds for its work (None: any time). A child that listens ends by itself when it is
+    asked to. One that does not, because native code does not come back or because the system has
+    stopped it, is ended from outside when its time and some grace are up. `finishing` may be set
+    once the child only makes its answer ready. `asked` counts the requests to stop, `late` says
+    that the child was ended for being late.
+    """
+
+    limit: float | None = None
+    grace: GracePeriod = field(default_factory=lambda: CHILD)
+    finishing: bool = False
+    asked: int = field(default=0, init=False)
+    late: bool = field(default=False, init=False)
+    _child: BaseProcess | None = field(default=None, init=False)
+    _here: bool = field(default=False, init=False)
+    _due: list[tuple[float, float]] = field(default_factory=list, init=False)
+
+    def ask(self) -> None:
+        """Ask the child to stop, as Ctrl-C does; the second time, end it."""
+        self.asked += 1
+        if self.asked > 1:
+            self.end()
+            return
+        self._due.append((time.monotonic(), self.grace.after(StoppedBy.INTERRUPT)))
+        self._interrupt()
+
+    def end(self) -> None:
+        """End the child at once."""
+        if self._child is not None:
+            self._child.kill()
+
+    def _interrupt(self) -> None:
+        if self._here:
+            signal.raise_signal(signal.SIGINT)
+        elif self._child is not None and self._child.pid is not None:
+            with suppress(ProcessLookupError):
+                os.kill(self._child.pid, signal.SIGINT)
+
+    @contextmanager
+    def held(self, child: BaseProcess) -> Iterator[None]:
+        """Watch a child that has just started."""
+        self._child, done = child, threading.Event()
+        if self.limit is not None:
+            begun = time.monotonic() + self.limit
+            self._due.append((begun, self.grace.after(StoppedBy.TIME_LIMIT)))
+        if self.asked:
+            self._interrupt()
+        watch = threading.Thread(target=self._watch, args=(done,), name="leash", daemon=True)
+        watch.start()
+        try:
+            yield
+        finally:
+            done.set()
+            watch.join()
+            self._child = None
+
+    @contextmanager
+    def held_here(self) -> Iterator[None]:
+        """The work is done in this process meanwhile: it can be asked, and cannot be ended."""
+        self._here = True
+        try:
+            yield
+        finally:
+            self._here = False
+
+    def _watch(self, done: threading.Event) -> None:
+        while not done.wait(self.grace.poll):
+            more = self.grace.finishing if self.finishing else None
+            now = time.monotonic()
+            if any(now > due + (more or grace) for due, grace in self._due):
+                self.late = True
+                self.end()
+                return
 
 
 @dataclass(frozen=True)
@@ -86,15 +168,12 @@ def run_guarded(
     Example, with `def double(number, send): send("half way"); return 2 * number` in a module:
     `run_guarded(double, 21, print)` prints `half way` and returns 42.
     """
-    leash = leash or Leash()
+    leash, hear = leash or Leash(), on_event or (lambda _: None)
     if not may_have_children():
-        leash.hold_here()
-        try:
-            return job(argument, on_event or _unheard)
-        finally:
-            leash.let_go()
-    with _place_for_words() as words, _passing_on(leash):
-        kind, value, code = _answered(job, argument, on_event, leash, words)
+        with leash.held_here():
+            return job(argument, hear)
+    with _place_for_words() as words, passed_on(leash.ask):
+        kind, value, code = _answered(job, argument, hear, leash, words)
         if kind == "lost":
             value = _loss(leash, code, _last(words))
     if kind == "result":
@@ -106,10 +185,6 @@ def run_guarded(
 def may_have_children() -> bool:
     """Whether this process may start others; workers of `multiprocessing` that are daemons not."""
     return not multiprocessing.current_process().daemon
-
-
-def _unheard(_: object) -> None:
-    return
 
 
 @contextmanager
@@ -127,7 +202,7 @@ def _place_for_words() -> Iterator[Path]:
 def _answered(
     job: Callable[[A, Send], R],
     argument: A,
-    on_event: Callable[[Any], object] | None,
+    hear: Callable[[Any], object],
     leash: Leash,
     words: Path,
 ) -> tuple[str, Any, int | None]:
@@ -139,19 +214,40 @@ def _answered(
     end, line = context.Pipe(duplex=False)
     ends = _Ends(theirs, end, (ours, line) if alone else (), str(words))
     child = context.Process(target=_child, args=(job, argument, ends), daemon=True)
-    with _held_back():
+    with held_back():
         child.start()
     theirs.close()
     end.close()
-    leash.hold(child)
-    try:
-        kind, value = _listen(ours, on_event)
-    finally:
-        ours.close()
-        _ended(child, leash.patience.settling)
-        line.close()
-        leash.let_go()
+    with leash.held(child), line:
+        try:
+            kind, value = _listen(ours, hear)
+        finally:
+            ours.close()
+            _settle(child, leash.grace.settling)
     return kind, value, child.exitcode
+
+
+def _listen(connection: Connection, hear: Callable[[Any], object]) -> tuple[str, Any]:
+    """Events until the answer comes; ("lost", None) when the child ends without one."""
+    while True:
+        try:
+            kind, value = connection.recv()
+        except (EOFError, OSError):
+            return "lost", None
+        if kind != "event":
+            return kind, value
+        hear(value)
+
+
+def _settle(child: Any, seconds: float) -> None:
+    """See the child and what it has started to their end."""
+    child.join(seconds)
+    if child.is_alive():
+        child.kill()
+        child.join()
+    if hasattr(os, "killpg") and child.pid is not None:
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(child.pid, signal.SIGKILL)
 
 
 def _loss(leash: Leash, code: int | None, words: str) -> BaseException:
@@ -167,62 +263,21 @@ def _loss(leash: Leash, code: int | None, words: str) -> BaseException:
         )
     if "bad_alloc" in words:
         return OutOfMemoryError(f"the solver's process ran out of memory{said}")
-    return CrashError(f"{_cause(code)}{said}")
+    if code is not None and code < 0:
+        return CrashError(f"the solver's process crashed ({signal.Signals(-code).name}){said}")
+    return CrashError(f"the solver's process ended without an answer (exit code {code}){said}")
 
 
-@contextmanager
-def _held_back() -> Iterator[None]:
-    """Signals wait meanwhile: a child that has just begun could not hear them."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    former = signal.pthread_sigmask(signal.SIG_BLOCK, STOPPING)
+def _last(words: Path) -> str:
+    """The last line that a child wrote, in what can be seen."""
     try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, former)
-
-
-@contextmanager
-def _passing_on(leash: Leash) -> Iterator[None]:
-    """Pass Ctrl-C on to the child, where the program does not do so itself."""
-    standard = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    if not standard or threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def handle(_number: int, _frame: FrameType | None) -> None:
-        leash.ask()
-
-    former = signal.signal(signal.SIGINT, handle)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, former)
-
-
-def _listen(connection: Connection, on_event: Callable[[Any], object] | None) -> tuple[str, Any]:
-    """Events until the answer comes; ("lost", None) when the child ends without one."""
-    while True:
-        try:
-            kind, value = connection.recv()
-        except (EOFError, OSError):
-            return "lost", None
-        if kind != "event":
-            return kind, value
-        if on_event is not None:
-            on_event(value)
-
-
-def _ended(child: Any, settling: float) -> None:
-    """See the child and what it has started to their end."""
-    child.join(settling)
-    if child.is_alive():
-        child.kill()
-        child.join()
-    if hasattr(os, "killpg") and child.pid is not None:
-        with suppress(ProcessLookupError, PermissionError):
-            os.killpg(child.pid, signal.SIGKILL)
+        with words.open("rb") as file:
+            file.seek(max(words.stat().st_size - _TAIL, 0))
+            lines = file.read().decode(errors="replace").split("\n")
+    except OSError:
+        return ""
+    spoken = [line.strip() for line in lines if line.strip()]
+    return visible(spoken[-1][-_WORDS:]) if spoken else ""
 
 
 def _child(job: Callable[[A, Send], R], argument: A, ends: _Ends) -> None:
@@ -230,14 +285,14 @@ def _child(job: Callable[[A, Send], R], argument: A, ends: _Ends) -> None:
         os.setpgrp()
     with suppress(OSError):  # without room for a file there is nowhere to lead it
         hush_for_good(ends.words)
-    _own_signals()
+    own_handlers()
     for other in ends.others:
         other.close()
     threading.Thread(target=_watch_parent, args=(ends.lifeline,), daemon=True).start()
     connection = ends.answers
     answer: tuple[str, Any] | None = None
     try:
-        _listen_to_signals()
+        hear_again()
         answer = ("result", job(argument, lambda event: connection.send(("event", event))))
         # the answer is ready: Ctrl-C must not lose it
         signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -249,23 +304,6 @@ def _child(job: Callable[[A, Send], R], argument: A, ends: _Ends) -> None:
     except (pickle.PicklingError, TypeError, AttributeError) as error:
         connection.send(("error", TsplanError(f"the answer cannot be sent: {error}")))
     connection.close()
-
-
-def _own_signals() -> None:
-    """A forked child has its parent's handlers, which are not meant for it.
-
-    What was ignored stays so, as under `nohup`; but the parent's wish to stop has to be heard.
-    """
-    signal.signal(signal.SIGINT, signal.default_int_handler)
-    for number in STOPPING:
-        if number != signal.SIGINT and signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, signal.SIG_DFL)
-
-
-def _listen_to_signals() -> None:
-    """From here on those that came while the child began are heard, and those to come."""
-    if hasattr(signal, "pthread_sigmask"):
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPPING)
 
 
 def _watch_parent(lifeline: Connection) -> None:
@@ -286,21 +324,3 @@ def _sendable(error: BaseException) -> BaseException:
     except Exception:  # noqa: BLE001 - any failure means it cannot be sent
         return TsplanError(f"{type(error).__name__}: {error}")
     return error
-
-
-def _cause(exitcode: int | None) -> str:
-    if exitcode is not None and exitcode < 0:
-        return f"the solver's process crashed ({signal.Signals(-exitcode).name})"
-    return f"the solver's process ended without an answer (exit code {exitcode})"
-
-
-def _last(words: Path) -> str:
-    """The last line that a child wrote, in what can be seen."""
-    try:
-        with words.open("rb") as file:
-            file.seek(max(words.stat().st_size - _TAIL, 0))
-            lines = file.read().decode(errors="replace").split("\n")
-    except OSError:
-        return ""
-    spoken = [line.strip() for line in lines if line.strip()]
-    return visible(spoken[-1][-_WORDS:]) if spoken else ""

@@ -1,0 +1,1 @@
+"""Processes, threads and signals: child processes, watchdogs, Ctrl-C, grace periods, output."""
