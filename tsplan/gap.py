@@ -16,3 +16,17 @@ def relative_gap(objective: float | None, bound: float | None) -> float | None:
         return None
     distance = abs(objective - bound)
     return 0.0 if distance == 0 else distance / max(abs(objective), _LEAST)
+
+
+class Gapped:
+    """What has an objective and a bound on the best one, None while not known."""
+
+    __slots__ = ()
+
+    objective: float | None
+    bound: float | None
+
+    @property
+    def gap(self) -> float | None:
+        """How far the objective may be from the best, relative to it; None while not known."""
+        return relative_gap(self.objective, self.bound)

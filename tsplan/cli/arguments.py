@@ -6,11 +6,9 @@ import argparse
 from collections.abc import Callable
 from enum import IntEnum
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeAlias
 
 from tsplan.limits import DIGITS, LARGEST, OPTIONS, Range
-
-NumberT = TypeVar("NumberT", int, float)
 
 
 class Exit(IntEnum):
@@ -45,84 +43,86 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"tsplan {__version__}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    _plan(commands)
-    _explain(commands)
-    _check(commands)
-    _simulate(commands)
-    _parse(commands)
-    _show(commands)
-    _view(commands)
-    _animate(commands)
-    _lint(commands)
+    every = (_plan, _explain, _check, _simulate, _parse, _show, _view, _animate, _lint)
+    for command in every:
+        command(commands)
     return top
 
 
-def _plan(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    plan = commands.add_parser(
-        "plan", help="plan a mission and print the verified plan", epilog=_CODES
-    )
-    plan.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
-    plan.add_argument("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
-    plan.add_argument("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
-    plan.add_argument("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
-    plan.add_argument("--threads", type=_threads, metavar="N", help="threads of the solver")
-    plan.add_argument("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
-    plan.add_argument(
+Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001
+
+_FILES = {
+    "mission": "mission file (YAML)",
+    "plan": "plan file (JSON)",
+    "map": "map file (YAML)",
+}
+
+
+def _command(
+    commands: Commands, name: str, words: str, *files: str, epilog: str | None = None
+) -> Callable[..., object]:
+    """A new command that reads some files; what adds further arguments to it."""
+    command = commands.add_parser(name, help=words, epilog=epilog)
+    for file in files:
+        command.add_argument(file, type=Path, metavar=file.upper(), help=_FILES[file])
+    return command.add_argument
+
+
+def _plan(commands: Commands) -> None:
+    words = "plan a mission and print the verified plan"
+    add = _command(commands, "plan", words, "mission", epilog=_CODES)
+    add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
+    add("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
+    add("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
+    add("--threads", type=_threads, metavar="N", help="threads of the solver")
+    add("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
+    add(
         "--encoding",
         choices=("tight", "reference"),
         default="tight",
         help="tight (default), or the slow plain one to compare with",
     )
-    plan.add_argument(
+    add(
         "--without",
         action="append",
         default=[],
         metavar="IDEA",
         help="switch an idea of the tight encoding off, to find a culprit; may be repeated",
     )
-    plan.add_argument(
-        "--agents", action="store_true", help="a path for every agent of a swarm, however many"
+    add("--agents", action="store_true", help="a path for every agent of a swarm, however many")
+    add("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
+    add("--json", action="store_true", help="print the JSON alone")
+    add("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _explain(commands: Commands) -> None:
+    words = "say why there is no plan and what would help; what is tight where there is one"
+    codes = (
+        "exit codes: 0 explained, 2 bad input or usage, 4 no answer within the time limit, "
+        "5 internal or solver failure, 6 the standard output could not be written to"
     )
-    plan.add_argument("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
-    plan.add_argument("--json", action="store_true", help="print the JSON alone")
-    plan.add_argument("--quiet", action="store_true", help="no progress and no summary")
+    add = _command(commands, "explain", words, "mission", epilog=codes)
+    add("--all", action="store_true", help="several different conflicts")
+    add("--slack", action="store_true", help="how much sooner each deadline of a plan could be")
+    add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, ...")
+    add("--time-limit", type=_positive, metavar="S", help="seconds of search")
+    add("--fix", type=_count, metavar="N", help="write the mission after change N")
+    add("-o", "--output", type=Path, metavar="FILE", help="where --fix writes it")
+    add("--json", action="store_true", help="print the JSON alone")
 
 
-def _explain(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    explain = commands.add_parser(
-        "explain",
-        help="say why there is no plan and what would help; what is tight where there is one",
-        epilog="exit codes: 0 explained, 2 bad input or usage, 4 no answer within the time limit, "
-        "5 internal or solver failure, 6 the standard output could not be written to",
-    )
-    explain.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
-    explain.add_argument("--all", action="store_true", help="several different conflicts")
-    explain.add_argument(
-        "--slack", action="store_true", help="how much sooner each deadline of a plan could be"
-    )
-    explain.add_argument("--solver", metavar="NAME", help="highs (default), gurobi, pulp, ...")
-    explain.add_argument("--time-limit", type=_positive, metavar="S", help="seconds of search")
-    explain.add_argument("--fix", type=_count, metavar="N", help="write the mission after change N")
-    explain.add_argument("-o", "--output", type=Path, metavar="FILE", help="where --fix writes it")
-    explain.add_argument("--json", action="store_true", help="print the JSON alone")
+def _check(commands: Commands) -> None:
+    words = "judge a plan without any solver; exit code 0 or 1"
+    add = _command(commands, "check", words, "mission", "plan")
+    add("--quiet", action="store_true", help="print only what is wrong")
 
 
-def _check(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    check = commands.add_parser("check", help="judge a plan without any solver; exit code 0 or 1")
-    check.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
-    check.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
-    check.add_argument("--quiet", action="store_true", help="print only what is wrong")
-
-
-def _simulate(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    simulate = commands.add_parser(
-        "simulate", help="let the agents of a swarm follow their plan's shares by chance"
-    )
-    simulate.add_argument("mission", type=Path, metavar="MISSION", help="mission file (YAML)")
-    simulate.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
-    simulate.add_argument("--runs", type=_runs, default=1000, metavar="N", help="default 1000")
-    simulate.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the chances")
-    simulate.add_argument(
+def _simulate(commands: Commands) -> None:
+    words = "let the agents of a swarm follow their plan's shares by chance"
+    add = _command(commands, "simulate", words, "mission", "plan")
+    add("--runs", type=_runs, default=1000, metavar="N", help="default 1000")
+    add("--seed", type=_seed, default=0, metavar="N", help="of the chances")
+    add(
         "--probability",
         type=_chance,
         default=0.95,
@@ -131,138 +131,89 @@ def _simulate(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
     )
 
 
-def _parse(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    parse = commands.add_parser("parse", help="show what a formula means")
-    parse.add_argument("formula", metavar="FORMULA", help="the formula's text")
-    parse.add_argument("--language", choices=("catl", "mtl", "stl"), required=True)
+def _parse(commands: Commands) -> None:
+    add = _command(commands, "parse", "show what a formula means")
+    add("formula", metavar="FORMULA", help="the formula's text")
+    add("--language", choices=("catl", "mtl", "stl"), required=True)
 
 
-def _show(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    show = commands.add_parser("show", help="draw a map, a mission or a plan; say why a plan holds")
-    show.add_argument("file", type=Path, metavar="FILE", help="map, mission or plan file")
-    show.add_argument(
-        "-o", "--output", type=Path, metavar="PICTURE", help="write .png, .svg or .pdf, no window"
-    )
-    show.add_argument(
-        "--mission",
-        type=Path,
-        metavar="MISSION",
-        help="mission of a plan, to draw its paths on the map (default: looked for beside it)",
-    )
-    show.add_argument(
+def _show(commands: Commands) -> None:
+    add = _command(commands, "show", "draw a map, a mission or a plan; say why a plan holds")
+    add("file", type=Path, metavar="FILE", help="map, mission or plan file")
+    add("-o", "--output", type=Path, metavar="PICTURE", help="write .png, .svg or .pdf, no window")
+    what = "mission of a plan, to draw its paths on the map (default: looked for beside it)"
+    add("--mission", type=Path, metavar="MISSION", help=what)
+    add(
         "--view",
         choices=("page", "paths", "timeline", "requirements", "flow", "map"),
         help="picture of a plan: everything on one page (default), or one view of it",
     )
-    show.add_argument(
-        "--why",
-        action="store_true",
-        help="print why a plan satisfies its formula: where each part holds, and by whom",
-    )
+    why = "print why a plan satisfies its formula: where each part holds, and by whom"
+    add("--why", action="store_true", help=why)
 
 
-def _view(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    view = commands.add_parser("view", help="play a plan in the browser, from one file")
-    view.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
-    _mission_of_plan(view)
-    view.add_argument(
-        "-o", "--output", type=Path, metavar="HTML", help="write the page here and open nothing"
-    )
+_OF_PLAN = "mission of the plan (default: looked for beside it)"
 
 
-def _animate(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    animate = commands.add_parser("animate", help="write a plan as a moving picture")
-    animate.add_argument("plan", type=Path, metavar="PLAN", help="plan file (JSON)")
-    _mission_of_plan(animate)
-    animate.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        required=True,
-        metavar="FILE",
-        help="picture to write: .gif, .mp4 (needs ffmpeg) or .html (see view)",
-    )
-    animate.add_argument("--fps", type=_frames, metavar="N", help="pictures a second (default 10)")
-    animate.add_argument(
-        "--seconds-per-step",
-        type=_positive,
-        metavar="S",
-        help="default 0.6, less where the whole would take more than 30 seconds",
-    )
-    animate.add_argument("--size", type=_size, metavar="WxH", help="in dots (default 960x600)")
+def _view(commands: Commands) -> None:
+    add = _command(commands, "view", "play a plan in the browser, from one file", "plan")
+    add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
+    what = "write the page here and open nothing"
+    add("-o", "--output", type=Path, metavar="HTML", help=what)
 
 
-def _mission_of_plan(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--mission",
-        type=Path,
-        metavar="MISSION",
-        help="mission of the plan (default: looked for beside it)",
-    )
+def _animate(commands: Commands) -> None:
+    add = _command(commands, "animate", "write a plan as a moving picture", "plan")
+    add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
+    what = "picture to write: .gif, .mp4 (needs ffmpeg) or .html (see view)"
+    add("-o", "--output", type=Path, required=True, metavar="FILE", help=what)
+    add("--fps", type=_frames, metavar="N", help="pictures a second (default 10)")
+    seconds = "default 0.6, less where the whole would take more than 30 seconds"
+    add("--seconds-per-step", type=_positive, metavar="S", help=seconds)
+    add("--size", type=_size, metavar="WxH", help="in dots (default 960x600)")
 
 
-def _lint(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    lint = commands.add_parser("lint", help="say what looks odd in a map; exit code 0 or 1")
-    lint.add_argument("map", type=Path, metavar="MAP", help="map file (YAML)")
-
-
-def _number(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not a number") from None
+def _lint(commands: Commands) -> None:
+    _command(commands, "lint", "say what looks odd in a map; exit code 0 or 1", "map")
 
 
 def _clipped(text: str) -> str:
     return text if len(text) <= DIGITS else f"{text[:DIGITS]}..."
 
 
-def _real(allowed: Range) -> Callable[[str], float]:
+def _reader(allowed: Range) -> Callable[[str], Any]:
     """A reader of numbers in a range."""
+    kind, what = (int, "a whole number") if allowed.whole else (float, "a number")
 
-    def read(text: str) -> float:
-        return allowed_only(_number(text), allowed)
-
-    return read
-
-
-def _whole(allowed: Range) -> Callable[[str], int]:
-    """A reader of whole numbers in a range."""
-
-    def read(text: str) -> int:
+    def read(text: str) -> Any:
         try:
-            value = int(text)
+            value = kind(text)
         except ValueError:
-            raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not a whole number") from None
-        return allowed_only(value, allowed)
+            raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not {what}") from None
+        words = allowed.complaint(value)
+        if words is not None:
+            raise argparse.ArgumentTypeError(words)
+        return value
 
     return read
-
-
-def allowed_only(value: NumberT, allowed: Range) -> NumberT:
-    """The value, if its range allows it."""
-    words = allowed.complaint(value)
-    if words is not None:
-        raise argparse.ArgumentTypeError(words)
-    return value
 
 
 def _size(text: str) -> tuple[int, int]:
     width, cross, height = text.lower().partition("x")
     if not cross:
         raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT, as in 960x600")
-    side = _whole(Range(LEAST_SIDE, LARGEST, whole=True))
+    side = _reader(Range(LEAST_SIDE, LARGEST, whole=True))
     size = side(width), side(height)
     if max(size) > MOST_SIDE:
         raise argparse.ArgumentTypeError(f"'{text}' is larger than {MOST_SIDE}x{MOST_SIDE}")
     return size
 
 
-_positive = _real(OPTIONS["time_limit"])
-_share = _real(OPTIONS["gap"])
-_chance = _real(OPTIONS["probability"])
-_count = _whole(Range(1, LARGEST, whole=True))
-_threads = _whole(OPTIONS["threads"])
-_seed = _whole(OPTIONS["seed"])
-_runs = _whole(OPTIONS["runs"])
-_frames = _whole(Range(1, MOST_FRAMES, whole=True))
+_positive = _reader(OPTIONS["time_limit"])
+_share = _reader(OPTIONS["gap"])
+_chance = _reader(OPTIONS["probability"])
+_count = _reader(Range(1, LARGEST, whole=True))
+_threads = _reader(OPTIONS["threads"])
+_seed = _reader(OPTIONS["seed"])
+_runs = _reader(OPTIONS["runs"])
+_frames = _reader(Range(1, MOST_FRAMES, whole=True))

@@ -12,13 +12,7 @@ from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.explanation import Cut, Explanation, Status
 from tsplan.explanation.report import print_explanation
-from tsplan.process.child_process import (
-    LateError,
-    Leash,
-    OutOfMemoryError,
-    reason_of,
-    run_guarded,
-)
+from tsplan.process.child_process import ENDED, Leash, reason_of, run_guarded
 from tsplan.process.interrupt import Requests
 
 if TYPE_CHECKING:
@@ -90,7 +84,7 @@ def _explained(
     try:
         with requests.passed_to(leash.ask):
             return run_guarded(_job, (mission, asked.all, options), heard.hear, leash)
-    except (LateError, OutOfMemoryError, KeyboardInterrupt) as error:
+    except ENDED as error:
         words = "it was interrupted" if isinstance(error, KeyboardInterrupt) else str(error)
         remark(f"{words}; this is what was known")
         return heard.given_up(reason_of(error, asked=requests.asked > 0))

@@ -8,6 +8,7 @@ proof.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -27,7 +28,8 @@ class _Hearing:
     """What the runs so far say together."""
 
     point: Solution | None = None
-    bound: float | None = None
+    best: float = math.inf  # the value of the point
+    bound: float = -math.inf
     refutations: int = 0
     words: int = 0  # optima of the best point's value that no bound bears out
     trouble: SolverError | None = None
@@ -39,47 +41,29 @@ class _Hearing:
                 raise SolverError("one run calls a model infeasible of which another has a point")
             self.refutations += 1
             return found if self.refutations > 1 else None
-        told = None if found.silent else found.bound
-        if told is not None and (self.bound is None or told > self.bound):
-            self.bound = told
-        if self._improves(found):
-            self.point, self.words = found, 0
+        if found.bound is not None and not found.silent:
+            self.bound = max(self.bound, found.bound)
+        value = math.inf if found.objective is None else found.objective
+        same = 0.0 if self.point is None else _SAME * max(1.0, abs(self.best))
+        if value < self.best - same:
+            self.point, self.best, self.words = found, value, 0
         if found.silent and found.status is Status.OPTIMAL:
-            return self._word(found)
-        unclear = found.stopped_by is StoppedBy.PRECISION
-        return None if unclear else self.together(found)
-
-    def _improves(self, found: Solution) -> bool:
-        """Whether a run has the best point so far, by more than rounding."""
-        if found.objective is None:
-            return False
-        known = None if self.point is None else self.point.objective
-        return known is None or found.objective < known - _SAME * max(1.0, abs(known))
-
-    def _word(self, found: Solution) -> Solution | None:
-        """Take in an optimum that is but a word; the answer, once two runs say the same."""
-        assert self.point is not None
-        assert self.point.objective is not None
-        assert found.objective is not None
-        best = self.point.objective
-        if found.objective <= best + _SAME * max(1.0, abs(best)):
-            self.words += 1
-        return self.point if self.words > 1 and self.point.status is Status.OPTIMAL else None
+            self.words += value <= self.best + same
+            optimal = self.point is not None and self.point.status is Status.OPTIMAL
+            return self.point if optimal and self.words > 1 else None
+        return None if found.stopped_by is StoppedBy.PRECISION else self.together(found)
 
     def together(self, last: Solution | None = None) -> Solution:
         """The best point and bound; how it ended is what the `last` run says, if it is clear."""
-        point = self.point
-        if last is not None and last is point:
+        if last is not None and last is self.point:
             return last
-        why = StoppedBy.PRECISION if last is None else last.stopped_by
-        if point is None:
-            return Solution(Status.UNKNOWN, why, bound=self.bound)
-        assert point.objective is not None
-        bound = self.bound
-        if bound is not None and bound > point.objective:
-            bound = None  # another run refutes it
+        why = None if last is None else last.stopped_by
         why = why or StoppedBy.PRECISION
-        return replace(point, status=Status.FEASIBLE, stopped_by=why, bound=bound)
+        # a point refutes a bound above it, whichever run has named that
+        bound = self.bound if -math.inf < self.bound <= self.best else None
+        if self.point is None:
+            return Solution(Status.UNKNOWN, why, bound=bound)
+        return replace(self.point, status=Status.FEASIBLE, stopped_by=why, bound=bound)
 
 
 def confirmed(

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.gap import relative_gap
+from tsplan.gap import Gapped
 from tsplan.milp.model import Floats, Model
 from tsplan.stopping import LIMITS, StoppedBy
 
@@ -34,7 +34,7 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Solution:
+class Solution(Gapped):
     """The end of a solve. `bound` is a true lower bound on the objective of the model solved.
 
     FEASIBLE without a `stopped_by` is the answer to `Options.first`. INFEASIBLE means that no
@@ -71,11 +71,6 @@ class Solution:
             raise ValueError(f"{self.status} and the bound {self.bound} do not go together")
         if self.objective is not None and self.bound > self.objective + _ROUNDING:
             raise ValueError("a bound above the objective and a point do not go together")
-
-    @property
-    def gap(self) -> float | None:
-        """How far the objective may be from the best, relative to it; None while not known."""
-        return relative_gap(self.objective, self.bound)
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,18 +115,13 @@ class Options:
 
 
 @dataclass(frozen=True, eq=False)
-class Progress:
+class Progress(Gapped):
     """Where a running solve is. `values` are set when a new incumbent can be handed over."""
 
     objective: float | None
     bound: float | None
     elapsed: float
     values: Floats | None = None
-
-    @property
-    def gap(self) -> float | None:
-        """How far the objective may be from the best, relative to it; None while not known."""
-        return relative_gap(self.objective, self.bound)
 
 
 Watcher: TypeAlias = Callable[[Progress], bool]

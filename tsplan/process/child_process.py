@@ -52,6 +52,10 @@ class LateError(CrashError):
     """It had to be ended, as it neither answered nor stopped in time."""
 
 
+ENDED = (OutOfMemoryError, LateError, KeyboardInterrupt)
+"""What is raised for a child that ended, or was ended, as any other one would be."""
+
+
 def reason_of(error: BaseException, *, asked: bool) -> StoppedBy:
     """What a child without an answer was stopped by, if it was `asked` to stop or was not."""
     if isinstance(error, OutOfMemoryError):

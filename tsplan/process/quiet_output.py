@@ -36,8 +36,17 @@ class _Outputs:
     sink: IO[bytes] | None = None
     former: dict[int, int] = field(default_factory=dict)
 
-    def change(self, hushed: int = 0, aloud: int = 0) -> None:
-        """Count one more or one less, and lead the descriptors where they now belong."""
+    @contextmanager
+    def wanted(self, hushed: int = 0, aloud: int = 0) -> Iterator[None]:
+        """Meanwhile one more wants the descriptors hushed, or heard."""
+        try:
+            self._change(hushed, aloud)
+            yield
+        finally:
+            self._change(-hushed, -aloud)
+
+    def _change(self, hushed: int, aloud: int) -> None:
+        """Count, and lead the descriptors where they now belong."""
         with self.lock:
             self.hushed = max(self.hushed + hushed, 0)
             self.aloud = max(self.aloud + aloud, 0)
@@ -98,24 +107,18 @@ def hushed(hear: Hear | None = None) -> Iterator[None]:
     a banner
     """
     try:
-        _outputs.change(hushed=1)
-        yield
+        with _outputs.wanted(hushed=1):
+            yield
     finally:
-        _outputs.change(hushed=-1)
         text = _outputs.take()
     if hear is not None:
         for line in text.splitlines():
             hear(line)
 
 
-@contextmanager
-def aloud() -> Iterator[None]:
+def aloud() -> AbstractContextManager[None]:
     """Within a hush: what is written meanwhile is seen, as when the user's own code is called."""
-    try:
-        _outputs.change(aloud=1)
-        yield
-    finally:
-        _outputs.change(aloud=-1)
+    return _outputs.wanted(aloud=1)
 
 
 def audible(call: Callable[[A], R]) -> Callable[[A], R]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
-from tsplan.gap import relative_gap
+from tsplan.gap import Gapped
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -25,34 +25,23 @@ class Stage:
 
 
 @dataclass(frozen=True, slots=True)
-class Incumbent:
-    """A better plan was found. Calling `plan` makes its paths, which costs time for large teams."""
-
+class _News(Gapped):
     stage: str
     objective: float | None
     bound: float | None
     elapsed: float
-    plan: Callable[[], Plan] | None = field(default=None, compare=False)
-
-    @property
-    def gap(self) -> float | None:
-        """Relative distance between objective and bound."""
-        return relative_gap(self.objective, self.bound)
 
 
 @dataclass(frozen=True, slots=True)
-class Bound:
+class Incumbent(_News):
+    """A better plan was found. Calling `plan` makes its paths, which costs time for large teams."""
+
+    plan: Callable[[], Plan] | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Bound(_News):
     """More is known about how good a plan can be."""
-
-    stage: str
-    objective: float | None
-    bound: float | None
-    elapsed: float
-
-    @property
-    def gap(self) -> float | None:
-        """Relative distance between objective and bound."""
-        return relative_gap(self.objective, self.bound)
 
 
 Event: TypeAlias = Stage | Incumbent | Bound

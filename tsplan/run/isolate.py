@@ -13,16 +13,9 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Protocol
 
-from tsplan.errors import Finding, InputError, SolverError
+from tsplan.errors import SolverError
 from tsplan.plans.plan import MissionRef, Plan, Status
-from tsplan.process.child_process import (
-    CrashError,
-    LateError,
-    Leash,
-    OutOfMemoryError,
-    reason_of,
-    run_guarded,
-)
+from tsplan.process.child_process import ENDED, CrashError, Leash, reason_of, run_guarded
 from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
 
 if TYPE_CHECKING:
@@ -34,7 +27,6 @@ _EVERY = 0.1  # seconds between bounds that are passed on
 _LEAST = 1.0  # seconds that a second try gets at least
 _MANY = 1_000_000  # robots times steps whose paths take seconds to make and check
 _SHARE = 0.05  # of the time may go into plans that are handed over on the way
-_ENDED = (OutOfMemoryError, LateError, KeyboardInterrupt)  # another try would end like this
 
 
 class Audience(Protocol):
@@ -55,13 +47,6 @@ class Order:
     choice: SolverChoice
     encoding: str = "tight"
     without: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class _Refusal:
-    """Findings on their way from the child, to be raised again here."""
-
-    findings: tuple[Finding, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +72,7 @@ class Planning:
         began = time.perf_counter()
         try:
             return self._tried(order)
-        except _ENDED as error:
+        except ENDED as error:
             return self._given_up(order, error)
         except CrashError as crash:
             self.audience.note(f"{crash}; trying once more with one thread and another seed")
@@ -98,8 +83,8 @@ class Planning:
         note = f"first try: {crash}; this is the second, with one thread and seed {seed}"
         try:
             plan = self._tried(order)
-        except (*_ENDED, CrashError) as error:
-            if self._best is None and not isinstance(error, _ENDED):
+        except (*ENDED, CrashError) as error:
+            if self._best is None and not isinstance(error, ENDED):
                 raise
             plan = self._given_up(order, error)
         return replace(plan, notes=(*plan.notes, note))
@@ -116,10 +101,7 @@ class Planning:
             self.audience.tell(news)
 
         with self.requests.passed_to(leash.ask):
-            answer = run_guarded(_job, order, hear, leash)
-        if isinstance(answer, _Refusal):
-            raise InputError(answer.findings)
-        return answer
+            return run_guarded(_job, order, hear, leash)
 
     def _given_up(self, order: Order, error: BaseException) -> Plan:
         """The best plan that was handed over, or that there is none, with the true reason."""
@@ -145,26 +127,23 @@ def _otherwise(order: Order, spent: float) -> Order:
     )
 
 
-def _job(order: Order, send: Callable[[object], object]) -> Plan | _Refusal:
+def _job(order: Order, send: Callable[[object], object]) -> Plan:
     """The child's part."""
     from tsplan.run.planner import plan  # noqa: PLC0415  (loads the solver, in the child alone)
 
     mission, choice = order.mission, order.choice
     many = mission.size * mission.horizon > _MANY
-    try:
-        return plan(
-            mission,
-            solver=choice.name,
-            time_limit=choice.time_limit,
-            gap=choice.gap,
-            threads=choice.threads,
-            seed=choice.seed,
-            encoding=order.encoding,
-            without=order.without,
-            on_event=Forward(send, 0.0 if many else _SHARE),
-        )
-    except InputError as error:
-        return _Refusal(error.findings)
+    return plan(
+        mission,
+        solver=choice.name,
+        time_limit=choice.time_limit,
+        gap=choice.gap,
+        threads=choice.threads,
+        seed=choice.seed,
+        encoding=order.encoding,
+        without=order.without,
+        on_event=Forward(send, 0.0 if many else _SHARE),
+    )
 
 
 class Forward:
