@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, fitted, refuse_place
+from tsplan.cli.inputs import plan_to_show
 from tsplan.cli.output import remark
-from tsplan.plans.plan_file import load_plan
 from tsplan.viewer.animation import Pace, animate
 
 if TYPE_CHECKING:
@@ -16,8 +15,7 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the moving picture."""
-    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
+    plan, mission = plan_to_show(asked, "the moving picture")
     pace = Pace.of(plan.horizon, asked.fps, asked.seconds_per_step, asked.size)
-    refuse_place(asked.output, "the moving picture", [asked.plan, *files_of(mission)])
     animate(mission, plan, asked.output, pace, remark)
     return Exit.DONE

@@ -10,9 +10,12 @@ from typing import TYPE_CHECKING
 
 from tsplan.checking.fitting import refuse_impossible, refuse_pathless, with_groups
 from tsplan.cli.output import remark
+from tsplan.document.document import LARGEST_FILE
+from tsplan.document.files import read_text
 from tsplan.errors import Finding, InputError, PlanError, nearest, told
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import load_mission
+from tsplan.mission.mission import digest_of
 from tsplan.plans.plan_file import load_plan
 from tsplan.process.interrupt import alarm
 
@@ -102,12 +105,15 @@ def fitted(path: Path, plan: Plan, given: Path | None) -> tuple[Plan, Mission]:
     return plan, mission
 
 
+def plan_to_show(asked: argparse.Namespace, what: str) -> tuple[Plan, Mission]:
+    """The plan and the mission of a command that shows them and may write `what`."""
+    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
+    refuse_place(asked.output, what, [asked.plan, *files_of(mission)])
+    return plan, mission
+
+
 def mission_beside(path: Path, plan: Plan) -> Mission | None:
     """The mission of a plan, found by its digest among the YAML files beside it."""
-    from tsplan.document.document import LARGEST_FILE  # noqa: PLC0415  (commands without plans)
-    from tsplan.document.files import read_text  # noqa: PLC0415  (as above)
-    from tsplan.mission.mission import digest_of  # noqa: PLC0415  (as above)
-
     for other in sorted([*path.parent.glob("*.yaml"), *path.parent.glob("*.yml")]):
         try:
             if digest_of(read_text(other, most=LARGEST_FILE)) == plan.mission.sha256:

@@ -29,7 +29,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         output.OUT.flush()
     except (Exception, KeyboardInterrupt, TimeUpError) as error:  # noqa: BLE001  (no traceback)
         code, lines = _answer(error)
-        output.remarks(lines)
+        for line in lines:
+            output.remark(line)
         with suppress(output.OutputError):
             output.OUT.flush()
     output.ERR.flush()

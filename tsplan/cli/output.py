@@ -17,7 +17,7 @@ from tsplan.errors import InputError
 from tsplan.words import visible
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
 
     from rich.console import Console
 
@@ -103,12 +103,6 @@ def remark(text: str) -> None:
     """Write a line about the work to stderr."""
     ERR.write(visible(text, _LINES) + "\n")
     ERR.flush()
-
-
-def remarks(lines: Iterable[str]) -> None:
-    """Write lines about the work to stderr."""
-    for line in lines:
-        remark(line)
 
 
 def say_json(text: str) -> None:

@@ -10,9 +10,18 @@ from tsplan.checking.fitting import refuse_pathless
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import files_of, fitted, mission_beside, mission_of, refuse_place
 from tsplan.cli.output import remark, say
+from tsplan.document import read_document
+from tsplan.document.files import beginning
+from tsplan.document.kinds import MISSION, kind_of_data
+from tsplan.draw.map import draw_map, draw_mission
+from tsplan.draw.matplotlib_loading import PlotUnavailableError, library
+from tsplan.draw.picture_files import kind_of, save
+from tsplan.draw.timeline import draw_timeline
+from tsplan.draw.views import PAGE, draw_page, draw_view
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.why.witness_tree import explain_preferred
 from tsplan.plans.plan_file import load_plan
+from tsplan.ts.io.map_files import load_map
 
 if TYPE_CHECKING:
     import argparse
@@ -54,8 +63,6 @@ def _own_backend() -> Iterator[None]:
 
 
 def _save(asked: argparse.Namespace) -> None:
-    from tsplan.draw.picture_files import kind_of, save  # noqa: PLC0415  (reasons need no picture)
-
     kind_of(asked.output)
     _refuse_inputs(asked, None)
     save(_draw(asked, None), asked.output, tell=remark)
@@ -81,8 +88,6 @@ def _reasons(asked: argparse.Namespace) -> str:
 
 def _window() -> Any:
     """Pyplot, if it can open a window."""
-    from tsplan.draw.matplotlib_loading import PlotUnavailableError, library  # noqa: PLC0415  (as above)
-
     plt = library("pyplot")
     if plt.get_backend().lower() in _SCREENLESS:
         raise PlotUnavailableError("there is no display to draw on; write a file with -o FILE.png")
@@ -94,24 +99,15 @@ def _draw(asked: argparse.Namespace, figure: Any) -> Any:
     ax = None if figure is None else figure.add_subplot()
     if _is_plan(asked.file):
         return _draw_plan(asked, figure, ax)
-    from tsplan.document import read_document  # noqa: PLC0415  (plans do not need it)
-    from tsplan.document.kinds import MISSION, kind_of_data  # noqa: PLC0415  (as above)
-    from tsplan.draw.map import draw_map, draw_mission  # noqa: PLC0415  (as above)
-
     if kind_of_data(read_document(asked.file).data) == MISSION:
         drawn = mission_of(asked.file)
         _refuse_inputs(asked, drawn)
         return draw_mission(drawn, ax)[0]
-    from tsplan.ts.io.map_files import load_map  # noqa: PLC0415  (missions do not need it)
-
     return draw_map(load_map(asked.file), ax)[0]
 
 
 def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
     """A view of a plan; without its mission, the timeline, which needs no map."""
-    from tsplan.draw.timeline import draw_timeline  # noqa: PLC0415  (as above)
-    from tsplan.draw.views import PAGE, draw_page, draw_view  # noqa: PLC0415  (as above)
-
     plan = load_plan(asked.file)
     refuse_pathless(plan, str(asked.file))
     alone = asked.view in (None, "timeline") and asked.mission is None
@@ -129,6 +125,4 @@ def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
 
 def _is_plan(path: Path) -> bool:
     """Whether a file is JSON, which maps and missions are not."""
-    from tsplan.document.files import beginning  # noqa: PLC0415  (as above)
-
     return '"tsplan-plan/' in beginning(path, 1000) or path.suffix.lower() == ".json"

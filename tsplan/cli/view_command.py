@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, fitted, refuse_place
+from tsplan.cli.inputs import plan_to_show
 from tsplan.cli.output import say
-from tsplan.plans.plan_file import load_plan
 from tsplan.viewer.browser import open_page, write_page
 
 if TYPE_CHECKING:
@@ -16,8 +15,7 @@ if TYPE_CHECKING:
 
 def run(asked: argparse.Namespace) -> Exit:
     """Write the page; without a file to write it to, also open it."""
-    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
-    refuse_place(asked.output, "the page", [asked.plan, *files_of(mission)])
+    plan, mission = plan_to_show(asked, "the page")
     path = write_page(mission, plan, asked.output)
     if asked.output is None:
         opened = open_page(path)

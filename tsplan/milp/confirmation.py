@@ -24,7 +24,7 @@ _SAME = 1e-6  # relative distance of values that count as the same
 
 
 @dataclass(eq=False)
-class _Hearing:
+class _Runs:
     """What the runs so far say together."""
 
     point: Solution | None = None
@@ -34,24 +34,24 @@ class _Hearing:
     words: int = 0  # optima of the best point's value that no bound bears out
     trouble: SolverError | None = None
 
-    def hear(self, found: Solution) -> Solution | None:
+    def take(self, solution: Solution) -> Solution | None:
         """Take in one run; the answer, once it is clear."""
-        if found.status is Status.INFEASIBLE:
+        if solution.status is Status.INFEASIBLE:
             if self.point is not None:
                 raise SolverError("one run calls a model infeasible of which another has a point")
             self.refutations += 1
-            return found if self.refutations > 1 else None
-        if found.bound is not None and not found.silent:
-            self.bound = max(self.bound, found.bound)
-        value = math.inf if found.objective is None else found.objective
+            return solution if self.refutations > 1 else None
+        if solution.bound is not None and not solution.silent:
+            self.bound = max(self.bound, solution.bound)
+        value = math.inf if solution.objective is None else solution.objective
         same = 0.0 if self.point is None else _SAME * max(1.0, abs(self.best))
         if value < self.best - same:
-            self.point, self.best, self.words = found, value, 0
-        if found.silent and found.status is Status.OPTIMAL:
+            self.point, self.best, self.words = solution, value, 0
+        if solution.silent and solution.status is Status.OPTIMAL:
             self.words += value <= self.best + same
             optimal = self.point is not None and self.point.status is Status.OPTIMAL
             return self.point if optimal and self.words > 1 else None
-        return None if found.stopped_by is StoppedBy.PRECISION else self.together(found)
+        return None if solution.stopped_by is StoppedBy.PRECISION else self.together(solution)
 
     def together(self, last: Solution | None = None) -> Solution:
         """The best point and bound; how it ended is what the `last` run says, if it is clear."""
@@ -74,25 +74,24 @@ def confirmed(
     FEASIBLE or UNKNOWN with `StoppedBy.PRECISION` is the end of a search that could not be made
     clear. Raises SolverError where every run fails, and where two runs contradict each other.
     """
-    heard = _Hearing()
-    runs = 0
-    for asked in _settings(solver, options):
-        runs += 1
+    runs, count = _Runs(), 0
+    for setting in _settings(solver, options):
+        count += 1
         try:
-            found = solver.solve(model, asked, watch)
+            solution = solver.solve(model, setting, watch)
         except SolverError as error:
-            heard.trouble = error
+            runs.trouble = error
             continue
-        answer = heard.hear(found)
+        answer = runs.take(solution)
         if answer is not None:
             return answer
-    if runs == 1 and heard.refutations:
+    if count == 1 and runs.refutations:
         return Solution(Status.INFEASIBLE)  # there is no other setting to ask with
-    if runs == 1 and heard.words and heard.point is not None:
-        return heard.point
-    if heard.point is None and not heard.refutations and heard.trouble is not None:
-        raise heard.trouble
-    return heard.together()
+    if count == 1 and runs.words and runs.point is not None:
+        return runs.point
+    if runs.point is None and not runs.refutations and runs.trouble is not None:
+        raise runs.trouble
+    return runs.together()
 
 
 def _settings(solver: Solver, options: Options) -> Iterator[Options]:

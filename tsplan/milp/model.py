@@ -21,6 +21,8 @@ Bools: TypeAlias = npt.NDArray[np.bool_]
 
 INFINITY = float("inf")
 
+_Block: TypeAlias = tuple[npt.NDArray[Any], ...]
+
 
 @dataclass(frozen=True, slots=True)
 class Tag:
@@ -123,12 +125,9 @@ class Draft:
         self.row_count = 0
         self.entry_count = 0
         self._watch = watch
-        self._lower: list[Floats] = []
-        self._upper: list[Floats] = []
-        self._integer: list[Bools] = []
-        self._entries: list[tuple[Ints, Ints, Floats]] = []
-        self._row_lower: list[Floats] = []
-        self._row_upper: list[Floats] = []
+        self._columns: list[_Block] = []
+        self._entries: list[_Block] = []
+        self._sides: list[_Block] = []
         self._tags: list[Tag] = []
 
     def columns(
@@ -142,9 +141,7 @@ class Draft:
         """Add `count` columns; return their indices. Bounds are scalars or arrays."""
         start = self.column_count
         self._grow(count, 0)
-        self._lower.append(np.broadcast_to(np.asarray(lower, dtype=np.float64), (count,)))
-        self._upper.append(np.broadcast_to(np.asarray(upper, dtype=np.float64), (count,)))
-        self._integer.append(np.full(count, integer))
+        self._columns.append((*_spread((lower, upper), count), np.full(count, integer)))
         return np.arange(start, start + count, dtype=np.int64)
 
     def rows(
@@ -171,8 +168,7 @@ class Draft:
         columns = np.asarray(column, dtype=np.int64)
         values = np.broadcast_to(np.asarray(value, dtype=np.float64), rows.shape)
         self._entries.append((rows, columns, values))
-        self._row_lower.append(np.broadcast_to(low, (count,)))
-        self._row_upper.append(np.broadcast_to(high, (count,)))
+        self._sides.append(_spread((low, high), count))
         self._tags.append(Tag(kind, self.row_count, self.row_count + count, node, step))
         self.row_count += count
 
@@ -185,25 +181,14 @@ class Draft:
     def build(self) -> Model:
         """The collected columns and rows as a model with a zero objective."""
         self._grow(0, 0)
-        rows, columns, values = (
-            np.concatenate([entry[part] for entry in self._entries])
-            if self._entries
-            else np.empty(0)
-            for part in range(3)
-        )
+        rows, columns, values = _stacked(self._entries, np.int64, np.int64, np.float64)
+        lower, upper, integer = _stacked(self._columns, np.float64, np.float64, np.bool_)
+        row_lower, row_upper = _stacked(self._sides, np.float64, np.float64)
         shape = (self.row_count, self.column_count)
-        coordinates = (rows.astype(np.int64), columns.astype(np.int64))
-        matrix = sparse.csr_array(sparse.coo_array((values, coordinates), shape=shape))
-        return Model(
-            objective=np.zeros(self.column_count),
-            lower=_joined(self._lower, np.float64),
-            upper=_joined(self._upper, np.float64),
-            integer=_joined(self._integer, np.bool_),
-            matrix=matrix,
-            row_lower=_joined(self._row_lower, np.float64),
-            row_upper=_joined(self._row_upper, np.float64),
-            tags=tuple(self._tags),
-        )
+        matrix = sparse.csr_array(sparse.coo_array((values, (rows, columns)), shape=shape))
+        tags = tuple(self._tags)
+        zero = np.zeros(self.column_count)
+        return Model(zero, lower, upper, integer, matrix, row_lower, row_upper, tags)
 
 
 class Block:
@@ -212,7 +197,7 @@ class Block:
     def __init__(self, kind: str) -> None:
         self._kind = kind
         self._count = 0
-        self._pieces: list[tuple[Ints, Ints, Floats]] = []
+        self._pieces: list[_Block] = []
         self._lower: list[Floats] = []
 
     def add(
@@ -226,12 +211,21 @@ class Block:
 
     def write(self, draft: Draft) -> None:
         """Draft the rows collected so far."""
-        if not self._pieces:
-            return
-        index, column, value = (np.concatenate(parts) for parts in zip(*self._pieces, strict=True))
-        lower = np.concatenate(self._lower)
-        draft.rows(index, column, value, lower=lower, upper=np.inf, kind=self._kind)
+        if self._pieces:
+            index, column, value = _stacked(self._pieces, np.int64, np.int64, np.float64)
+            lower = np.concatenate(self._lower)
+            draft.rows(index, column, value, lower=lower, upper=np.inf, kind=self._kind)
 
 
-def _joined(parts: Sequence[npt.NDArray[Any]], kind: type) -> npt.NDArray[Any]:
-    return np.concatenate([*parts, np.empty(0, dtype=kind)]).astype(kind)
+def _spread(numbers: Sequence[npt.ArrayLike], count: int) -> _Block:
+    """Each number, or array of numbers, as an array of this length."""
+    return tuple(np.broadcast_to(np.asarray(n, dtype=np.float64), (count,)) for n in numbers)
+
+
+def _stacked(blocks: Sequence[_Block], *kinds: type) -> _Block:
+    """Blocks of arrays one after the other: an array of each kind, empty without any block."""
+    columns = [[*(block[place] for block in blocks)] for place in range(len(kinds))]
+    return tuple(
+        np.concatenate([*parts, np.empty(0, dtype=kind)]).astype(kind, copy=False)
+        for parts, kind in zip(columns, kinds, strict=True)
+    )
