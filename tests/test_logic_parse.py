@@ -155,18 +155,54 @@ def test_predicates_join_like_other_formulas():
 
 def test_places_of_parts():
     text = "a &&\n  F[0,2] (a || sum(b) >= 2)"
-    formula, places = parse_with_places(text)
-    assert places[parse("a")] == ((1, 1, 1, 2), (2, 11, 2, 12))
-    assert places[parse("sum(b) >= 2")] == ((2, 16, 2, 27),)
-    assert places[parse("F[0,2] (a || sum(b) >= 2)")] == ((2, 3, 2, 28),)
-    assert places[formula] == ((1, 1, 2, 28),)
+    _, places = parse_with_places(text)
+    assert places[0] == places[0, "label"] == (0, 1)
+    assert places[1] == (7, 32)
+    assert places[1, 0, 0] == (15, 16)
+    assert places[1, 0, 1] == (20, 31)
+    assert places[()] == (0, 32)
+    assert places.get((2,)) is places.get((0, "bound")) is places.get((1, 0, 0, 0)) is None
+    with pytest.raises(KeyError):
+        places[1, "label"]
+
+
+@pytest.mark.parametrize(
+    ("text", "way", "words"),
+    [
+        ("a U[ 1, 20] b", ("interval",), "[ 1, 20]"),
+        ("a U[ 1, 20] b", ("low",), "1"),
+        ("F[0,3]X G[1,12] a", ("high",), "3"),
+        ("F[0,3]X G[1,12] a", (0, 0, "high"), "12"),
+        ("F[0,3]X G[1,12] a", (0, 0, 0, "label"), "a"),
+        ('3 <= sum( "a b" , c )', ("bound",), "3"),
+        ('3 <= sum( "a b" , c )', ("label",), '"a b"'),
+        ('3 <= sum( "a b" , c )', ("capability",), "c"),
+        ("min(a) > 5 %", ("bound",), "5 %"),
+        ("T( 2 ,a, {(c, 10),( d,4 )}, {(w, .5)})", ("duration",), "2"),
+        ("T( 2 ,a, {(c, 10),( d,4 )}, {(w, .5)})", ("label",), "a"),
+        ("T( 2 ,a, {(c, 10),( d,4 )}, {(w, .5)})", ("needs", 1), "( d,4 )"),
+        ("T( 2 ,a, {(c, 10),( d,4 )}, {(w, .5)})", ("needs", 0, 1), "10"),
+        ("T( 2 ,a, {(c, 10),( d,4 )}, {(w, .5)})", ("resources", 0, 0), "w"),
+        ("b || L(a, {(c, 0)})", (1, "needs", 0, 0), "c"),
+        ("b || L(a, {(c, 0)})", (1, "label"), "a"),
+        ("(!((b))) => (true && b)", (0,), "!((b))"),
+        ("(!((b))) => (true && b)", (0, 0), "b"),
+        ("(!((b))) => (true && b)", (1, 0), "true"),
+        ("a && b || c && d && e || f", (1,), "c && d && e"),
+        ("a && b || c && d && e || f", (1, 2), "e"),
+    ],
+)
+def test_where_a_part_is_written(text, way, words):
+    begin, end = parse_with_places(text, "catl")[1][way]
+    assert text[begin:end] == words
 
 
 def test_places_below_parentheses_that_were_cut_out():
     depth = 3 * streams.DEPTH
     _, places = parse_with_places("(" * depth + "a" + ")" * depth + " && b")
-    assert places[parse("b")] == ((1, 2 * depth + 6, 1, 2 * depth + 7),)
-    assert places[parse("(a) && b")] == ((1, 1, 1, 2 * depth + 7),)
+    assert places[0] == (depth, depth + 1)
+    assert places[1] == (2 * depth + 5, 2 * depth + 6)
+    assert places[()] == (0, 2 * depth + 6)
 
 
 @quick
@@ -177,11 +213,13 @@ def test_every_part_of_a_printed_formula_has_a_place(data):
     text = str(formula)
     parsed, places = parse_with_places(text, language)
     assert parsed is formula
-    assert set(places) | {logic.TRUE, logic.FALSE} >= set(logic.walk(formula))
-    if "\n" not in text:
-        for part, spots in places.items():
-            for _, start, _, stop in spots:
-                assert parse(text[start - 1 : stop - 1], language) is part
+    open_ = [(formula, places)]
+    while open_:
+        node, here = open_.pop()
+        assert here.formula is node
+        assert parse(text[here.span.begin : here.span.end], language) is node
+        open_ += zip(node.children, here.children, strict=True)
+    assert {here.formula for here in places.occurrences()} == set(logic.walk(formula))
 
 
 @quick

@@ -123,17 +123,21 @@ class Document:
         return mishaps.loses_end(self._node(path), self._node(path[:-1]), self.content)
 
     def inside(self, path: Path, line: int, column: int) -> tuple[int, int]:
-        """Where line `line`, column `column` of the text of a scalar lies in the file.
+        """Where line `line`, column `column` of the text of a scalar lies in the file."""
+        lines = (self.text(path) or "").split("\n")
+        offset = sum(len(part) + 1 for part in lines[: line - 1]) + column - 1
+        return self.character(path, offset)
+
+    def character(self, path: Path, offset: int) -> tuple[int, int]:
+        """Line and column in the file of the character `offset` of the text of a scalar.
 
         Folding, indentation and quotes move white space only, so the place is found by counting
         the other characters. Inside double quotes, escapes are not counted exactly.
         """
         node = self._node(path)
-        text = node.text or ""
-        lines = text.split("\n")
-        offset = sum(len(part) + 1 for part in lines[: line - 1]) + column - 1
         start = self._content_start(node)
-        return self._line_and_column(_aligned(text, offset, self.content, start, node.end))
+        place = _aligned(node.text or "", offset, self.content, start, node.end)
+        return self._line_and_column(place)
 
     def _content_start(self, node: Node) -> int:
         """Offset of a scalar's content: after its quote, or on the line after `|` or `>`."""

@@ -9,6 +9,7 @@ from tsplan.errors import Finding, Spot
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
+    from tsplan.logic.text_spans import Way
     from tsplan.mission.mission import Group
 
 Place: TypeAlias = "tuple[str | int, ...]"
@@ -25,8 +26,9 @@ def preferred(number: int) -> Place:
 class Problem:
     """Something that does not fit: where it is in the mission, and whether it forbids planning.
 
-    For a part of the formula, `node` is the part and `word` the word in it that is wrong. `at` is
-    the file, line and column of what stands in another file than the mission's.
+    For a part of the formula, `node` is the part and `way` leads to what in it is wrong, a name for
+    example (see `tsplan.logic.text_spans`). `at` is the file, line and column of what stands in
+    another file than the mission's.
     """
 
     path: Place
@@ -34,7 +36,7 @@ class Problem:
     remedy: str = ""
     serious: bool = True
     node: Formula | None = None
-    word: str = ""
+    way: Way = ()
     at: Spot | None = None
 
     def finding(self) -> Finding:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,29 +15,24 @@ if TYPE_CHECKING:
     from tsplan.document import Document
     from tsplan.errors import Finding
     from tsplan.logic import Formula
+    from tsplan.logic.text_spans import Way, Written
 
 
-class Span(NamedTuple):
-    """Where a part of a formula stands: `place` is (line, column, end line, end column)."""
+class Text(NamedTuple):
+    """A text in the file, and the formula that is written there: one, or one in a list, `of` it."""
 
+    of: Place
     path: Place
     text: str
-    place: tuple[int, int, int, int]
+    written: Written
 
-    def find(self, word: str) -> tuple[int, int]:
-        """Line and column of a word inside the part; where the part begins if it is not there."""
-        line, column, end_line, end_column = self.place
-        lines = self.text.split("\n")
-        begin = sum(len(row) + 1 for row in lines[: line - 1]) + column - 1
-        end = sum(len(row) + 1 for row in lines[: end_line - 1]) + end_column - 1
-        # after the operator's own letter: a label may be called T, too
-        found = re.compile(rf"(?<![\w.]){re.escape(word)}(?![\w.])").search(
-            self.text, begin + 1, end
-        )
-        if not word or found is None:
-            return line, column
-        before = self.text[: found.start()]
-        return before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
+    def find(self, node: Formula, way: Way) -> int | None:
+        """Where a part is written first, and what a way leads to in it: inside of quotes."""
+        for here in self.written.occurrences():
+            if here.formula is node:
+                begin = (here.get(way) or here.span).begin
+                return begin + (self.text[begin] == '"')
+        return None
 
 
 def spelled_out(document: Document) -> Document:
@@ -79,7 +73,7 @@ class Formulas:
     text: str = ""
     where: Place = FORMULA
     wishes: dict[int, tuple[Formula, str] | None] = field(default_factory=dict)
-    places: dict[tuple[Place, Formula], Span] = field(default_factory=dict)
+    texts: list[Text] = field(default_factory=list)
 
     def read(self) -> None:
         """Read every formula of the file."""
@@ -115,10 +109,12 @@ class Formulas:
 
     def place(self, problem: Problem) -> tuple[int | None, int | None]:
         """Line and column of what is wrong in the mission, or in a part of a formula."""
-        span = self.places.get((problem.path, problem.node)) if problem.node is not None else None
-        if span is None or len(self.findings) > MOST_TOLD:
-            return self.document.place(problem.path)  # nobody is told so many
-        return self.document.inside(span.path, *span.find(problem.word))
+        if problem.node is not None and len(self.findings) <= MOST_TOLD:  # nobody is told more
+            for text in self.texts:
+                begin = text.find(problem.node, problem.way) if text.of == problem.path else None
+                if begin is not None:
+                    return self.document.character(text.path, begin)
+        return self.document.place(problem.path)
 
     def _report(self, path: Place, message: str, remedy: str) -> None:
         self.findings.append(self.document.finding(path, message, remedy))
@@ -176,7 +172,7 @@ class Formulas:
         if known is None:
             return None  # an unknown language is the schema's finding
         try:
-            formula, places = parse_with_places(text, known)
+            formula, written = parse_with_places(text, known)
         except InputError as error:
             self.findings += self._located(error.findings, path)
             self.findings += self.document.cut(path)
@@ -184,7 +180,5 @@ class Formulas:
         if self.document.loses_end(path):
             self.findings += self.document.cut(path)
             return None
-        for node, found in places.items():
-            if found:
-                self.places.setdefault((where, node), Span(path, text, found[0]))
+        self.texts.append(Text(where, path, text, written))
         return formula

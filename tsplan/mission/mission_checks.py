@@ -22,8 +22,11 @@ from tsplan.mission.swarm_rules import ONE_SWARM, swarm_problems
 
 if TYPE_CHECKING:
     from tsplan.logic import Formula
+    from tsplan.logic.text_spans import Way
     from tsplan.mission.mission import Group, Mission, Preference
     from tsplan.ts import TransitionSystem
+
+LABEL: Way = ("label",)
 
 
 def problems_of(mission: Mission) -> list[Problem]:
@@ -258,13 +261,13 @@ def _unplaced(
     state = system.states.get(label)
     if label not in system.labels and state is None:
         what = f"no state of the map has the label '{label}'"
-        return [Problem(FORMULA, what, closest(label), node=node, word=label)]
+        return [Problem(FORMULA, what, closest(label), node=node, way=LABEL)]
     if state is None or label not in system.labels or label in state.labels:
         return []
     carriers = ", ".join(system.labels[label][:3])
     what = f"'{label}' is the label of {carriers}, and also the name of a state without it"
     remedy = "the label is meant; give the state a label of its own to count there"
-    return [Problem(FORMULA, what, remedy, serious=False, node=node, word=label)]
+    return [Problem(FORMULA, what, remedy, serious=False, node=node, way=LABEL)]
 
 
 @dataclass(frozen=True)
@@ -290,37 +293,36 @@ class _Names:
 
     def problems(self, node: Formula) -> list[Problem]:
         """The names in an atom that nobody has, and those of which one meaning is lost."""
-        strange = (
-            name
-            for name in _capabilities(node)
+        return [
+            self._stranger(node, way, name)
+            for way, name in _capabilities(node)
             if name not in self.classes.get(name, self.capabilities)
-        )
-        return [self._stranger(node, name) for name in strange]
+        ]
 
-    def _stranger(self, node: Formula, name: str) -> Problem:
+    def _stranger(self, node: Formula, way: Way, name: str) -> Problem:
         """A capability that nobody has, or (a warning) one that is the name of other robots."""
         if name in self.capabilities:
             what = f"'{name}' is a capability, and also the name of a class without it"
             remedy = "the capability is meant; call the class something else to count it"
-            return Problem(FORMULA, what, remedy, serious=False, node=node, word=name)
+            return Problem(FORMULA, what, remedy, serious=False, node=node, way=way)
         remedy = self.closest(name)
         if self.single:
             remedy = f"leave '{name}' out: the one swarm has no name"
         if not self.robots:
-            return Problem(FORMULA, f"there is no swarm '{name}'", remedy, node=node, word=name)
+            return Problem(FORMULA, f"there is no swarm '{name}'", remedy, node=node, way=way)
         what = f"no robot has the capability '{name}', so it always counts 0"
-        return Problem(FORMULA, what, remedy, serious=False, node=node, word=name)
+        return Problem(FORMULA, what, remedy, serious=False, node=node, way=way)
 
 
-def _capabilities(node: Formula) -> tuple[str, ...]:
-    """The capabilities that an atom itself names, in order."""
+def _capabilities(node: Formula) -> list[tuple[Way, str]]:
+    """The capabilities that an atom itself names, in order, and where."""
     from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
 
     if isinstance(node, logic.Task | logic.Limit):
-        return tuple(dict.fromkeys(name for name, _ in node.needs))
+        return [(("needs", number, 0), name) for number, (name, _) in enumerate(node.needs)]
     if isinstance(node, logic.Count) and node.capability is not None:
-        return (node.capability,)
-    return ()
+        return [(("capability",), node.capability)]
+    return []
 
 
 def _refused(node: Formula) -> list[Problem]:

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from tsplan.explanation.explanation import Place
@@ -13,100 +9,31 @@ from tsplan.explanation.whynot.occurrences import Leaf, Way
 from tsplan.logic import parse_with_places
 
 if TYPE_CHECKING:
-    from tsplan.logic import Formula
+    from tsplan.logic.text_spans import Span, Written
     from tsplan.mission import Mission
 
 Path: TypeAlias = "tuple[str | int, ...]"
-Ranges: TypeAlias = "tuple[tuple[int, int, int, int], ...]"
-
-_PAIR = re.compile(r'\(\s*(?:"(?:\\.|[^"\\])*"|[^\W\d]\w*)\s*,\s*[^(),\s]+\s*\)')
-_INTERVAL = re.compile(r"\[[^\[\]]*\]")
 
 
-class Stretch(NamedTuple):
-    """Characters `begin` up to before `end` of a text."""
-
-    begin: int
-    end: int
-
-
-@dataclass(frozen=True)
-class Source:
+class Source(NamedTuple):
     """One text of a formula: its way below the root, its path in the file, and its parts."""
 
     below: Way
     path: Path | None
     text: str
-    formula: Formula
-    places: Mapping[Formula, Ranges]
+    written: Written
 
-    @cached_property
-    def _lines(self) -> list[int]:
-        starts = [0]
-        for line in self.text.split("\n"):
-            starts.append(starts[-1] + len(line) + 1)
-        return starts
+    def stretch(self, way: Way) -> Span | None:
+        """The text of the sub-formula at the end of a way."""
+        return self.written.get(way)
 
-    def stretch(self, way: Way) -> Stretch | None:
-        """The text of the sub-formula at the end of a way; None where it cannot be told."""
-        node, here = self.formula, Stretch(0, len(self.text))
-        for step in way:
-            found = self._child(node, here, step)
-            if found is None:
-                return None
-            node, here = node.children[step], found
-        return here if way else self._own(node, here)
-
-    def _own(self, node: Formula, here: Stretch) -> Stretch:
-        """The whole text without what surrounds its formula."""
-        return next(iter(self._inside(node, here)), here)
-
-    def _child(self, node: Formula, here: Stretch, number: int) -> Stretch | None:
-        """The text of one child: children follow each other in the order of the text."""
-        for child in node.children[: number + 1]:
-            found = next(iter(self._inside(child, here)), None)
-            if found is None:
-                return None
-            here = Stretch(found.end, here.end)
-        return found
-
-    def _inside(self, node: Formula, here: Stretch) -> list[Stretch]:
-        starts = self._lines
-        found = [
-            Stretch(starts[line - 1] + column - 1, starts[last - 1] + end - 1)
-            for line, column, last, end in self.places.get(node, ())
-        ]
-        return [item for item in found if here.begin <= item.begin and item.end <= here.end]
-
-    def pair(self, leaf: Leaf) -> Stretch | None:
+    def pair(self, leaf: Leaf) -> Span | None:
         """The text of a leaf: of one need of a task or limit, or of the sub-formula itself."""
-        whole = self.stretch(leaf.way)
-        if whole is None or leaf.pair is None:
-            return whole
-        begin = self.text.find("{", whole.begin, whole.end)
-        pairs = list(_PAIR.finditer(self.text, begin, whole.end))
-        if begin < 0 or leaf.pair >= len(pairs):
-            return whole
-        return Stretch(*pairs[leaf.pair].span())
+        return self.written.get(leaf.way if leaf.pair is None else (*leaf.way, "needs", leaf.pair))
 
-    def interval(self, way: Way) -> Stretch | None:
+    def interval(self, way: Way) -> Span | None:
         """The text of the interval of the operator at the end of a way, brackets included."""
-        whole = self.stretch(way)
-        if whole is None:
-            return None
-        begin, node = whole.begin, self.formula
-        for step in way:
-            node = node.children[step]
-        if len(node.children) > 1:  # the interval stands between the two sides
-            left = self.stretch((*way, 0))
-            begin = whole.begin if left is None else left.end
-        found = _INTERVAL.search(self.text, begin, whole.end)
-        return None if found is None else Stretch(*found.span())
-
-    def line_and_column(self, offset: int) -> tuple[int, int]:
-        """Line and column of a character of the text, both from 1."""
-        before = self.text[:offset]
-        return before.count("\n") + 1, offset - (before.rfind("\n") + 1) + 1
+        return self.written.get((*way, "interval"))
 
 
 class Sources:
@@ -138,10 +65,10 @@ class Sources:
 
     def in_file(self, source: Source, offset: int) -> tuple[int, int]:
         """Line and column in the mission file of a character of one of the texts."""
-        place = source.line_and_column(offset)
         if self._document is None or source.path is None:
-            return place
-        return self._document.inside(source.path, *place)
+            before = source.text[:offset]
+            return before.count("\n") + 1, offset - (before.rfind("\n") + 1) + 1
+        return self._document.character(source.path, offset)
 
     def _begin(self) -> Place:
         """The whole formula."""
@@ -175,11 +102,11 @@ def _sources(mission: Mission) -> list[Source]:
         return []
     found = []
     for number, (place, text) in enumerate(entries):
-        formula, places = parse_with_places(text, mission.language)
+        formula, written = parse_with_places(text, mission.language)
         if formula is not expected[number]:
             return []  # the mission was changed after it was read
         below = () if len(entries) == 1 else (number,)
-        found.append(Source(below, place, text, formula, places))
+        found.append(Source(below, place, text, written))
     return found
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias, cast
 
 from tsplan.limits import LARGEST
-from tsplan.logic.atoms import MIRRORED, Count, Function, Limit, Percent, Relation, Task
-from tsplan.logic.nodes import Formula
+from tsplan.logic.atoms import MIRRORED, Count, Function, Limit, Percent, Relation, Task, at_least
 from tsplan.logic.parser.numerals import exact, whole
-from tsplan.logic.parser.tree_reader import Reader
+from tsplan.logic.parser.tree_reader import Reader, reach
+from tsplan.logic.text_spans import Span, Way, Written
 
 Pairs: TypeAlias = "list[tuple[str, Number, Any]]"
 
@@ -25,6 +26,9 @@ SPELLED: dict[str, Relation] = {
 """Relations by the name of their token."""
 
 
+LABEL: Way = ("label",)
+
+
 def relation_of(part: Any) -> Relation:
     """The relation of a part of the tree that is one."""
     return SPELLED[part.parser.symbolicNames[part.start.type]]
@@ -36,7 +40,8 @@ class Number:
 
     text: str
     value: Fraction | None
-    percent: bool = False
+    percent: bool
+    span: Span
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +50,8 @@ class Measure:
 
     function: Function
     label: str
-    capability: str | None = None
+    capability: str | None
+    parts: Mapping[Way, Span]
     bare: bool = False
 
 
@@ -54,11 +60,11 @@ class CountReader(Reader):
 
     quantities = (Number,)
 
-    def formula(self, value: Any, part: Any) -> Formula | None:
+    def formula(self, value: Any, part: Any) -> Written | None:
         """A formula as it is; a bare label asks for one agent."""
         if isinstance(value, Measure):
             if value.bare:
-                return self.placed(Count("sum", value.label, None, ">=", 1), part, part)
+                return Written(at_least(value.label), value.parts[LABEL], parts=value.parts)
             text = self.quote(part, part)
             self.complain(part, f"'{text}' is a number of agents", f"compare it: {text} >= 1")
             return None
@@ -66,7 +72,7 @@ class CountReader(Reader):
             remedy = "compare a count with it, such as sum(A) >= 2, or write true or false"
             self.complain(part, f"'{value.text}' is a number, not a formula", remedy)
             return None
-        return cast("Formula | None", value)
+        return cast("Written | None", value)
 
     def read_comparison(self, part: Any) -> Any:
         """Read a count compared with a number, in either order, or a lone operand."""
@@ -92,26 +98,32 @@ class CountReader(Reader):
         if bound is None:
             return None
         count = Count(left.function, left.label, left.capability, relation, bound)
-        return self.placed(count, part, part)
+        return Written(count, reach(part), parts={**left.parts, ("bound",): right.span})
 
     def read_number(self, part: Any) -> Number:
         """Read a number with its sign and percent sign."""
         text = "".join(part.getText().split())
-        return Number(text, exact(text.rstrip("%")), text.endswith("%"))
+        return Number(text, exact(text.rstrip("%")), text.endswith("%"), reach(part))
 
     def read_atom(self, part: Any) -> Any:
         """Read a count, a task, a limit or a label."""
         if not part.name():
             return self.read(part.children[0])
         label = self.read(part.name())
-        return None if label is None else Measure("sum", label, bare=True)
+        return (
+            None if label is None else Measure("sum", label, None, {LABEL: reach(part)}, bare=True)
+        )
 
     def read_count(self, part: Any) -> Measure | None:
         """Read sum, min or max over the states with a label."""
         names = [self.read(name) for name in part.name()]
-        return None if None in names else Measure(cast("Function", part.start.text), *names)
+        if None in names:
+            return None
+        parts = dict(zip((LABEL, ("capability",)), map(reach, part.name()), strict=False))
+        capability = names[1] if len(names) > 1 else None
+        return Measure(cast("Function", part.start.text), names[0], capability, parts)
 
-    def read_task(self, part: Any) -> Formula | None:
+    def read_task(self, part: Any) -> Written | None:
         """Read a duration, a label, what is needed and, if written, what is spent."""
         duration = self._natural(self.read(part.number()), part.number(), "a duration")
         label = self.read(part.name())
@@ -124,14 +136,18 @@ class CountReader(Reader):
             remedy = "name at least one (capability, number)"
             self.complain(part.pairs(0), "the task asks for nothing", remedy)
             return None
-        return self.placed(Task(duration, label, numbers, amounts), part, part)
+        parts = {("duration",): reach(part.number()), LABEL: reach(part.name())}
+        for name, pairs in zip(("needs", "resources"), part.pairs(), strict=False):
+            parts |= _pair_spans(name, pairs)
+        return Written(Task(duration, label, numbers, amounts), reach(part), parts=parts)
 
-    def read_limit(self, part: Any) -> Formula | None:
+    def read_limit(self, part: Any) -> Written | None:
         """Read a label and the most agents that may be at each of its states."""
         label, needs = self.read(part.name()), self._needs(self.read(part.pairs()))
         if label is None or needs is None:
             return None
-        return self.placed(Limit(label, needs), part, part)
+        parts = {LABEL: reach(part.name()), **_pair_spans("needs", part.pairs())}
+        return Written(Limit(label, needs), reach(part), parts=parts)
 
     def read_pairs(self, part: Any) -> Pairs | None:
         """Read (name, number) pairs; no name twice."""
@@ -199,3 +215,12 @@ class CountReader(Reader):
             else:
                 amounts.append((name, float(number.value)))
         return tuple(amounts) if len(amounts) == len(pairs) else None
+
+
+def _pair_spans(name: str, pairs: Any) -> dict[Way, Span]:
+    """Where the pairs of a task or limit stand, and the name and number of each."""
+    spans: dict[Way, Span] = {}
+    for number, pair in enumerate(pairs.pair()):
+        for way, part in (((), pair), ((0,), pair.name()), ((1,), pair.number())):
+            spans[name, number, *way] = reach(part)
+    return spans

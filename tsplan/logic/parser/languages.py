@@ -13,13 +13,13 @@ from antlr4 import CommonTokenStream, PredictionMode
 from antlr4.ListTokenSource import ListTokenSource
 
 from tsplan.errors import Finding, FormulaError
-from tsplan.logic.nodes import Formula
 from tsplan.logic.parser.count_reader import CountReader
 from tsplan.logic.parser.signal_reader import SignalReader
-from tsplan.logic.parser.source import Place, Source
+from tsplan.logic.parser.source import Source
 from tsplan.logic.parser.syntax_errors import Complaints
 from tsplan.logic.parser.token_streams import Stream, Streams
 from tsplan.logic.parser.tree_reader import Reader
+from tsplan.logic.text_spans import Written
 
 READERS: Mapping[str, type[Reader]] = MappingProxyType(
     {"mtl": CountReader, "catl": CountReader, "stl": SignalReader}
@@ -44,7 +44,7 @@ def grammar(language: str) -> Grammar:
     return Grammar(*loaded)
 
 
-def read(text: str, language: str) -> tuple[Formula, dict[Formula, tuple[Place, ...]]]:
+def read(text: str, language: str) -> Written:
     """The formula of a text, and where in the text its sub-formulas stand.
 
     Raises FormulaError with everything that is wrong.
@@ -71,7 +71,7 @@ def read(text: str, language: str) -> tuple[Formula, dict[Formula, tuple[Place, 
     findings += [*streams.findings, *reader.findings]
     if findings or formula is None:
         raise FormulaError(sorted(dict.fromkeys(findings), key=_order))
-    return formula, reader.places()
+    return formula
 
 
 def _parsed(stream: Stream, parser_class: Any, complaints: Complaints) -> Any:

@@ -8,10 +8,10 @@ from fractions import Fraction
 from typing import Any, cast
 
 from tsplan.logic.atoms import Linear
-from tsplan.logic.nodes import Formula
 from tsplan.logic.parser.count_reader import relation_of
 from tsplan.logic.parser.numerals import exact
-from tsplan.logic.parser.tree_reader import Reader
+from tsplan.logic.parser.tree_reader import Reader, reach
+from tsplan.logic.text_spans import Written
 
 _NOTHING = Fraction(0)
 _HUGE = 10**800  # twice the digits of the largest and finest numbers that are read
@@ -57,14 +57,14 @@ class SignalReader(Reader):
 
     quantities = (Expression,)
 
-    def formula(self, value: Any, part: Any) -> Formula | None:
+    def formula(self, value: Any, part: Any) -> Written | None:
         """A formula as it is; an expression must be compared first."""
         if isinstance(value, Expression):
             text = self.quote(part, part)
             remedy = f"compare it, such as {text} >= 0"
             self.complain(part, f"'{text}' is a number, not a formula", remedy)
             return None
-        return cast("Formula | None", value)
+        return cast("Written | None", value)
 
     def read_comparison(self, part: Any) -> Any:
         """Read two expressions compared, brought to one side, or a lone operand."""
@@ -85,7 +85,7 @@ class SignalReader(Reader):
         except (OverflowError, ValueError):
             self._too_large(part)
             return None
-        return self.placed(linear, part, part)
+        return Written(linear, reach(part))
 
     def read_total(self, part: Any) -> Any:
         """Read terms added and subtracted."""
@@ -167,7 +167,7 @@ class SignalReader(Reader):
         return None
 
     def _expression(self, value: Any, part: Any) -> Expression | None:
-        if isinstance(value, Formula):
+        if isinstance(value, Written):
             text = self.quote(part, part)
             remedy = "write numbers and signals on both sides of a comparison"
             self.complain(part, f"'{text}' is a formula, not a number", remedy)

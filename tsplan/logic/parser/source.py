@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from typing import TypeAlias
 
 from tsplan.errors import Finding
-
-Place: TypeAlias = "tuple[int, int, int, int]"
 
 _CLIP = 48  # characters of a part that a message quotes at most
 
@@ -24,15 +21,6 @@ class Source:
         """Line and column of a character."""
         line = bisect_right(self._starts, offset)
         return line, offset - self._starts[line - 1] + 1
-
-    def place(self, start: int, stop: int) -> Place:
-        """Line and column of the first character, then of the end.
-
-        The end is just after the last character, the one at `stop`.
-        """
-        line, column = self.position(start)
-        end_line, end_column = self.position(stop)
-        return line, column, end_line, end_column + 1
 
     def quote(self, start: int, stop: int) -> str:
         """The text from `start` to `stop` inclusive, on one line and not too long."""

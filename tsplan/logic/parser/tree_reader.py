@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from abc import ABC, abstractmethod
-from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from types import MappingProxyType
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple
 
 from antlr4.tree.Tree import ErrorNode
 
@@ -32,33 +32,36 @@ from tsplan.logic.nodes import (
     Until,
 )
 from tsplan.logic.parser.numerals import exact, whole
-from tsplan.logic.parser.source import Place, Source
+from tsplan.logic.parser.source import Source
+from tsplan.logic.text_spans import Span, Way, Written
 
-Interval: TypeAlias = "tuple[int, int]"
-
-PREFIXES: Mapping[str, Callable[[Interval, Formula], Formula]] = MappingProxyType(
+PREFIXES: Mapping[str, type[Formula]] = MappingProxyType(
     {
-        "NOT": lambda _interval, child: Not(child),
-        "NEXT": lambda _interval, child: Eventually(1, 1, child),
-        "EVENTUALLY": lambda interval, child: Eventually(*interval, child),
-        "DIAMOND": lambda interval, child: Eventually(*interval, child),
-        "ALWAYS": lambda interval, child: Always(*interval, child),
-        "BOX": lambda interval, child: Always(*interval, child),
+        "NOT": Not,
+        "NEXT": Eventually,
+        "EVENTUALLY": Eventually,
+        "DIAMOND": Eventually,
+        "ALWAYS": Always,
+        "BOX": Always,
     }
 )
 """Operators before their operand, by the name of their token."""
 
-CONNECTIVES: Mapping[str, Callable[[Interval, Formula, Formula], Formula]] = MappingProxyType(
-    {
-        "IMPLIES": lambda _interval, left, right: Implies(left, right),
-        "IFF": lambda _interval, left, right: Iff(left, right),
-        "UNTIL": lambda interval, left, right: Until(*interval, left, right),
-        "RELEASE": lambda interval, left, right: Release(*interval, left, right),
-    }
+CONNECTIVES: Mapping[str, type[Formula]] = MappingProxyType(
+    {"IMPLIES": Implies, "IFF": Iff, "UNTIL": Until, "RELEASE": Release}
 )
 """Operators between two operands that never share a level with others."""
 
-TIMELESS: Interval = (0, 0)  # stands where an operator has no interval
+
+class Interval(NamedTuple):
+    """The steps of an operator, and what is written of them; neither for one without time."""
+
+    steps: tuple[int, ...] = ()
+    parts: Mapping[Way, Span] = MappingProxyType({})
+
+
+IMPLIED: Mapping[str, Interval] = MappingProxyType({"NEXT": Interval((1, 1))})
+"""What operators mean that have no interval in the text, if that is any."""
 
 
 class Reader(ABC):
@@ -71,13 +74,12 @@ class Reader(ABC):
         self.source = source
         self.findings: list[Finding] = []
         self.groups: dict[int, Any] = {}
-        self._places: dict[Formula, dict[Place, None]] = defaultdict(dict)
 
     quantities: tuple[type, ...]
     """Classes of values that are numbers rather than formulas."""
 
     @abstractmethod
-    def formula(self, value: Any, part: Any) -> Formula | None:
+    def formula(self, value: Any, part: Any) -> Written | None:
         """The value as a formula; if it is none, a finding says so."""
 
     def read(self, part: Any) -> Any:
@@ -91,20 +93,11 @@ class Reader(ABC):
             return None
         return getattr(self, _reader_of(part))(part)
 
-    def places(self) -> dict[Formula, tuple[Place, ...]]:
-        """Where each formula stands in the text, in the order of the text."""
-        return {formula: tuple(sorted(places)) for formula, places in self._places.items()}
-
     def complain(self, part: Any, message: str, remedy: str = "") -> None:
         """Note that a part of the tree, or a token, is wrong."""
         start = getattr(part, "start", part)
         offset = start if isinstance(start, int) else start.start
         self.findings.append(self.source.finding(offset, message, remedy))
-
-    def placed(self, formula: Formula, first: Any, last: Any) -> Formula:
-        """Remember that a formula reaches from one part of the tree to another."""
-        self._places[formula][self.source.place(first.start.start, last.stop.stop)] = None
-        return formula
 
     def quote(self, first: Any, last: Any) -> str:
         """The text from one part of the tree to another; an ellipsis for one that is missing."""
@@ -133,8 +126,7 @@ class Reader(ABC):
             return None
         sure = [operand for operand in operands if operand is not None]
         if kinds[0] in CONNECTIVES:
-            joined = CONNECTIVES[kinds[0]](intervals[0], sure[0], sure[1])
-            return self.placed(joined, parts[0], parts[1])
+            return _applied(CONNECTIVES[kinds[0]], intervals[0], sure, reach(*parts))
         return self._alternatives(parts, sure, kinds)
 
     def read_unary(self, part: Any) -> Any:
@@ -148,13 +140,14 @@ class Reader(ABC):
         if formula is None or None in intervals:
             return None
         for prefix, interval in zip(reversed(prefixes), reversed(intervals), strict=True):
-            formula = PREFIXES[_kind(prefix)](interval, formula)
-            self.placed(formula, prefix, part)
+            operator = PREFIXES[_kind(prefix)]
+            formula = _applied(operator, interval, [formula], reach(prefix, part))
         return formula
 
     def read_prefix(self, part: Any) -> Interval | None:
-        """Read the interval of an operator; `TIMELESS` for one that has none."""
-        return self.read(part.interval()) if part.interval() else TIMELESS
+        """Read the interval of an operator, if it has one."""
+        written: Interval | None = self.read(part.interval()) if part.interval() else None
+        return written if part.interval() else IMPLIED.get(_kind(part), Interval())
 
     read_connective = read_prefix
 
@@ -167,7 +160,8 @@ class Reader(ABC):
             remedy = f"write the smaller bound first: [{high},{low}]"
             self.complain(part, f"the interval [{low},{high}] ends before it begins", remedy)
             return None
-        return low, high
+        parts = zip(("interval", "low", "high"), (part, *part.bound()), strict=True)
+        return Interval((low, high), {(name,): reach(at) for name, at in parts})
 
     def read_bound(self, part: Any) -> int | None:
         """Read a whole number of steps from now on."""
@@ -182,9 +176,9 @@ class Reader(ABC):
             return None
         return steps
 
-    def read_constant(self, part: Any) -> Formula:
+    def read_constant(self, part: Any) -> Written:
         """Read true or false."""
-        return TRUE if part.TRUE() else FALSE
+        return Written(TRUE if part.TRUE() else FALSE, reach(part))
 
     def read_name(self, part: Any) -> str | None:
         """Read a label, capability or signal, with or without quotes."""
@@ -227,24 +221,33 @@ class Reader(ABC):
                 return True
         return False
 
-    def _alternatives(self, parts: list[Any], operands: list[Formula], kinds: list[str]) -> Formula:
+    def _alternatives(self, parts: list[Any], operands: list[Written], kinds: list[str]) -> Written:
         """Join operands with && and ||, of which && binds tighter."""
-        groups = [[(operands[0], parts[0])]]
-        for kind, operand, part in zip(kinds, operands[1:], parts[1:], strict=True):
-            if kind == "AND":
-                groups[-1].append((operand, part))
-            else:
-                groups.append([(operand, part)])
-        choices = []
-        for group in groups:
-            members = tuple(operand for operand, _ in group)
-            one = members[0]
-            if len(members) > 1:
-                one = self.placed(And(members), group[0][1], group[-1][1])
-            choices.append(one)
-        if len(choices) == 1:
-            return choices[0]
-        return self.placed(Or(tuple(choices)), parts[0], parts[-1])
+        ends = [0, *(n for n, kind in enumerate(kinds, start=1) if kind != "AND"), len(parts)]
+        choices = [
+            _joined(And, operands[first:end], parts[first:end]) for first, end in pairwise(ends)
+        ]
+        return _joined(Or, choices, parts)
+
+
+def reach(first: Any, last: Any = None) -> Span:
+    """Where a part of the tree stands, or all from one to another."""
+    return Span(first.start.start, (last or first).stop.stop + 1)
+
+
+def _applied(
+    kind: type[Formula], interval: Interval, operands: Sequence[Written], span: Span
+) -> Written:
+    """An operator with its interval over its operands."""
+    formula = kind.assembled(interval.steps, (operand.formula for operand in operands))
+    return Written(formula, span, tuple(operands), interval.parts)
+
+
+def _joined(kind: type[Formula], operands: Sequence[Written], parts: Sequence[Any]) -> Written:
+    """Operands under one connective; a single one is itself."""
+    if len(operands) == 1:
+        return operands[0]
+    return _applied(kind, Interval(), operands, reach(parts[0], parts[-1]))
 
 
 def _kind(part: Any) -> str:
