@@ -181,7 +181,7 @@ def test_what_holds_is_told_with_when():
     assert plan.status == "optimal"
     # G A and G two at A by staying, against two at C from step 3 on: 2/3 by staying
     assert plan.satisfaction.fraction == Fraction(2, 3)
-    told = {node.text: (node.met, node.first, node.last) for node in plan.satisfaction.nodes}
+    told = {node.text: (node.met, *node.steps) for node in plan.satisfaction.nodes}
     assert told["G[0,4] A"] == (True, 0, 4)
     assert told["G[2,4] (sum(A) >= 2)"] == (True, 2, 4)
     assert not told["F[0,4] (sum(C) >= 2)"][0]

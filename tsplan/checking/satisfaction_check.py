@@ -92,8 +92,7 @@ def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node,
         Node(
             text_of(shown[part.node], MOST_LETTERS),
             part.depth,
-            part.first,
-            part.last,
+            (part.first, part.last),
             part.fraction,
             part.counted,
         )

@@ -6,9 +6,15 @@ together with the start and the map's durations they determine where how many ag
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from typing import NamedTuple, TypeAlias
+from typing import Annotated, Any, NamedTuple, TypeAlias
+
+from pydantic import AfterValidator, GetCoreSchemaHandler, GetPydanticSchema
+from pydantic_core.core_schema import CoreSchema, no_info_after_validator_function
+
+from tsplan.plans.records import Positive, Whole, Word
 
 Node: TypeAlias = tuple[str, int]
 """A state at a step."""
@@ -29,6 +35,26 @@ class Move(NamedTuple):
     def is_wait(self) -> bool:
         """Whether the edge leads back to its own state."""
         return self.source == self.target
+
+
+def _read(_: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+    """How a move is read: from a list of its fields, with findings at their places there."""
+    listed = handler.generate_schema(tuple[Whole, Word, Word, Positive])
+    return no_info_after_validator_function(Move._make, listed)
+
+
+def _distinct(moves: tuple[Move, ...]) -> tuple[Move, ...]:
+    for move, times in Counter(move[:3] for move in moves).items():
+        if times > 1:
+            step, source, target = move
+            raise ValueError(f"the move from {source} to {target} at step {step} is there twice")
+    return tuple(sorted(moves))
+
+
+Moves: TypeAlias = Annotated[
+    tuple[Annotated[Move, GetPydanticSchema(_read)], ...], AfterValidator(_distinct)
+]
+"""The moves of one swarm; those of a file are sorted when they are read."""
 
 
 def leaving(moves: Iterable[Move]) -> dict[Node, tuple[Move, ...]]:

@@ -7,29 +7,35 @@ A plan's outcome is two facts: what is known (`Status`) and what stopped the sea
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeAlias
+
+from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
 
 from tsplan import display
 from tsplan.asked import step_within
 from tsplan.errors import Finding, PlanError
+from tsplan.limits import MOST_STEPS
+from tsplan.plans.moves import Moves
+from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word, shared
+from tsplan.plans.satisfaction import Fulfilment, Satisfaction
+from tsplan.plans.subswarms import SubSwarm
 from tsplan.stopping import LIMITS, StoppedBy
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable
 
     from tsplan.milp.model import Ints
     from tsplan.mission import Mission
-    from tsplan.plans.moves import Move, Node
-    from tsplan.plans.satisfaction import Fulfilment, Satisfaction
-    from tsplan.plans.subswarms import SubSwarm
+    from tsplan.plans.moves import Node
 
-Stay: TypeAlias = tuple[int, int, str]
+Stay: TypeAlias = tuple[Whole, Whole, Word]
 """`(from, to, state)`: at that state at every step from..to, both included."""
 
 
@@ -54,18 +60,28 @@ _WITH_PATHS = frozenset({Status.OPTIMAL, Status.FEASIBLE})
 
 
 @dataclass(frozen=True, slots=True)
-class AgentPlan:
+class AgentPlan(Record):
     """The path of one agent.
 
     Between two stays the agent is on the one edge from the first state to the second, and at no
     state. `heading` is the state it is travelling to when its last stay ends before the horizon.
     """
 
-    id: str
-    class_name: str
-    capabilities: frozenset[str]
-    stays: tuple[Stay, ...]
-    heading: str | None = None
+    id: Word
+    class_name: Word
+    capabilities: Annotated[frozenset[Word], AfterValidator(shared)]
+    stays: Annotated[tuple[Stay, ...], Field(min_length=1), AfterValidator(shared)]
+    heading: Word | None = field(default=None, metadata=OPTIONAL)
+
+    @field_validator("stays")
+    @classmethod
+    def _forwards(cls, stays: tuple[Stay, ...]) -> tuple[Stay, ...]:
+        before = -1
+        for first, last, _ in stays:
+            if not before < first <= last:
+                raise ValueError(f"the stay from {first} to {last} is out of order")
+            before = last
+        return stays
 
     def state_at(self, step: int) -> str | None:
         """The agent's state at `step`; None while it is travelling.
@@ -86,16 +102,16 @@ class AgentPlan:
 
 
 @dataclass(frozen=True, slots=True)
-class ObjectiveValue:
+class ObjectiveValue(Record):
     """Value of one objective in the plan, and the proven bound on what any plan can reach."""
 
-    name: str
-    value: float | None
-    bound: float | None = None
+    name: Word
+    value: Finite | None
+    bound: Finite | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class MissionRef:
+class MissionRef(Record):
     """Which mission a plan belongs to: its name and the SHA-256 of its text."""
 
     name: str
@@ -103,38 +119,38 @@ class MissionRef:
 
 
 @dataclass(frozen=True, slots=True)
-class SolverUse:
+class SolverUse(Record):
     """The solver that found the plan, its version and the options it ran with."""
 
-    name: str
+    name: str = ""
     version: str = ""
     options: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
-class ModelSize:
+class ModelSize(Record):
     """Size of the model that was solved, and of the map it was built on."""
 
-    columns: int = 0
-    integers: int = 0
-    rows: int = 0
-    nonzeros: int = 0
-    states: int = 0
-    edges: int = 0
+    columns: Whole = 0
+    integers: Whole = 0
+    rows: Whole = 0
+    nonzeros: Whole = 0
+    states: Whole = 0
+    edges: Whole = 0
 
 
 @dataclass(frozen=True, slots=True)
-class Timings:
+class Timings(Record):
     """Seconds spent in each stage, to the microsecond."""
 
-    load: float = 0.0
-    parse: float = 0.0
-    reduce: float = 0.0
-    build: float = 0.0
-    solve: float = 0.0
-    extract: float = 0.0
-    verify: float = 0.0
-    total: float = 0.0
+    load: Finite = 0.0
+    parse: Finite = 0.0
+    reduce: Finite = 0.0
+    build: Finite = 0.0
+    solve: Finite = 0.0
+    extract: Finite = 0.0
+    verify: Finite = 0.0
+    total: Finite = 0.0
 
     def __post_init__(self) -> None:
         for item in fields(self):
@@ -152,8 +168,15 @@ class Bundle:
     agents: tuple[int, ...]
 
 
+def _entries(agents: object) -> object:
+    """The agents of a file, which may leave out what they can do, and may have none."""
+    if not isinstance(agents, list):
+        return () if agents is None else agents
+    return [{"capabilities": (), **item} if isinstance(item, dict) else item for item in agents]
+
+
 @dataclass(frozen=True)
-class Plan(display.Displayed):
+class Plan(Record, display.Displayed):
     """What planning a mission ended with.
 
     `agents` is empty unless `status` is optimal or feasible. `availability` is the counting
@@ -169,20 +192,22 @@ class Plan(display.Displayed):
 
     status: Status
     mission: MissionRef
-    horizon: int
+    horizon: Annotated[int, Field(strict=True, ge=0, le=MOST_STEPS)]
     stopped_by: StoppedBy | None = None
     objective: tuple[ObjectiveValue, ...] = ()
-    availability: float | None = None
-    verified: bool = False
-    agents: tuple[AgentPlan, ...] = ()
-    moves: Mapping[str, tuple[Move, ...]] = field(default_factory=dict, hash=False)
-    groups: tuple[SubSwarm, ...] = ()
-    solver: SolverUse = field(default_factory=lambda: SolverUse(""))
+    availability: Finite | None = None
+    satisfaction: Satisfaction | None = field(default=None, metadata=OPTIONAL)
+    preferences: tuple[Fulfilment, ...] = field(default=(), metadata=OPTIONAL)
+    verified: Annotated[bool, Field(strict=True)] = False
+    moves: Mapping[Word, Moves] = field(default_factory=dict, hash=False, metadata=OPTIONAL)
+    groups: tuple[SubSwarm, ...] = field(default=(), metadata=OPTIONAL)
+    agents: Annotated[tuple[AgentPlan, ...], BeforeValidator(_entries)] = field(
+        default=(), metadata=OPTIONAL
+    )
+    solver: SolverUse = field(default_factory=SolverUse)
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)
-    notes: tuple[str, ...] = ()
-    satisfaction: Satisfaction | None = None
-    preferences: tuple[Fulfilment, ...] = ()
+    notes: tuple[str, ...] = field(default=(), metadata=OPTIONAL)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "status", Status(self.status))
@@ -195,6 +220,28 @@ class Plan(display.Displayed):
             findings.append(Finding(f"a plan of status {self.status} cannot be verified"))
         if findings:
             raise PlanError(findings)
+
+    @field_validator("groups")
+    @classmethod
+    def _related(cls, groups: tuple[SubSwarm, ...]) -> tuple[SubSwarm, ...]:
+        known = {group.id for group in groups}
+        if len(known) < len(groups):
+            raise ValueError("two sub-swarms have the same id")
+        for group in groups:
+            for other in (*group.parents, *group.children):
+                if other not in known:
+                    raise ValueError(f"sub-swarm {group.id} names {other}, which is not there")
+        return groups
+
+    @model_validator(mode="after")
+    def _within(self) -> Self:
+        """Nothing happens after the horizon; asked of what a file says alone."""
+        late = [move.step for moves in self.moves.values() for move in moves]
+        if late and max(late) >= self.horizon:
+            raise ValueError(f"a move at step {max(late)} of a plan that ends at {self.horizon}")
+        if any(group.last > self.horizon for group in self.groups):
+            raise ValueError(f"a sub-swarm exists after step {self.horizon}, where the plan ends")
+        return self
 
     @property
     def has_paths(self) -> bool:

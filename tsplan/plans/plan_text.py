@@ -1,10 +1,11 @@
-"""From the text of a plan file to its checked content, with every finding at its place."""
+"""From the text of a plan file to its data, and findings at their places in it."""
 
 from __future__ import annotations
 
 import json
 import re
 from collections import Counter
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from tsplan.document.kinds import PLAN, kind_of_data, kind_of_text
@@ -13,31 +14,24 @@ from tsplan.limits import DIGITS
 from tsplan.names import nfc
 
 if TYPE_CHECKING:
+    from pydantic import ValidationError
+
     from tsplan.document import Document
-    from tsplan.plans.plan_schema import PlanFile
 
 FORMAT = "tsplan-plan/1"
 _LOCATED = 2_000_000  # characters up to which a faulty file is read again for lines and columns
 _REMEDY = f'a plan has "format": "{FORMAT}"'
 
 
-def plan_file(text: str, source: str) -> PlanFile:
-    """The content of a plan file; raises PlanError with every finding for a text that is none."""
-    from pydantic import ValidationError  # noqa: PLC0415  (slow to import)
-
-    from tsplan.plans.plan_schema import PlanFile  # noqa: PLC0415  (needs pydantic)
-
-    text = text.removeprefix("\ufeff")
+def plan_data(text: str, source: str) -> dict[str, Any]:
+    """The fields of a plan file; raises PlanError with every finding for a text that is none."""
     refuse_other(text, source)
     data = _parsed(text, source)
     if not isinstance(data, dict):
         raise _refusal("this is no plan: it is no mapping of keys to values", _REMEDY, source)
     if data.get("format") != FORMAT:
         raise _refusal(f"this is no plan: {_other_format(data)}", _REMEDY, source)
-    try:
-        return PlanFile.model_validate(data)
-    except ValidationError as error:
-        raise PlanError(_located(error, text, source)) from None
+    return {key: value for key, value in data.items() if key != "format"}
 
 
 def spelled(text: str) -> str:
@@ -120,12 +114,16 @@ def _not_json(word: str) -> NoReturn:
     raise ValueError(f"{word} is not a JSON number")
 
 
-def _located(error: Any, text: str, source: str) -> list[Finding]:
-    """The schema's findings, with lines and columns unless the file is very large."""
+def located(error: ValidationError, text: str, source: str) -> list[Finding]:
+    """What is wrong with data, with lines and columns unless the file is very large."""
     document = _document(text, source) if len(text) <= _LOCATED else None
     findings = []
     for item in error.errors(include_url=False, include_input=False):
-        path = tuple(item["loc"])
+        cause = item.get("ctx", {}).get("error")
+        if isinstance(cause, InputError):  # of the plan as a whole, which has no place
+            findings += [replace(finding, source=source) for finding in cause.findings]
+            continue
+        path = item["loc"]
         line, column = document.place(path) if document is not None else (None, None)
         where = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path)
         message = str(item["msg"]).removeprefix("Value error, ")

@@ -4,21 +4,25 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Literal, TypeAlias
+
+from tsplan.plans.records import Exact, Finite, Portion, Record, Weight, Whole
+
+Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 
 
 @dataclass(frozen=True, slots=True)
-class Node:
+class Node(Portion):
     """One part of a formula, as text, `depth` levels below the whole.
 
-    `fraction` is how much of it holds, `first` and `last` the steps between which its atoms are
+    `fraction` is how much of it holds, `steps` the first and the last one at which its atoms are
     looked at. A node that is not `counted` is an alternative to one that holds more.
     """
 
     text: str
-    depth: int
-    first: int
-    last: int
-    fraction: Fraction
+    depth: Whole
+    steps: tuple[Whole, Whole]
+    fraction: Exact
     counted: bool = True
 
     @property
@@ -28,19 +32,19 @@ class Node:
 
 
 @dataclass(frozen=True, slots=True)
-class Depth:
+class Depth(Record):
     """How many parts of one depth hold at their steps without any part around them holding.
 
     `bound` is what no plan can exceed that does as well at the depths above.
     """
 
-    depth: int
-    value: int
-    bound: int | None = None
+    depth: Whole
+    value: Whole
+    bound: Whole | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Satisfaction:
+class Satisfaction(Portion):
     """How much of a mission's formula a plan satisfies, in the mission's `order`.
 
     `fraction` and `nodes` (parents before their children) tell how much of the whole and of each
@@ -49,22 +53,22 @@ class Satisfaction:
     still to be computed from the paths is None or empty.
     """
 
-    order: str
-    fraction: Fraction | None = None
-    availability: float | None = None
+    order: Order
+    fraction: Exact | None = None
+    availability: Finite | None = None
     depths: tuple[Depth, ...] = ()
     nodes: tuple[Node, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Fulfilment:
+class Fulfilment(Portion):
     """What became of one preferred formula; `fraction` and `nodes` are as in `Satisfaction`."""
 
     name: str
-    weight: Fraction
-    level: int
+    weight: Weight
+    level: Whole
     partial: bool
-    fraction: Fraction
+    fraction: Exact
     nodes: tuple[Node, ...] = ()
 
     @property

@@ -5,27 +5,40 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from typing import Self
+
+from pydantic import model_validator
 
 from tsplan.plans.moves import Durations, Move, Node, arriving, leaving, present
+from tsplan.plans.records import OPTIONAL, Positive, Record, Whole, Word
 
 
 @dataclass(frozen=True, slots=True)
-class SubSwarm:
+class SubSwarm(Record):
     """Agents of one swarm that are at one place at every step `first`..`last`, both included.
 
     The place is a `state`, or an `edge` (its two ends) that all of them entered at step
     `first - 1`. `parents` and `children` are the ids of the sub-swarms they come from and become.
     """
 
-    id: str
-    swarm: str
-    first: int
-    last: int
-    size: int
-    state: str | None = None
-    edge: tuple[str, str] | None = None
-    parents: tuple[str, ...] = ()
-    children: tuple[str, ...] = ()
+    id: Word
+    swarm: Word
+    first: Whole
+    last: Whole
+    size: Positive
+    state: Word | None = field(default=None, metadata=OPTIONAL)
+    edge: tuple[Word, Word] | None = field(default=None, metadata=OPTIONAL)
+    parents: tuple[Word, ...] = ()
+    children: tuple[Word, ...] = ()
+
+    @model_validator(mode="after")
+    def _somewhere(self) -> Self:
+        """One place, and steps that are in order; asked of what a file says alone."""
+        if (self.state is None) == (self.edge is None):
+            raise ValueError("a sub-swarm is at a state or on an edge, one of both")
+        if self.last < self.first:
+            raise ValueError(f"the steps {self.first} to {self.last} are out of order")
+        return self
 
     @property
     def place(self) -> str:

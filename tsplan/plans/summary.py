@@ -133,9 +133,8 @@ def _node_lines(nodes: Sequence[Node]) -> list[str]:
         if inside is not None and node.depth > inside:
             continue
         inside = node.depth if node.met or not node.fraction or not node.counted else None
-        when = (
-            f"step {node.first}" if node.first == node.last else f"steps {node.first}-{node.last}"
-        )
+        first, last = node.steps
+        when = f"step {first}" if first == last else f"steps {first}-{last}"
         other = "" if node.counted else ", another part stands for it"
         indent = "    " + "  " * node.depth
         text = shorten(node.text, _LONGEST, placeholder=" ...")

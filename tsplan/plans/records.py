@@ -1,0 +1,131 @@
+"""Frozen records that are written as JSON and read back by their own fields.
+
+A field is described where it is declared: its type says what is read, and how a value is written
+follows from the value. So another field of a plan is another line in a record.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import fields
+from fractions import Fraction
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeAlias, cast
+
+from pydantic import ConfigDict, Field, PlainValidator, ValidationInfo, model_validator
+
+from tsplan.limits import LARGEST
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from _typeshed import DataclassInstance
+    from pydantic import ModelWrapValidatorHandler
+
+_NAMES = {"class_name": "class", "first": "from", "last": "to", "fraction": "exact"}
+_FRACTION = re.compile(r"[0-9]{1,4000}(/[0-9]{0,3999}[1-9][0-9]{0,3999})?")
+_ROUNDING = 1e-9  # by which a fraction may differ from its float, of which some digits are written
+
+OPTIONAL: Mapping[str, bool] = {"optional": True}
+"""Metadata of a field that is left out of a file while it is empty."""
+
+
+def json_name(name: str) -> str:
+    """The key by which a file has a field."""
+    return _NAMES.get(name, name)
+
+
+def _exact(value: object) -> Fraction:
+    if not isinstance(value, str) or not _FRACTION.fullmatch(value):
+        raise ValueError("a fraction is written as in '2/3'")
+    if not 0 <= Fraction(value) <= 1:
+        raise ValueError(f"the fraction {value} is not between 0 and 1")
+    return Fraction(value)
+
+
+def _weight(value: object) -> Fraction:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < math.inf:
+        raise ValueError("a weight is a number above 0")
+    return Fraction(str(value))
+
+
+Whole: TypeAlias = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
+Positive: TypeAlias = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
+Word: TypeAlias = Annotated[str, Field(min_length=1)]
+Finite: TypeAlias = Annotated[float, Field(allow_inf_nan=False)]
+Exact: TypeAlias = Annotated[Fraction, PlainValidator(_exact)]
+Weight: TypeAlias = Annotated[Fraction, PlainValidator(_weight)]
+
+
+class Record:
+    """A frozen dataclass of a file; other keys than its fields are refused."""
+
+    __slots__ = ()
+    __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(
+        extra="forbid", alias_generator=json_name
+    )
+
+    def data(self) -> dict[str, Any]:
+        """What a file has of the record, under the keys there."""
+        return {
+            json_name(item.name): value
+            for item in fields(cast("DataclassInstance", self))
+            if (value := getattr(self, item.name)) or "optional" not in item.metadata
+        }
+
+
+class Portion(Record):
+    """A record with a fraction, which a file has exactly, as a number and perhaps as a verdict."""
+
+    __slots__ = ()
+
+    def repeated(self) -> dict[str, float | bool]:
+        """What a file says once more for those who read it."""
+        made: Any = self
+        met = {"met": made.met} if hasattr(self, "met") else {}
+        return {**met, "fraction": float(made.fraction or 0)}
+
+    def data(self) -> dict[str, Any]:
+        """What a file has of the record, and what it repeats."""
+        made: dict[str, Any] = {}
+        for key, value in super().data().items():
+            made |= {key: value} if key != "exact" else {**self.repeated(), key: str(value or 0)}
+        return made
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _agreeing(cls, data: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        """Read the fields alone, and hold what is repeated against them."""
+        given = data if isinstance(data, dict) else {}
+        rest = {key: value for key, value in given.items() if key not in ("fraction", "met")}
+        made = handler(rest if given else data)
+        for key, value in made.repeated().items():
+            other = given.get(key)
+            if not isinstance(other, int | float) or abs(other - value) > _ROUNDING:
+                raise ValueError(f"'{key}': {other} is not {rest.get('exact')}")
+        return made
+
+
+def plain(value: Any) -> Any:
+    """A value as JSON has it: records as data, whole numbers without a point, infinite ones null.
+
+    >>> plain((2.0, 0.5, float("inf"), frozenset({"b", "a"})))
+    [2, 0.5, None, ['a', 'b']]
+    """
+    if isinstance(value, Record):
+        return {key: plain(item) for key, item in value.data().items()}
+    if isinstance(value, frozenset):
+        return sorted(value)
+    if isinstance(value, tuple | list):
+        return [plain(item) for item in value]
+    if isinstance(value, Fraction):
+        return plain(float(value))
+    if not isinstance(value, float):
+        return value
+    return None if not math.isfinite(value) else int(value) if value == int(value) else value
+
+
+def shared(value: Any, info: ValidationInfo) -> Any:
+    """Of equal values that are read from one file only the first, so that they compare at once."""
+    known = info.context if isinstance(info.context, dict) else {}
+    return known.setdefault(value, value)
