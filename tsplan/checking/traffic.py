@@ -63,11 +63,15 @@ class Traffic:
         """The times of all agents on edges that are no waits."""
         return (segment for segment in self.segments if not segment.edge.is_wait)
 
+    @property
+    def swarms(self) -> Iterator[ClassTraffic]:
+        """What the swarms among the classes do."""
+        return (c for c in self.classes if self.mission.group_bounds(c.class_name) is not None)
+
     @cached_property
     def moves(self) -> Mapping[str, tuple[Move, ...]]:
         """The moves of every swarm."""
-        swarms = _swarms(self.mission)
-        return {item.class_name: item.moves for item in self.classes if item.class_name in swarms}
+        return {swarm.class_name: swarm.moves for swarm in self.swarms}
 
     @cached_property
     def groups(self) -> tuple[SubSwarm, ...]:
@@ -75,13 +79,12 @@ class Traffic:
         starts = {group.class_name: dict(group.starts) for group in self.mission.team}
         return tuple(
             group
-            for item in self.classes
-            if item.class_name in self.moves
+            for swarm in self.swarms
             for group in subswarms(
-                item.class_name,
-                starts[item.class_name],
-                item.moves,
-                {segment.edge.pair: segment.left - segment.entered for segment in item.segments},
+                swarm.class_name,
+                starts[swarm.class_name],
+                swarm.moves,
+                {segment.edge.pair: segment.left - segment.entered for segment in swarm.segments},
                 self.horizon,
             )
         )

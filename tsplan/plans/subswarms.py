@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Self
+from typing import Self, TypeAlias
 
 from pydantic import model_validator
 
@@ -48,33 +49,8 @@ class SubSwarm(Record):
         return f"at {self.state}"
 
 
-@dataclass(slots=True, eq=False)
-class _Draft:
-    """A sub-swarm while its steps and relatives are collected."""
-
-    first: int
-    last: int
-    size: int
-    state: str | None = None
-    edge: tuple[str, str] | None = None
-    name: str = ""
-    parents: list[_Draft] = field(default_factory=list)
-    children: list[_Draft] = field(default_factory=list)
-
-    @property
-    def order(self) -> tuple[int, bool, str, str]:
-        """Sub-swarms are numbered as they come to be, first those at states."""
-        source, target = self.edge or ("", "")
-        return self.first, self.edge is not None, self.state or source, target
-
-    def done(self, swarm: str) -> SubSwarm:
-        """The finished sub-swarm, when all drafts have their names."""
-        parents = tuple(other.name for other in self.parents)
-        children = tuple(other.name for other in self.children)
-        place = self.state, self.edge
-        return SubSwarm(
-            self.name, swarm, self.first, self.last, self.size, *place, parents, children
-        )
+_Key: TypeAlias = tuple[int, bool, str, str]
+"""Since when a sub-swarm is where: they are numbered as they come to be, first those at states."""
 
 
 def subswarms(
@@ -90,49 +66,53 @@ def subswarms(
     duration 1 it is at no step, so none is made there. `moves` must fit the start and the map.
     """
     listed = sorted(moves)
-    staying = _staying(starts, listed, durations, horizon)
-    travelling = {
-        move: _Draft(
-            move.step + 1,
-            min(move.step + durations[move.source, move.target] - 1, horizon),
-            move.count,
-            edge=(move.source, move.target),
-        )
-        for move in listed
-        if durations[move.source, move.target] > 1
+    staying, last = _staying(starts, listed, durations, horizon)
+    size = {
+        staying[node]: count for node, count in present(starts, listed, durations, horizon).items()
     }
-    drafts = sorted({*staying.values(), *travelling.values()}, key=lambda draft: draft.order)
-    for number, draft in enumerate(drafts, 1):
-        draft.name = f"{swarm}:{number}"
+    parents: dict[_Key, list[_Key]] = defaultdict(list)
+    children: dict[_Key, list[_Key]] = defaultdict(list)
     for move in listed:
-        arrival = (move.target, move.step + durations[move.source, move.target])
-        way = (staying[move.source, move.step], travelling.get(move), staying.get(arrival))
-        _link([draft for draft in way if draft is not None])
-    return tuple(draft.done(swarm) for draft in drafts)
+        arrival = move.step + durations[move.source, move.target]
+        way = [staying[move.source, move.step]]
+        if arrival > move.step + 1:
+            way.append((move.step + 1, True, move.source, move.target))
+            size[way[-1]], last[way[-1]] = move.count, min(arrival - 1, horizon)
+        if arrival <= horizon:
+            way.append(staying[move.target, arrival])
+        for parent, child in pairwise(way):
+            if parent != child and child not in children[parent]:
+                children[parent].append(child)
+                parents[child].append(parent)
+    name = {key: f"{swarm}:{number}" for number, key in enumerate(sorted(size), 1)}
+    return tuple(
+        SubSwarm(
+            name[key],
+            swarm,
+            key[0],
+            last[key],
+            size[key],
+            None if key[1] else key[2],
+            key[2:] if key[1] else None,
+            tuple(name[other] for other in parents[key]),
+            tuple(name[other] for other in children[key]),
+        )
+        for key in name
+    )
 
 
 def _staying(
     starts: Mapping[str, int], moves: Sequence[Move], durations: Durations, horizon: int
-) -> dict[Node, _Draft]:
-    """The sub-swarm at each state and step where there are agents."""
+) -> tuple[dict[Node, _Key], dict[_Key, int]]:
+    """The sub-swarm at each state and step where there are agents, and the last step of each."""
     came, gone = arriving(moves, durations), leaving(moves)
+    found: dict[Node, _Key] = {}
+    last: dict[_Key, int] = {}
     counts = present(starts, moves, durations, horizon)
-    found: dict[Node, _Draft] = {}
     for state, step in sorted(counts, key=lambda node: (node[1], node[0])):
-        node, before = (state, step), (state, step - 1)
-        alone = came.get(node, ())
+        alone = came.get((state, step), ())
         # the one move that left here a step ago is the one that arrives: all wait, nobody joins
-        if len(alone) == 1 and gone.get(before) == alone:
-            found[node] = found[before]
-            found[node].last = step
-        else:
-            found[node] = _Draft(step, step, counts[node], state=state)
-    return found
-
-
-def _link(way: Sequence[_Draft]) -> None:
-    """Make each sub-swarm on the way of a move the parent of the next."""
-    for parent, child in pairwise(way):
-        if parent is not child and child not in parent.children:
-            parent.children.append(child)
-            child.parents.append(parent)
+        waits = len(alone) == 1 and gone.get((state, step - 1)) == alone
+        key = found[state, step - 1] if waits else (step, False, state, "")
+        found[state, step], last[key] = key, step
+    return found, last

@@ -1,13 +1,13 @@
-"""How much head-room makes the distributed protocol succeed with a given probability.
+"""The margin that makes the distributed protocol succeed with a given probability.
 
-Under the protocol of `tsplan.protocol.simulation` the agents are independent, so the number of them
-at the states of a label at a step is a sum of independent 0/1 variables, expected to be the planned
-number. Among all such sums with one mean the binomial has the heaviest tails at a distance of one
-or more from the mean (W. Hoeffding, "On the distribution of the number of successes in independent
-trials", Annals of Mathematical Statistics 27, 1956, theorem 4). A demand for m of n agents, planned
-with h to spare, therefore fails with probability at most P(X < m) for X ~ Binomial(n, (m + h)/n).
-One for at most m is a demand for n - m elsewhere. Where all agents are to be, or none, nothing is
-left to chance.
+Under the protocol of `tsplan.protocol.simulation` the agents of swarms are independent, and robots
+beside them go as planned. So the number of those at the states of a label at a step is a sum of
+independent 0/1 variables, expected to be the planned number. Among all such sums with one mean the
+binomial has the heaviest tails at a distance of one or more from the mean (W. Hoeffding, "On the
+distribution of the number of successes in independent trials", Annals of Mathematical Statistics
+27, 1956, theorem 4). A demand for m of n agents, planned with a margin of h, therefore fails with
+probability at most P(X < m) for X ~ Binomial(n, (m + h)/n). One for at most m is a demand for n - m
+elsewhere. Where all agents are to be, or none, nothing is left to chance.
 
 A plan meets a formula by some demands at some steps. The probabilities that one of them fails are
 added up (Boole's inequality), because how they depend on each other is not known: at every step of
@@ -16,7 +16,8 @@ an always, on all sides of an and; of an or the worse side counts.
 
 from __future__ import annotations
 
-from functools import singledispatch
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from tsplan.errors import Finding, MissionError
 from tsplan.logic import (
@@ -60,70 +61,48 @@ def margin_for(mission: Mission, probability: float = 0.95) -> int:
     return high
 
 
-def failing(mission: Mission, formula: Formula, spare: int) -> float:
-    """A bound on the probability that a plan with so many agents to spare misses a formula.
+def failing(mission: Mission, formula: Formula, margin: int) -> float:
+    """A bound on the probability that a plan with so large a margin misses a formula.
 
-    `formula` is one over the mission's map and swarms, in positive normal form.
+    `formula` is one over the mission's map and classes, in positive normal form.
     """
-    bound: float = fold(formula, lambda node, below: risk(node, below, (mission, spare)))
+
+    def risk(node: Formula, below: tuple[float, ...]) -> float:
+        return (
+            _at(node, mission, margin)
+            if isinstance(node, Count)
+            else _RISKS[type(node)](node, below)
+        )
+
+    bound: float = fold(formula, risk)
     return min(bound, 1.0)
 
 
-@singledispatch
-def risk(node: Formula, _below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    """The bound of a node from those of its children."""
-    raise TypeError(f"{type(node).__name__} does not occur in positive normal form")
+_RISKS: Mapping[type[Formula], Callable[[Any, tuple[float, ...]], float]] = {
+    Constant: lambda *_: 0.0,
+    And: lambda _, below: sum(below),
+    Or: lambda _, below: max(below),
+    Eventually: lambda _, below: below[0],
+    Always: lambda node, below: (node.high - node.low + 1) * below[0],
+    Until: lambda node, below: node.high * below[0] + below[1],
+    Release: lambda node, below: below[0] + (node.high - node.low + 1) * below[1],
+}
+"""The bound of a node of positive normal form from those of its children."""
 
 
-@risk.register
-def _(_node: Constant, _below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    return 0.0
-
-
-@risk.register
-def _(node: Count, _below: tuple[float, ...], given: tuple[Mission, int]) -> float:
-    mission, spare = given
+def _at(node: Count, mission: Mission, margin: int) -> float:
+    """The bound of an atom at one step."""
     agents = mission.having(node.capability)
     assert isinstance(node.bound, int)
     needed = node.bound if node.relation == ">=" else agents - node.bound
     # `min >=` and `max <=` speak about every state with the label, the others about one or all
     every = (node.function, node.relation) in {("min", ">="), ("max", "<=")}
     places = len(mission.system.labels[node.label]) if every else 1
-    return places * shortfall(agents, needed, spare)
+    return places * shortfall(agents, needed, margin)
 
 
-@risk.register
-def _(_node: And, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    return sum(below)
-
-
-@risk.register
-def _(_node: Or, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    return max(below)
-
-
-@risk.register
-def _(_node: Eventually, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    return below[0]
-
-
-@risk.register
-def _(node: Always, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    return (node.high - node.low + 1) * below[0]
-
-
-@risk.register
-def _(node: Until, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    return node.high * below[0] + below[1]
-
-
-@risk.register
-def _(node: Release, below: tuple[float, ...], _given: tuple[Mission, int]) -> float:
-    return below[0] + (node.high - node.low + 1) * below[1]
-
-
-def shortfall(agents: int, needed: int, spare: int) -> float:
-    """P(X < needed) for X ~ Binomial(agents, (needed + spare) / agents).
+def shortfall(agents: int, needed: int, margin: int) -> float:
+    """P(X < needed) for X ~ Binomial(agents, (needed + margin) / agents).
 
     0 where any number does or where all or more are needed, which is left to no chance.
 
@@ -132,6 +111,6 @@ def shortfall(agents: int, needed: int, spare: int) -> float:
     """
     from scipy.special import bdtr  # noqa: PLC0415  (slow to import)
 
-    if needed <= 0 or needed + spare >= agents:
+    if needed <= 0 or needed + margin >= agents:
         return 0.0
-    return float(bdtr(needed - 1, agents, (needed + spare) / agents))
+    return float(bdtr(needed - 1, agents, (needed + margin) / agents))

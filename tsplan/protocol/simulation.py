@@ -9,7 +9,7 @@ those that are there, and agents are expected to be everywhere in the planned nu
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from statistics import NormalDist
 from typing import TYPE_CHECKING
@@ -18,14 +18,16 @@ import numpy as np
 
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.plan_check import check
+from tsplan.checking.traffic import ClassTraffic, Traffic, read_traffic
 from tsplan.errors import Finding, PlanError
 from tsplan.limits import refuse_options
-from tsplan.plans.moves import leaving, present
+from tsplan.plans.presence import state_counts
 
 if TYPE_CHECKING:
+    from tsplan.checking.path_segments import Segment
     from tsplan.milp.model import Ints
-    from tsplan.mission import Group, Mission
-    from tsplan.plans.moves import Durations, Move, Node
+    from tsplan.mission import Mission
+    from tsplan.plans.moves import Node
     from tsplan.plans.plan import Plan
 
 _ENTRIES = 4_000_000  # counts of a batch of runs, which are kept at once
@@ -105,12 +107,12 @@ def simulate(mission: Mission, plan: Plan, *, runs: int = 1000, seed: int = 0) -
         what = "only plans of swarms, with their moves, can be simulated"
         raise PlanError([Finding(what, "plan a mission with a swarm")])
     report = check(mission, plan)
-    if not report.ok:
+    traffic, _ = read_traffic(mission, plan)
+    if not report.ok or traffic is None:
         raise PlanError(report.findings)
     random = np.random.default_rng(seed)
-    flows = [_Flow.of(mission, group, plan.moves[group.class_name]) for group in mission.team]
-    tallies = [_tally(mission, flows, random, size) for size in _batches(mission, runs)]
-    places = sum(len(flow.planned) for flow in flows)
+    tallies = [_tally(traffic, random, size) for size in _batches(mission, runs)]
+    places = sum(len(swarm.present) for swarm in traffic.swarms)
     return Simulation(
         runs,
         seed,
@@ -119,43 +121,6 @@ def simulate(mission: Mission, plan: Plan, *, runs: int = 1000, seed: int = 0) -
         max(tally.stray_max for tally in tallies),
         sum(tally.stray_sum for tally in tallies) / (runs * places),
     )
-
-
-@dataclass(frozen=True)
-class _Flow:
-    """What one swarm is to do: its moves by state and step, and the planned numbers there."""
-
-    group: Group
-    least: int
-    durations: Durations
-    leaving: Mapping[Node, tuple[Move, ...]]
-    planned: Mapping[Node, int]
-
-    @classmethod
-    def of(cls, mission: Mission, group: Group, moves: Sequence[Move]) -> _Flow:
-        assert mission.swarm is not None
-        durations = {
-            (move.source, move.target): mission.system.edges[move.source, move.target].duration_for(
-                group.class_name
-            )
-            or 0
-            for move in moves
-        }
-        return cls(
-            group,
-            mission.swarm.each[group.class_name].least,
-            durations,
-            leaving(moves),
-            present(dict(group.starts), moves, durations, mission.horizon),
-        )
-
-
-@dataclass(frozen=True)
-class _Sample:
-    """The numbers of one swarm in a batch of runs: at states and steps, and on long edges."""
-
-    present: Mapping[Node, Ints]
-    travelling: tuple[Ints, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,63 +141,68 @@ def _batches(mission: Mission, runs: int) -> Iterator[int]:
         yield min(size, runs - begin)
 
 
-def _tally(
-    mission: Mission, flows: Sequence[_Flow], random: np.random.Generator, runs: int
-) -> _Tally:
-    samples = [_sampled(flow, random, runs) for flow in flows]
-    pairs = list(zip(flows, samples, strict=True))
+def _tally(traffic: Traffic, random: np.random.Generator, runs: int) -> _Tally:
+    mission = traffic.mission
+    samples = {}
     bounded = np.ones(runs, dtype=np.bool_)
-    for flow, sample in pairs:
+    strays = []
+    for swarm in traffic.swarms:
+        bounds = mission.group_bounds(swarm.class_name)
+        assert bounds is not None
+        counts, travelling = _sampled(swarm, random, runs)
+        samples[swarm.class_name] = counts
         # never more sub-swarms than planned: nobody goes where the plan sends nobody
-        for counts in (*sample.present.values(), *sample.travelling):
-            bounded &= (counts == 0) | (counts >= flow.least)
-    strays = [
-        np.abs(sample.present[node] - count)
-        for flow, sample in pairs
-        for node, count in flow.planned.items()
-    ]
+        for group in (*counts.values(), *travelling):
+            bounded &= (group == 0) | (group >= bounds.least)
+        strays += [np.abs(counts[p.state, p.first] - p.agents) for p in swarm.present]
     return _Tally(
-        int(_holding(mission, pairs, runs).sum()),
+        int(_holding(traffic, samples, runs).sum()),
         int(bounded.sum()),
         max(int(stray.max()) for stray in strays),
         float(sum(stray.sum() for stray in strays)),
     )
 
 
-def _sampled(flow: _Flow, random: np.random.Generator, runs: int) -> _Sample:
-    """A batch of runs of one swarm, step by step."""
+def _sampled(
+    swarm: ClassTraffic, random: np.random.Generator, runs: int
+) -> tuple[dict[Node, Ints], list[Ints]]:
+    """The numbers of a swarm in a batch of runs: at states and steps, and on long edges."""
     counts = {
-        node: np.zeros(runs, dtype=np.int64) + (flow.planned[node] if node[1] == 0 else 0)
-        for node in flow.planned
+        (p.state, p.first): np.full(runs, 0 if p.first else p.agents, dtype=np.int64)
+        for p in swarm.present
     }
+    leaving: dict[Node, list[Segment]] = {}
+    for segment in swarm.segments:
+        leaving.setdefault((segment.edge.source, segment.entered), []).append(segment)
     travelling = []
-    for node in sorted(flow.leaving, key=lambda node: node[1]):
-        moves = flow.leaving[node]
-        total = sum(move.count for move in moves)
-        parts = random.multinomial(counts[node], [move.count / total for move in moves])
-        for move, part in zip(moves, parts.T, strict=True):
-            duration = flow.durations[move.source, move.target]
-            arrival = (move.target, move.step + duration)
+    for node in sorted(leaving, key=lambda node: node[1]):
+        gone = [segment.agents for segment in leaving[node]]
+        parts = random.multinomial(counts[node], [agents / sum(gone) for agents in gone])
+        for segment, part in zip(leaving[node], parts.T, strict=True):
+            arrival = (segment.edge.target, segment.left)
             if arrival in counts:
                 counts[arrival] += part
-            if duration > 1:
+            if segment.left - segment.entered > 1:
                 travelling.append(part)
-    return _Sample(counts, tuple(travelling))
+    return counts, travelling
 
 
 def _holding(
-    mission: Mission, pairs: Iterable[tuple[_Flow, _Sample]], runs: int
+    traffic: Traffic, samples: Mapping[str, Mapping[Node, Ints]], runs: int
 ) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-    """In which runs the formula holds."""
+    """In which runs the formula holds; robots beside the swarms go as planned."""
     from tsplan.logic import capabilities, holds  # noqa: PLC0415  (the parser is slow to import)
 
-    row = {state: number for number, state in enumerate(mission.system.states)}
-    shape = (runs, len(row), mission.horizon + 1)
-    named = (None, *capabilities(mission.counted))
-    counts = {name: np.zeros(shape, dtype=np.int64) for name in named}
-    for flow, sample in pairs:
-        for name in named:
-            if name is None or name in flow.group.capabilities:
-                for (state, step), agents in sample.present.items():
+    mission = traffic.mission
+    states = tuple(mission.system.states)
+    row = {state: number for number, state in enumerate(states)}
+    robots = [p for c in traffic.classes if c.class_name not in samples for p in c.present]
+    counts = {}
+    for name in (None, *capabilities(mission.counted)):
+        planned = state_counts(robots, states, mission.horizon, name)
+        counts[name] = np.repeat(planned[np.newaxis], runs, axis=0)
+        for group in mission.team:
+            if name is None or name in group.capabilities:
+                for (state, step), agents in samples.get(group.class_name, {}).items():
                     counts[name][:, row[state], step] += agents
     return np.asarray(holds(mission.counted, count_trace(mission.system, counts))[..., 0])
