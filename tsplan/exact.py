@@ -1,4 +1,4 @@
-"""Decimal numbers as they are written: floats are read back to the digits that they stand for."""
+"""Numbers as they are written: floats stand for their decimal digits; and how far two are apart."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from fractions import Fraction
 
 MOST_EXACT = 2**53
 """Whole numbers up to this are told apart in double precision."""
+
+_LEAST_OBJECTIVE = 1e-9
+"""An objective nearer to 0 is taken as this, so that the gap stays a finite number."""
 
 
 def exact(number: float | Fraction) -> Fraction:
@@ -54,3 +57,29 @@ def common_unit(numbers: Iterable[Fraction]) -> Fraction:
     below = math.lcm(*(number.denominator for number in given))
     above = math.gcd(*(int(number * below) for number in given))
     return Fraction(above, below)
+
+
+def relative_gap(objective: float | None, bound: float | None) -> float | None:
+    """`|objective - bound| / |objective|`, None while one of them is unknown.
+
+    >>> relative_gap(50.0, 45.0)
+    0.1
+    """
+    if objective is None or bound is None:
+        return None
+    distance = abs(objective - bound)
+    return 0.0 if distance == 0 else distance / max(abs(objective), _LEAST_OBJECTIVE)
+
+
+class Gapped:
+    """What has an objective and a bound on the best one, None while not known."""
+
+    __slots__ = ()
+
+    objective: float | None
+    bound: float | None
+
+    @property
+    def gap(self) -> float | None:
+        """How far the objective may be from the best, relative to it; None while not known."""
+        return relative_gap(self.objective, self.bound)

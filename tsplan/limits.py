@@ -122,13 +122,3 @@ def complaints(options: Mapping[str, Any]) -> dict[str, str]:
         if name in OPTIONS and value is not None
         if (words := OPTIONS[name].complaint(value)) is not None
     }
-
-
-def refuse_options(**options: Any) -> None:
-    """Raise InputError with everything that is wrong with the numbers among some options."""
-    from tsplan.errors import Finding, InputError  # noqa: PLC0415  (commands ask for help first)
-
-    found = complaints(options)
-    if found:
-        remedy = "leave it out for its default"
-        raise InputError(Finding(f"{name}: {words}", remedy) for name, words in found.items())

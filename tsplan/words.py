@@ -1,4 +1,4 @@
-"""Names and numbers as they are shown to people: nothing hidden, nothing lost."""
+"""Names as they are compared; names and numbers as they are shown: nothing hidden, nothing lost."""
 
 from __future__ import annotations
 
@@ -11,6 +11,15 @@ _HIDDEN = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
 _JOINERS = frozenset("\u200c\u200d")  # part of the spelling of some scripts, and harmless
 _DECIMALS = 6  # shown after the point, which is more than costs are usually given with
 _EXACT = 1e16  # from here on not every whole number is a float
+
+
+def nfc(text: str) -> str:
+    r"""A text in Unicode's composed form (NFC), in which names are compared.
+
+    >>> nfc("cafe\u0301") == "caf\u00e9"
+    True
+    """
+    return text if text.isascii() else unicodedata.normalize("NFC", text)
 
 
 def visible(text: str, keep: str = "") -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from tsplan.checking.plan_check import certify
 from tsplan.checking.traffic import read_traffic
 from tsplan.errors import Finding, PlanError
-from tsplan.limits import refuse_options
+from tsplan.parameters import refuse_options
 from tsplan.plans.decomposition import agents_of
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from tsplan.document.mishaps import FORMULA_KEYS, quoted, stopped
 from tsplan.document.pause import collector_paused
 from tsplan.document.scalars import TAGS, resolve
 from tsplan.errors import Finding, InputError
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 DEEPEST = 50
 TOO_DEEP = (f"nested deeper than {DEEPEST} levels", "use a flatter structure")

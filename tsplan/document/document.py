@@ -13,7 +13,7 @@ from tsplan.document.files import read_text
 from tsplan.document.kinds import kind_of_text
 from tsplan.errors import Finding, InputError
 from tsplan.exact import digits, is_lost
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 Path: TypeAlias = tuple[str | int, ...]
 

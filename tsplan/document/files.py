@@ -14,7 +14,7 @@ import stat
 
 from tsplan.document.kinds import kind_of_bytes
 from tsplan.errors import Finding, InputError
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 _AT_ONCE = 1024**2  # bytes
 _BOMS = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}

@@ -14,9 +14,9 @@ from fractions import Fraction
 from math import ceil, floor, log10
 from typing import Any, ClassVar, NoReturn, TypeAlias
 
-from tsplan.asked import finite
 from tsplan.errors import Finding, MissionError
 from tsplan.exact import common_unit
+from tsplan.parameters import finite
 
 _LONGEST = 40  # digits that are shown
 

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from tsplan.asked import known_name, step_within
 from tsplan.encode.agent_classes import MapArrays
 from tsplan.encode.expressions import Constraint, CountTerm
 from tsplan.encode.flow_network import Network
 from tsplan.errors import Finding, MissionError
 from tsplan.milp.model import INFINITY, Draft, Ints
+from tsplan.parameters import known_name, step_within
 from tsplan.plans.presence import counted
 from tsplan.ts import TransitionSystem
 

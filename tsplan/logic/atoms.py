@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Literal, TypeAlias, cast
 
 from tsplan.logic.nodes import Formula
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 Function: TypeAlias = Literal["sum", "min", "max"]
 Relation: TypeAlias = Literal[">=", "<=", ">", "<", "=", "!="]

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tsplan.errors import nearest
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Values: TypeAlias = npt.NDArray[Any]

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.gap import Gapped
+from tsplan.exact import Gapped
 from tsplan.milp.model import Floats, Model
 from tsplan.stopping import LIMITS, StoppedBy
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from tsplan.limits import refuse_options
+from tsplan.parameters import refuse_options
 
 
 @dataclass(frozen=True, slots=True)

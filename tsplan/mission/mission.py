@@ -19,7 +19,7 @@ from tsplan import display
 from tsplan.errors import Finding, MissionError
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.objectives import DEFAULT_OBJECTIVE
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 if TYPE_CHECKING:
     from pathlib import Path

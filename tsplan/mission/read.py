@@ -36,7 +36,7 @@ from tsplan.mission.mission_checks import (
 from tsplan.mission.named_parts import with_named_classes
 from tsplan.mission.objectives import DEFAULT_OBJECTIVE, DEFAULT_SWARM_OBJECTIVE
 from tsplan.mission.swarm_rules import KINDS, ONE_SWARM, kind_problems, total_problems
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping

@@ -19,9 +19,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Self, TypeAlias
 from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
 
 from tsplan import display
-from tsplan.asked import step_within
 from tsplan.errors import Finding, PlanError
 from tsplan.limits import MOST_STEPS
+from tsplan.parameters import step_within
 from tsplan.plans.moves import Moves
 from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word, shared
 from tsplan.plans.satisfaction import Fulfilment, Satisfaction

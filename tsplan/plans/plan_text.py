@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from tsplan.document.kinds import PLAN, kind_of_data, kind_of_text
 from tsplan.errors import Finding, InputError, PlanError
 from tsplan.limits import DIGITS
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 if TYPE_CHECKING:
     from pydantic import ValidationError

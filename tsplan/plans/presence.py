@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from tsplan.asked import known_name, name_list
 from tsplan.errors import Finding, PlanError
+from tsplan.parameters import known_name, name_list
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence

@@ -20,7 +20,7 @@ from tsplan.checking.count_traces import count_trace
 from tsplan.checking.plan_check import check
 from tsplan.checking.traffic import ClassTraffic, Traffic, read_traffic
 from tsplan.errors import Finding, PlanError
-from tsplan.limits import refuse_options
+from tsplan.parameters import refuse_options
 from tsplan.plans.presence import state_counts
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
-from tsplan.gap import Gapped
+from tsplan.exact import Gapped
 
 if TYPE_CHECKING:
     from collections.abc import Callable

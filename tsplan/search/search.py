@@ -18,8 +18,7 @@ from tsplan.encode.arrival_cuts import violated
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.options import Idea
 from tsplan.errors import SolverError
-from tsplan.exact import digits
-from tsplan.gap import relative_gap
+from tsplan.exact import digits, relative_gap
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import Floats, Model, Tag

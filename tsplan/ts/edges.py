@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
-from tsplan.names import nfc
+from tsplan.words import nfc
 
 NOTHING: frozenset[str] = frozenset()
 

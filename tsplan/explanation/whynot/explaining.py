@@ -16,7 +16,7 @@ from tsplan.explanation.whynot.facts import View, facts_of
 from tsplan.explanation.whynot.joint_repair import Several
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
 from tsplan.explanation.whynot.team_map_edits import EdgeTime
-from tsplan.limits import refuse_options
+from tsplan.parameters import refuse_options
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
 from tsplan.search.clock import Clock

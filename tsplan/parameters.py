@@ -1,4 +1,4 @@
-"""What Python calls are asked with: checked where it is written, so that errors name that line."""
+"""Parameters of Python calls, checked where they are written, so that errors name that line."""
 
 from __future__ import annotations
 
@@ -7,11 +7,21 @@ from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral, Rational, Real
 from reprlib import repr as clipped
+from typing import Any
 
 from tsplan.errors import Finding, InputError, nearest
-from tsplan.names import nfc
+from tsplan.limits import complaints
+from tsplan.words import nfc
 
 _MOST_DIGITS = 400  # of a number, so that none is computed with for minutes; floats have 309
+
+
+def refuse_options(**options: Any) -> None:
+    """Raise InputError with everything that is wrong with the numbers among some options."""
+    found = complaints(options)
+    if found:
+        remedy = "leave it out for its default"
+        raise InputError(Finding(f"{name}: {words}", remedy) for name, words in found.items())
 
 
 def step_within(step: object, last: int | None, error: type[InputError] = InputError) -> int:
@@ -20,15 +30,15 @@ def step_within(step: object, last: int | None, error: type[InputError] = InputE
     >>> step_within(4.0, 9)
     4
     """
-    found = whole(step)
+    number = whole(step)
     steps = "from 0 on" if last is None else f"0..{last}"
-    if found is None:
+    if number is None:
         what = f"the step {clipped(step)} is not a whole number"
         raise error([Finding(what, f"steps are the whole numbers {steps}")])
-    if found < 0 or (last is not None and found > last):
-        what = f"step {clipped(found)} lies outside {steps}"
+    if number < 0 or (last is not None and number > last):
+        what = f"step {clipped(number)} lies outside {steps}"
         raise error([Finding(what, "choose a step up to the horizon, or set a longer horizon")])
-    return found
+    return number
 
 
 def whole(value: object) -> int | None:
@@ -53,20 +63,23 @@ def finite(value: object, error: type[InputError] = InputError) -> Fraction:
     if isinstance(value, bool) or not isinstance(value, (Real, Decimal)):
         raise error([Finding(f"{clipped(value)} is not a number", remedy)])
     try:
-        if isinstance(value, Decimal):
-            size = value.adjusted() if value.is_finite() and value else 0
-            found = Fraction(value) if abs(size) < _MOST_DIGITS else None
+        if (
+            isinstance(value, Decimal)
+            and value.is_finite()
+            and abs(value.adjusted()) > _MOST_DIGITS
+        ):
+            number = None if value else Fraction(0)
         elif isinstance(value, Rational):
-            found = Fraction(int(value.numerator), int(value.denominator))
+            number = Fraction(int(value.numerator), int(value.denominator))
         else:
-            found = Fraction(str(value))
+            number = Fraction(value if isinstance(value, Decimal) else str(value))
     except (ValueError, OverflowError):
         raise error([Finding(f"{clipped(value)} is not a finite number", remedy)]) from None
     limit = 10**_MOST_DIGITS
-    if found is None or abs(found.numerator) > limit or found.denominator > limit:
+    if number is None or abs(number.numerator) > limit or number.denominator > limit:
         what = f"a number has more than {_MOST_DIGITS} digits"
         raise error([Finding(what, "drop digits")])
-    return found
+    return number
 
 
 def known_name(
@@ -93,7 +106,8 @@ def name_list(names: Iterable[object], kind: str) -> tuple[str, ...]:
         raise InputError([Finding(f"'{names}' is one text", f"{remedy}: ['{names}']")])
     if not isinstance(names, Iterable):
         raise InputError([Finding(f"{clipped(names)} is no list", remedy)])
-    found = tuple(names)
-    if odd := [name for name in found if not isinstance(name, str)]:
-        raise InputError([Finding(f"{clipped(odd[0])} is not the name of a {kind}", remedy)])
-    return tuple(nfc(str(name)) for name in found)
+    listed = tuple(names)
+    for name in listed:
+        if not isinstance(name, str):
+            raise InputError([Finding(f"{clipped(name)} is not the name of a {kind}", remedy)])
+    return tuple(nfc(str(name)) for name in listed)
