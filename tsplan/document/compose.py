@@ -14,7 +14,7 @@ from yaml import events
 
 from tsplan.document.mishaps import FORMULA_KEYS, quoted, stopped
 from tsplan.document.pause import collector_paused
-from tsplan.document.scalars import TAGS, resolve
+from tsplan.document.scalars import STANDARD, TAGS, resolve
 from tsplan.errors import Finding, InputError
 from tsplan.words import nfc
 
@@ -22,12 +22,11 @@ DEEPEST = 50
 TOO_DEEP = (f"nested deeper than {DEEPEST} levels", "use a flatter structure")
 MOST_FROM_ALIASES = 100_000
 
-_STANDARD = "tag:yaml.org,2002:"
 MERGE = "<<"
-SET = _STANDARD + "set"
-TUPLE = _STANDARD + "python/tuple"
+SET = STANDARD + "set"
+TUPLE = STANDARD + "python/tuple"
 _COLLECTIONS = frozenset({"!", SET, TUPLE, "!Ts", "!Model"}) | {
-    _STANDARD + word for word in ("map", "seq", "omap", "python/dict", "python/list")
+    STANDARD + word for word in ("map", "seq", "omap", "python/dict", "python/list")
 }
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -149,7 +148,7 @@ class Composer:
 
     def _tagged(self, node: Node) -> None:
         """A word with an exclamation mark: not accepted as a tag, and hardly ever meant as one."""
-        shown, text = str(node.tag).replace(_STANDARD, "!!"), node.text or ""
+        shown, text = str(node.tag).replace(STANDARD, "!!"), node.text or ""
         formula = self.what == "formula" and node.tag == "!"
         if (node.text is None and not formula) or (shown.startswith("!!") and text):
             self._report(node, f"the tag '{shown}' is not accepted", "write plain data")

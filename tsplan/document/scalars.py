@@ -15,24 +15,15 @@ from tsplan.limits import DIGITS
 Scalar: TypeAlias = str | int | float | bool | None
 
 _WORDS: dict[str, Scalar] = {
-    "": None,
-    "~": None,
-    "null": None,
-    "Null": None,
-    "NULL": None,
-    "true": True,
-    "True": True,
-    "false": False,
-    "False": False,
+    **dict.fromkeys(("", "~", "null", "Null", "NULL")),
+    **dict.fromkeys(("true", "True"), True),
+    **dict.fromkeys(("false", "False"), False),
 }
 _INTEGER = re.compile(r"[-+]?[0-9]+\Z")
 _BASED = re.compile(r"0o[0-7]+\Z|0x[0-9a-fA-F]+\Z")
 _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?\Z")
 _SPECIAL = re.compile(r"[-+]?\.(inf|Inf|INF)\Z|\.(nan|NaN|NAN)\Z")
 _NUMBER_START = frozenset("+-.0123456789")
-
-# turning very long texts into whole numbers is slow
-LONGEST_INTEGER = DIGITS
 
 
 def resolve(text: str) -> Scalar:
@@ -45,10 +36,10 @@ def resolve(text: str) -> Scalar:
         return _WORDS[text]
     if text[0] not in _NUMBER_START:
         return text
-    if len(text) <= LONGEST_INTEGER and text.isdigit() and text.isascii():
+    if len(text) <= DIGITS and text.isdigit() and text.isascii():
         return int(text)
     if _INTEGER.match(text) or _BASED.match(text):
-        return _integer(text) if len(text) <= LONGEST_INTEGER else text
+        return _integer(text) if len(text) <= DIGITS else text
     return _real(text) if _FLOAT.match(text) or _SPECIAL.match(text) else text
 
 
@@ -64,31 +55,23 @@ def _boolean(text: str) -> bool:
 
 
 def _integer(text: str) -> int:
-    if len(text) > LONGEST_INTEGER:
+    if len(text) > DIGITS:
         raise ValueError(text)
     return int(text, 0) if _BASED.match(text) else int(text)
 
 
 def _null(text: str) -> None:
-    if text not in {"", "~", "null", "Null", "NULL", "None"}:
+    if text != "None" and _WORDS.get(text, text) is not None:
         raise ValueError(text)
 
 
-_STANDARD = "tag:yaml.org,2002:"
-
-# tags a scalar may carry; Python's are those that its dumpers write for plain data
-TAGS: dict[str, Callable[[str], Scalar]] = {
-    _STANDARD + "str": str,
-    _STANDARD + "int": _integer,
-    _STANDARD + "float": _real,
-    _STANDARD + "bool": _boolean,
-    _STANDARD + "null": _null,
-    _STANDARD + "timestamp": str,
-    _STANDARD + "python/str": str,
-    _STANDARD + "python/unicode": str,
-    _STANDARD + "python/int": _integer,
-    _STANDARD + "python/long": _integer,
-    _STANDARD + "python/float": _real,
-    _STANDARD + "python/bool": _boolean,
-    _STANDARD + "python/none": _null,
-}
+_READERS: tuple[tuple[Callable[[str], Scalar], tuple[str, ...]], ...] = (
+    (str, ("str", "timestamp", "python/str", "python/unicode")),
+    (_integer, ("int", "python/int", "python/long")),
+    (_real, ("float", "python/float")),
+    (_boolean, ("bool", "python/bool")),
+    (_null, ("null", "python/none")),
+)
+STANDARD = "tag:yaml.org,2002:"
+TAGS = {STANDARD + word: reader for reader, words in _READERS for word in words}
+"""Tags that a scalar may carry; Python's are those that its dumpers write for plain data."""

@@ -15,8 +15,6 @@ from tsplan.limits import DIGITS
 _SAFE = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*\Z")
 # words that some YAML reader, of version 1.1 or 1.2, takes for something else than text
 _TAKEN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null", "none"))
-_SHORT = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"}
-_BYTE, _WIDE = 0xFF, 0xFFFF
 _WIDEST = 1e16  # up to here a whole float has no more digits than it says
 
 
@@ -32,14 +30,9 @@ def word(text: str) -> str:
 
 
 def _character(char: str) -> str:
-    if char in _SHORT:
-        return _SHORT[char]
-    if char.isprintable():
+    if char.isprintable() and char not in '"\\':
         return char
-    code = ord(char)
-    if code <= _BYTE:
-        return f"\\x{code:02X}"
-    return f"\\u{code:04X}" if code <= _WIDE else f"\\U{code:08X}"
+    return '\\"' if char == '"' else char.encode("unicode_escape").decode("ascii")
 
 
 def short(value: Any) -> Any:

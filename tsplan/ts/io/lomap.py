@@ -115,14 +115,10 @@ class _Draft(MapDraft):
     def _labels(self, path: Path) -> list[str]:
         """The propositions of a node: a set, a list, a mapping's keys or one word."""
         data = self.document.at(path)
-        if data is None:
-            return []
-        if isinstance(data, dict):
-            return list(data)
+        if data is None or isinstance(data, dict):
+            return list(data or ())
         if not isinstance(data, list):
             return [str(self.document.text(path))]
-        if self.document.tag(path) == SET:
-            return [str(label) for label in data]
         texts = [self.document.text((*path, index)) for index in range(len(data))]
         if None in texts:
             self.refuse(path, "prop: a proposition is not a word", "write it as [a, b]")
