@@ -62,6 +62,12 @@ def told(findings: Iterable[Finding]) -> list[str]:
     return lines
 
 
+def in_order(findings: Iterable[Finding]) -> list[Finding]:
+    """Findings by their place in a file, each once."""
+    each = dict.fromkeys(findings)
+    return sorted(each, key=lambda finding: (finding.line or 0, finding.column or 0))
+
+
 class TsplanError(Exception):
     """Root of every error that tsplan raises on purpose."""
 

@@ -18,10 +18,10 @@ _MOST_DIGITS = 400  # of a number, so that none is computed with for minutes; fl
 
 def refuse_options(**options: Any) -> None:
     """Raise InputError with everything that is wrong with the numbers among some options."""
-    found = complaints(options)
-    if found:
+    wrong = complaints(options)
+    if wrong:
         remedy = "leave it out for its default"
-        raise InputError(Finding(f"{name}: {words}", remedy) for name, words in found.items())
+        raise InputError(Finding(f"{name}: {words}", remedy) for name, words in wrong.items())
 
 
 def step_within(step: object, last: int | None, error: type[InputError] = InputError) -> int:

@@ -15,7 +15,7 @@ from yaml import events
 from tsplan.document.mishaps import FORMULA_KEYS, quoted, stopped
 from tsplan.document.pause import collector_paused
 from tsplan.document.scalars import STANDARD, TAGS, resolve
-from tsplan.errors import Finding, InputError
+from tsplan.errors import Finding, InputError, in_order
 from tsplan.words import nfc
 
 DEEPEST = 50
@@ -81,7 +81,7 @@ class Composer:
         self.root: Node | None = None
         self._stack: list[_Open] = []
         self._anchors: dict[str, Node | None] = {}
-        self._unused: dict[str, Finding] = {}  # anchors of formulas to which no alias refers yet
+        self.unused: dict[str, Finding] = {}  # anchors of formulas to which no alias refers yet
         self._copied = 0
 
     def take(self, event: Any) -> None:
@@ -112,12 +112,6 @@ class Composer:
         keys = {opened.key.text for opened in self._stack if opened.key is not None}
         return "formula" if keys & FORMULA_KEYS else "text"
 
-    def all_findings(self) -> list[Finding]:
-        """What was found wrong with the whole text, in its order."""
-        return sorted(
-            [*self.findings, *self._unused.values()], key=lambda f: (f.line or 0, f.column or 0)
-        )
-
     def _stop(self, message: str, remedy: str, mark: Any) -> InputError:
         last = Finding(message, remedy, self.source, mark.line + 1, mark.column + 1)
         return InputError([*self.findings, last])
@@ -143,7 +137,7 @@ class Composer:
             node.value = resolve(text)
         if event.anchor is not None and self.what == "formula":
             message = f"YAML takes '&{event.anchor}' for an anchor, and only '{text}' is left"
-            self._unused[event.anchor] = self._finding(node, message, quoted("formula"))
+            self.unused[event.anchor] = self._finding(node, message, quoted("formula"))
         return node
 
     def _tagged(self, node: Node) -> None:
@@ -171,7 +165,7 @@ class Composer:
         self._stack.append(_Open(node, event.anchor, bool(event.flow_style)))
 
     def _alias(self, event: Any) -> None:
-        self._unused.pop(event.anchor, None)
+        self.unused.pop(event.anchor, None)
         if event.anchor not in self._anchors:
             formula = self.what == "formula"
             remedy = quoted("formula") if formula else "define its anchor first"
@@ -290,9 +284,9 @@ def compose(text: str, source: str) -> Node:
         raise InputError([*composer.findings, _syntax(error, text, composer)]) from None
     except yaml.YAMLError as error:
         raise InputError([*composer.findings, _character(error, text, source)]) from None
-    findings = composer.all_findings()
+    findings = [*composer.findings, *composer.unused.values()]
     if findings:
-        raise InputError(findings)
+        raise InputError(in_order(findings))
     return composer.root or Node(None, 1, 1, 0, 0, text="")
 
 

@@ -163,12 +163,12 @@ def _aligned(text: str, offset: int, content: str, start: int, end: int) -> int:
     for index, char in enumerate(text[: offset + 1]):
         if char.isspace():
             continue
-        found = content.find(char, place, end)
-        if found < 0:
+        at = content.find(char, place, end)
+        if at < 0:
             break
         if index == offset:
-            return found
-        place, last = found + 1, index
+            return at
+        place, last = at + 1, index
     return place + max(offset - last - 1, 0)
 
 

@@ -85,9 +85,9 @@ def beside(folder: pathlib.Path, name: str) -> pathlib.Path:
     try:
         if name.isascii() or path.exists():
             return path
-        for item in path.parent.iterdir():
-            if nfc(item.name) == nfc(path.name):
-                return item
+        for file in path.parent.iterdir():
+            if nfc(file.name) == nfc(path.name):
+                return file
     except (OSError, ValueError):
         pass  # whoever reads the file says what is wrong
     return path
@@ -159,7 +159,7 @@ def _missing(file: pathlib.Path, source: str) -> Finding:
 
     folder = file.parent
     try:
-        names = [item.name for item in folder.iterdir()]
+        names = [file.name for file in folder.iterdir()]
     except OSError:
         names = []
     close = get_close_matches(file.name, names, n=1)

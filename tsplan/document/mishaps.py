@@ -58,9 +58,9 @@ def stopped(text: str, at: int, began: int | None, *, flow: bool, what: str) -> 
     if here == ":" and ": " in line:
         return "YAML takes a second ': ' in a line for another key", quoted(what)
     sign = text[began : began + 1] if began is not None and began <= at else ""
-    for found in (sign, here):
-        if found in _TAKEN and found:
-            return _TAKEN[found], (_LINES.format(what=what) if found in "|>" else quoted(what))
+    for taken in (sign, here):
+        if taken in _TAKEN and taken:
+            return _TAKEN[taken], (_LINES.format(what=what) if taken in "|>" else quoted(what))
     return None
 
 

@@ -48,8 +48,8 @@ def validated(
     try:
         return schema.model_validate(document.at(path)), []
     except ValidationError as error:
-        found = [_finding(document, schema, path, item) for item in error.errors()]
-        return None, list(dict.fromkeys(found))
+        findings = [_finding(document, schema, path, details) for details in error.errors()]
+        return None, list(dict.fromkeys(findings))
 
 
 def salvaged(
@@ -65,7 +65,7 @@ def salvaged(
     try:
         return schema.model_validate(data), frozenset()
     except ValidationError as error:
-        faulty = frozenset(str(item["loc"][0]) for item in error.errors() if item["loc"])
+        faulty = frozenset(str(details["loc"][0]) for details in error.errors() if details["loc"])
     kept = {key: value for key, value in data.items() if key not in faulty}
     try:
         return schema.model_validate({**stand_ins, **kept}), faulty
@@ -146,11 +146,11 @@ def _models_at(schema: type[BaseModel], location: tuple[int | str, ...]) -> list
     models = [schema]
     for step in location:
         inner = [
-            found
+            below
             for model in models
             for name, field in model.model_fields.items()
             if step in (name, field.alias)
-            for found in _models(field.annotation)
+            for below in _models(field.annotation)
         ]
         # a list position or a free key stays within the same models
         models = inner or models

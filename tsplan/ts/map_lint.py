@@ -26,15 +26,15 @@ def lint(
     - one-way traps: groups of states that can be entered but never left again;
     - with `used_labels`, labels that are not among them, and the other way round.
     """
-    found = [
+    warnings = [
         *_unreachable(system, starts),
         *_dead_ends(system),
         *_restless(system),
         *_traps(system),
     ]
     if used_labels is not None:
-        found += _labels(system, used_labels)
-    return found
+        warnings += _labels(system, used_labels)
+    return warnings
 
 
 def listed(names: Collection[str]) -> str:

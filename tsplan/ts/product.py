@@ -37,13 +37,13 @@ def product(first: TransitionSystem, second: TransitionSystem) -> TransitionSyst
     ('on|on', 'off|off')
 
     """
-    found = [*_without_capacities(first), *_without_capacities(second)]
+    faults = [*_without_capacities(first), *_without_capacities(second)]
     durations = {edge.duration for system in (first, second) for edge in system.edges.values()}
     if len(durations) > 1 or not all(isinstance(duration, int) for duration in durations):
         message = "the product is defined only where all edges of both systems take equally long"
-        found.append(Finding(message, "apply unit_steps to both systems first"))
-    if found:
-        raise MapError(dict.fromkeys(found))
+        faults.append(Finding(message, "apply unit_steps to both systems first"))
+    if faults:
+        raise MapError(dict.fromkeys(faults))
     states = [
         State(_joint(one.name, two.name), one.labels | two.labels, needs=one.needs | two.needs)
         for one in first.states.values()
@@ -102,7 +102,7 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
         has a capacity, which its single steps could not share.
 
     """
-    found: list[Finding] = []
+    faults: list[Finding] = []
     states, edges = list(system.states.values()), list[Edge]()
     for edge in system.edges.values():
         duration = edge.duration if class_name is None else edge.duration_for(class_name)
@@ -110,12 +110,12 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
             continue
         if not isinstance(duration, int):
             message = f"the duration from '{edge.source}' to '{edge.target}' differs by class"
-            found.append(Finding(message, "name the class"))
+            faults.append(Finding(message, "name the class"))
         elif duration == 1:
             edges.append(replace(edge, duration=1))
         elif edge.capacity is not None:
             message = f"the edge from '{edge.source}' to '{edge.target}' has a capacity"
-            found.append(Finding(message, "drop its capacity, or give it duration 1"))
+            faults.append(Finding(message, "drop its capacity, or give it duration 1"))
         else:
             between = [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
             states += map(State, between)
@@ -124,6 +124,6 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
                 pairwise([edge.source, *between, edge.target]), costs, strict=True
             ):
                 edges.append(Edge(*pair, 1, cost, needs=edge.needs))
-    if found:
-        raise MapError(found)
+    if faults:
+        raise MapError(faults)
     return TransitionSystem.build(states, edges, system.name)

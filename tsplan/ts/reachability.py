@@ -66,19 +66,12 @@ def reachable(
         A start is not a state of the map.
 
     """
-    todo = [starts] if isinstance(starts, str) else list(starts)
-    for name in todo:
-        system.states[name]
-    following: dict[str, list[str]] = {}
-    for edge, _ in usable(system, class_name, capabilities):
-        following.setdefault(edge.source, []).append(edge.target)
-    found = set(todo)
-    while todo:
-        for target in following.get(todo.pop(), ()):
-            if target not in found:
-                found.add(target)
-                todo.append(target)
-    return tuple(name for name in system.states if name in found)
+    number, lengths = _numbered(system, class_name, capabilities)
+    sources = [number[name] for name in ([starts] if isinstance(starts, str) else starts)]
+    if not sources:
+        return ()
+    distances = lengths.nearest(sources).tolist()
+    return tuple(name for name, far in zip(system.states, distances, strict=True) if far < np.inf)
 
 
 class Lengths:
@@ -101,21 +94,21 @@ class Lengths:
         It is infinite where there is none of at most `limit`.
         """
         indices = None if sources is None else np.asarray(sources, dtype=np.intp)
-        found = csgraph.dijkstra(self._matrix, indices=indices, limit=limit)
-        return np.asarray(found, dtype=np.float64)
+        lengths = csgraph.dijkstra(self._matrix, indices=indices, limit=limit)
+        return np.asarray(lengths, dtype=np.float64)
 
     def nearest(self, sources: Sequence[int] | Ints, *, limit: float = np.inf) -> Floats:
         """The length of the shortest way from any of the sources to every state."""
         indices = np.asarray(sources, dtype=np.intp)
-        found = csgraph.dijkstra(self._matrix, indices=indices, min_only=True, limit=limit)
-        return np.asarray(found, dtype=np.float64)
+        lengths = csgraph.dijkstra(self._matrix, indices=indices, min_only=True, limit=limit)
+        return np.asarray(lengths, dtype=np.float64)
 
     def ways(self, source: int, *, limit: float = np.inf) -> tuple[Floats, npt.NDArray[np.int32]]:
         """As `distances` from one state, and which state comes last before each on such a way."""
-        found, before = csgraph.dijkstra(
+        lengths, before = csgraph.dijkstra(
             self._matrix, indices=[source], limit=limit, return_predecessors=True
         )
-        return found[0], before[0]
+        return lengths[0], before[0]
 
 
 def quickest(tail: Ints, head: Ints, length: Ints | Floats) -> Ints:
@@ -143,6 +136,14 @@ def shortest_durations(
     >>> shortest_durations(grid(1, 3), ["r0c0"])
     array([[0., 1., 2.]])
     """
+    number, lengths = _numbered(system, class_name, capabilities)
+    return lengths.distances(None if starts is None else [number[name] for name in starts])
+
+
+def _numbered(
+    system: TransitionSystem, class_name: str | None, capabilities: Collection[str] | None
+) -> tuple[dict[str, int], Lengths]:
+    """The numbers of the states, and the durations between them of the moves that are usable."""
     number = {name: index for index, name in enumerate(system.states)}
     moves = [
         (number[edge.source], number[edge.target], duration)
@@ -150,5 +151,4 @@ def shortest_durations(
         if not edge.is_wait
     ]
     tail, head, duration = np.array(moves, dtype=np.int64).reshape(-1, 3).T
-    rows = None if starts is None else [number[name] for name in starts]
-    return Lengths(len(number), tail, head, duration).distances(rows)
+    return number, Lengths(len(number), tail, head, duration)

@@ -10,10 +10,10 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from tsplan import display
-from tsplan.errors import Finding, MapError, Spot
+from tsplan.errors import Finding, MapError, Spot, in_order
 from tsplan.exact import common_unit, exact
 from tsplan.ts.edges import Edge, Pair, State
-from tsplan.ts.validity import Problem, in_order, problems
+from tsplan.ts.validity import Problem, problems
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -93,9 +93,9 @@ class TransitionSystem(display.Displayed):
 
         """
         states, edges = tuple(states), tuple(edges)
-        found = [locate(problem) for problem in problems(states, edges)]
-        if found:
-            raise MapError(in_order(found))
+        faults = [locate(problem) for problem in problems(states, edges)]
+        if faults:
+            raise MapError(in_order(faults))
         return cls(
             name,
             {state.name: state for state in states},
@@ -166,17 +166,17 @@ class TransitionSystem(display.Displayed):
 
     @cached_property
     def _leaving(self) -> Mapping[str, tuple[Edge, ...]]:
-        found: dict[str, list[Edge]] = {}
+        leaving: dict[str, list[Edge]] = {}
         for edge in self.edges.values():
-            found.setdefault(edge.source, []).append(edge)
-        return {name: tuple(edges) for name, edges in found.items()}
+            leaving.setdefault(edge.source, []).append(edge)
+        return {name: tuple(edges) for name, edges in leaving.items()}
 
 
 def _cost_places(edges: Iterable[Edge], locate: Callable[[Problem], Finding]) -> dict[Pair, Spot]:
     """Where the costs of edges stand."""
-    found = {}
+    places = {}
     for index, edge in enumerate(edges):
         if edge.cost is not None:
             finding = locate(Problem("edge", index, "cost", "", ""))
-            found[edge.pair] = (finding.source, finding.line, finding.column)
-    return found
+            places[edge.pair] = (finding.source, finding.line, finding.column)
+    return places

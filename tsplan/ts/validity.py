@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple, TypeAlias
 
@@ -32,11 +32,6 @@ class Problem:
     def finding(self) -> Finding:
         """The problem without a place, as for systems built in Python."""
         return Finding(self.message, self.remedy)
-
-
-def in_order(findings: Iterable[Finding]) -> list[Finding]:
-    """Findings by place in the file, each once."""
-    return sorted(dict.fromkeys(findings), key=lambda item: (item.line or 0, item.column or 0))
 
 
 class Fault(NamedTuple):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from math import inf
 from typing import TypeAlias
 
@@ -40,20 +40,12 @@ def longest_ways(moves: Moves) -> Mapping[str, tuple[float, str]]:
     for edge, duration in moves:
         leaving.setdefault(edge.source, []).append((edge.target, duration))
     graph = nx.DiGraph((source, target) for source in leaving for target, _ in leaving[source])
-    found: dict[str, tuple[float, str]] = {}
+    longest: dict[str, tuple[float, str]] = {}
     for part in nx.strongly_connected_components(graph):  # what a part leads to comes before it
         for state in part:
             circle = len(part) > 1 or graph.has_edge(state, state)
-            found[state] = (inf, "") if circle else max(_continued(found, leaving, state))
-    return {state: found[state] for state in leaving}
-
-
-def _continued(
-    found: Mapping[str, tuple[float, str]], leaving: Mapping[str, list[tuple[str, int]]], state: str
-) -> Iterator[tuple[float, str]]:
-    """What the ways from a state come to, by its first edge; nothing to go on by ends here."""
-    if state not in leaving:
-        yield 0, state
-    for target, duration in leaving.get(state, ()):
-        length, end = found[target]
-        yield duration + length, end
+            # all that a state outside circles leads to is known by now
+            ways = leaving.get(state, ()) if not circle else ()
+            ends = [(steps + longest[target][0], longest[target][1]) for target, steps in ways]
+            longest[state] = (inf, "") if circle else max(ends, default=(0, state))
+    return {state: longest[state] for state in leaving}

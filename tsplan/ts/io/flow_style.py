@@ -76,7 +76,7 @@ def flow(value: Any) -> str:
     if isinstance(value, str):
         return word(value)
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{word(key)}: {flow(item)}" for key, item in value.items()) + "}"
+        return "{" + ", ".join(f"{word(key)}: {flow(part)}" for key, part in value.items()) + "}"
     if isinstance(value, tuple):
         return "!!python/tuple " + flow(list(value))
     if isinstance(value, list):

@@ -190,9 +190,9 @@ def _numbers(value: Any) -> tuple[float, ...] | None:
     """A list or tuple of finite numbers, or None."""
     if not isinstance(value, list | tuple):
         return None
-    if not all(type(item) in (int, float) and math.isfinite(item) for item in value):
+    if not all(type(number) in (int, float) and math.isfinite(number) for number in value):
         return None
-    return tuple(float(item) for item in value)
+    return tuple(float(number) for number in value)
 
 
 def _polygon(kept: dict[str, Any]) -> tuple[tuple[float, float], ...] | None:

@@ -9,10 +9,10 @@ from typing import ClassVar
 
 from tsplan.document import Document, Path, validated
 from tsplan.document.validation import SchemaT
-from tsplan.errors import Finding, MapError
+from tsplan.errors import Finding, MapError, in_order
 from tsplan.ts.edges import Edge, State
 from tsplan.ts.system import Extras, TransitionSystem
-from tsplan.ts.validity import Problem, in_order, problems
+from tsplan.ts.validity import Problem, problems
 
 _SWAPPED = {"source": "target", "target": "source"}
 

@@ -49,9 +49,9 @@ def map_from_document(document: Document, path: Path = ()) -> TransitionSystem:
         Everything that is wrong with it, each with its place.
 
     """
-    strange = misfit(document, path, MAP)
-    if strange is not None:
-        raise MapError([strange])
+    fault = misfit(document, path, MAP)
+    if fault is not None:
+        raise MapError([fault])
     return next(form for form in FORMATS if form.recognises(document, path)).read(document, path)
 
 
