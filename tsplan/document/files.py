@@ -11,6 +11,7 @@ import os
 import pathlib
 import shutil
 import stat
+from difflib import get_close_matches
 
 from tsplan.document.kinds import kind_of_bytes
 from tsplan.errors import Finding, InputError
@@ -155,8 +156,6 @@ def _unreadable(error: OSError | ValueError, file: pathlib.Path, source: str) ->
 
 def _missing(file: pathlib.Path, source: str) -> Finding:
     """There is no such file; name the closest one beside it, if one may look there."""
-    from difflib import get_close_matches  # noqa: PLC0415 - only for the message
-
     folder = file.parent
     try:
         names = [file.name for file in folder.iterdir()]
