@@ -68,3 +68,10 @@ def test_the_second_command_installs_and_runs_the_tests():
     [line] = [line for line in README.splitlines() if "pip install" in line and "pytest" in line]
     assert "'.[dev]'" in line
     assert line.split("&&")[1].split()[0] == ".venv/bin/pytest"
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").glob("*.md")), ids=lambda page: page.name)
+def test_pages_name_files_of_code_that_are_there(page):
+    named = set(re.findall(r"`([\w/]+\.py)[`:]", page.read_text(encoding="utf-8")))
+    roots = (ROOT, ROOT / "tsplan")
+    assert [name for name in named if not any((root / name).is_file() for root in roots)] == []
