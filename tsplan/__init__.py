@@ -15,101 +15,71 @@ from typing import TYPE_CHECKING
 
 from tsplan.lazy_names import lazily
 
-if TYPE_CHECKING:
-    from tsplan.checking.assignment import assign
-    from tsplan.checking.plan_check import check
-    from tsplan.errors import (
-        Finding,
-        FormulaError,
-        InputError,
-        MapError,
-        MissionError,
-        PlanError,
-        SolverError,
-        SolverUnavailableError,
-        TsplanError,
-    )
-    from tsplan.explanation import Explanation
-    from tsplan.explanation.whynot.explaining import explain
-    from tsplan.logic import parse
-    from tsplan.mission import Group, Mission, SolverChoice, load_mission
-    from tsplan.plans.moves import Move
-    from tsplan.plans.plan import AgentPlan, Plan
-    from tsplan.plans.plan_file import load_plan, save_plan
-    from tsplan.plans.subswarms import SubSwarm
-    from tsplan.protocol.margin_size import margin_for
-    from tsplan.protocol.simulation import Simulation, simulate
-    from tsplan.run.planner import plan
-    from tsplan.run.problem import Problem
-    from tsplan.ts import Edge, State, TransitionSystem
-    from tsplan.ts.io.map_files import load_map
+if TYPE_CHECKING:  # each under its own name, so that type checkers see it as public
+    from tsplan.checking.assignment import assign as assign
+    from tsplan.checking.plan_check import check as check
+    from tsplan.errors import Finding as Finding
+    from tsplan.errors import FormulaError as FormulaError
+    from tsplan.errors import InputError as InputError
+    from tsplan.errors import MapError as MapError
+    from tsplan.errors import MissionError as MissionError
+    from tsplan.errors import PlanError as PlanError
+    from tsplan.errors import SolverError as SolverError
+    from tsplan.errors import SolverUnavailableError as SolverUnavailableError
+    from tsplan.errors import TsplanError as TsplanError
+    from tsplan.explanation import Explanation as Explanation
+    from tsplan.explanation.whynot.explaining import explain as explain
+    from tsplan.logic import parse as parse
+    from tsplan.mission import Group as Group
+    from tsplan.mission import Mission as Mission
+    from tsplan.mission import SolverChoice as SolverChoice
+    from tsplan.mission import load_mission as load_mission
+    from tsplan.plans.moves import Move as Move
+    from tsplan.plans.plan import AgentPlan as AgentPlan
+    from tsplan.plans.plan import Plan as Plan
+    from tsplan.plans.plan_file import load_plan as load_plan
+    from tsplan.plans.plan_file import save_plan as save_plan
+    from tsplan.plans.subswarms import SubSwarm as SubSwarm
+    from tsplan.protocol.margin_size import margin_for as margin_for
+    from tsplan.protocol.simulation import Simulation as Simulation
+    from tsplan.protocol.simulation import simulate as simulate
+    from tsplan.run.planner import plan as plan
+    from tsplan.run.problem import Problem as Problem
+    from tsplan.ts import Edge as Edge
+    from tsplan.ts import State as State
+    from tsplan.ts import TransitionSystem as TransitionSystem
+    from tsplan.ts.io.map_files import load_map as load_map
 
 __version__ = "0.1.0"
-__all__ = [
-    "AgentPlan",
-    "Edge",
-    "Explanation",
-    "Finding",
-    "FormulaError",
-    "Group",
-    "InputError",
-    "MapError",
-    "Mission",
-    "MissionError",
-    "Move",
-    "Plan",
-    "PlanError",
-    "Problem",
-    "Simulation",
-    "SolverChoice",
-    "SolverError",
-    "SolverUnavailableError",
-    "State",
-    "SubSwarm",
-    "TransitionSystem",
-    "TsplanError",
-    "assign",
-    "check",
-    "explain",
-    "load_map",
-    "load_mission",
-    "load_plan",
-    "margin_for",
-    "parse",
-    "plan",
-    "save_plan",
-    "simulate",
-]
+_HOMES = {
+    "run.problem": ("Problem",),
+    "errors": (
+        "Finding",
+        "FormulaError",
+        "InputError",
+        "MapError",
+        "MissionError",
+        "PlanError",
+        "SolverError",
+        "SolverUnavailableError",
+        "TsplanError",
+    ),
+    "explanation": ("Explanation",),
+    "explanation.whynot.explaining": ("explain",),
+    "logic": ("parse",),
+    "mission": ("Group", "Mission", "SolverChoice", "load_mission"),
+    "run.planner": ("plan",),
+    "checking.assignment": ("assign",),
+    "plans.moves": ("Move",),
+    "plans.plan": ("AgentPlan", "Plan"),
+    "plans.plan_file": ("load_plan", "save_plan"),
+    "plans.subswarms": ("SubSwarm",),
+    "checking.plan_check": ("check",),
+    "protocol.margin_size": ("margin_for",),
+    "protocol.simulation": ("Simulation", "simulate"),
+    "ts": ("Edge", "State", "TransitionSystem"),
+    "ts.io.map_files": ("load_map",),
+}
 
-__getattr__, __dir__ = lazily(
-    __name__,
-    {
-        "run.problem": ("Problem",),
-        "errors": (
-            "Finding",
-            "FormulaError",
-            "InputError",
-            "MapError",
-            "MissionError",
-            "PlanError",
-            "SolverError",
-            "SolverUnavailableError",
-            "TsplanError",
-        ),
-        "explanation": ("Explanation",),
-        "explanation.whynot.explaining": ("explain",),
-        "logic": ("parse",),
-        "mission": ("Group", "Mission", "SolverChoice", "load_mission"),
-        "run.planner": ("plan",),
-        "checking.assignment": ("assign",),
-        "plans.moves": ("Move",),
-        "plans.plan": ("AgentPlan", "Plan"),
-        "plans.plan_file": ("load_plan", "save_plan"),
-        "plans.subswarms": ("SubSwarm",),
-        "checking.plan_check": ("check",),
-        "protocol.margin_size": ("margin_for",),
-        "protocol.simulation": ("Simulation", "simulate"),
-        "ts": ("Edge", "State", "TransitionSystem"),
-        "ts.io.map_files": ("load_map",),
-    },
-)
+__all__ = [name for names in _HOMES.values() for name in names]
+__getattr__, __dir__ = lazily(__name__, _HOMES)
