@@ -268,3 +268,19 @@ graph:
     assert "'graph' is missing" in findings("!Ts\nname: x\n")[0]
     with pytest.raises(InputError, match=r"m\.yaml:1:1: the tag"):
         read("!!python/object:lomap.Ts {graph: {}}")
+
+
+def test_places_of_undirected_edges_are_those_of_their_ends():
+    text = """!Ts
+directed: false
+graph:
+  nodes: {a: {}, b: {}}
+  edges:
+  - [a, c, {weight: 1}]
+  - [d, b, {weight: 0}]
+"""
+    assert [finding.split(";")[0] for finding in findings(text)] == [
+        "m.yaml:6:9: no state is called 'c'",
+        "m.yaml:7:6: no state is called 'd'",
+        "m.yaml:7:21: duration: 0 is not a whole number from 1 on",
+    ]

@@ -8,11 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from test_ts_read import FARM, ROBOT, read
 
+from tsplan.errors import MapError
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 from tsplan.ts.io.flow_style import flow
 from tsplan.ts.io.lomap import lomap_to_yaml
-from tsplan.ts.io.map_files import load_map, save_map
+from tsplan.ts.io.map_files import load_map, map_text, save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 NUMBERS = st.floats(-1e6, 1e6)
@@ -113,6 +114,15 @@ def test_saving_keeps_the_format(tmp_path):
         save_map(system, tmp_path / "map.yaml")
         assert (tmp_path / "map.yaml").read_text(encoding="utf-8").startswith(start)
         assert load_map(tmp_path / "map.yaml") == system
+
+
+def test_a_map_is_written_whole_or_not_at_all(tmp_path):
+    system = read(FARM)
+    with pytest.raises(MapError, match=r"nowhere.*: cannot write: .*; choose another file"):
+        save_map(system, tmp_path / "nowhere" / "map.yaml")
+    save_map(system, tmp_path / "map.yaml")
+    assert [path.name for path in tmp_path.iterdir()] == ["map.yaml"]
+    assert map_text(system) == map_to_yaml(system)
 
 
 def test_edges_that_go_both_ways_are_written_once():
