@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import io
 from collections import Counter
 from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from rich.console import Console
+from scipy.stats import binom
 from test_results_swarm_random import SYSTEM as WALKED
 from test_results_swarm_random import duration, places, walks
 from test_results_swarms import SYSTEM
@@ -19,6 +22,9 @@ from tsplan.errors import InputError, MissionError, SolverError
 from tsplan.mission import Mission, Objective, objectives, register
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import AgentPlan, MissionRef, ObjectiveValue, Plan
+from tsplan.plans.summary import print_summary
+from tsplan.protocol.margin_size import margin_for
+from tsplan.protocol.simulation import simulate
 
 VALUES = {
     "availability": 0,
@@ -101,6 +107,35 @@ def test_who_is_where_is_told_of_both():
         made.counts("nobody")
     assert made.state_at(1) == {"cart-1": "r", "cart-2": "p", "swarm:1": "p"}
     assert Plan.from_json(made.to_json()) == made
+
+
+def test_the_summary_tells_of_both():
+    text = io.StringIO()
+    print_summary(certify(mission(), plan()), Console(file=text, width=100))
+    lines = [" ".join(line.split()) for line in text.getvalue().splitlines()]
+    for line in (
+        "agents 7",
+        "cart-1 cart p:0, r:1, q:2-5",
+        "step 0: 6 at p",
+        "step 5: 6 at q",
+        "horizon 5, 8 agents",
+    ):
+        assert line in lines
+
+
+def test_agents_of_a_mixed_plan_go_by_chance_or_as_planned():
+    parted = [*MOVES[:1], Move(1, "p", "p", 3), Move(1, "p", "r", 3), Move(2, "p", "p", 3)]
+    parted += [Move(2, "r", "q", 3), Move(3, "p", "p", 3), Move(3, "q", "q", 3)]
+    parted += [Move(4, "p", "p", 3), Move(4, "q", "q", 3)]
+    loose = {"swarm": {"max_subswarms": 2, "min_subswarm": 1}}
+    sure = mission("F[0,5] sum(goal, cart) >= 1", **loose)
+    made = certify(sure, plan(moves=parted))
+    assert simulate(sure, made, runs=500, seed=1).formula.rate == 1
+    # the cart and three of six, by the binomial with p = 1/2
+    half = mission("G[3,5] sum(goal) >= 4", **loose)
+    found = simulate(half, certify(half, plan(moves=parted)), runs=20_000, seed=1)
+    assert found.formula.rate == pytest.approx(binom.sf(2, 6, 0.5), abs=0.02)
+    assert margin_for(half, 0.5) >= 1
 
 
 def test_a_swarm_may_have_paths_too():

@@ -260,6 +260,12 @@ class Plan(Record, display.Displayed):
 
         return bundles(self.agents)
 
+    @property
+    def robots(self) -> tuple[Bundle, ...]:
+        """The bundles of agents that no sub-swarm tells of: those of ordinary classes."""
+        grouped = {group.swarm for group in self.groups}
+        return tuple(bundle for bundle in self.bundles if bundle.class_name not in grouped)
+
     @cached_property
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""

@@ -30,12 +30,11 @@ def presences(plan: Plan) -> Iterator[Presence]:
 
     Raises PlanError for a plan that has the moves of a swarm alone.
     """
-    grouped = {group.swarm for group in plan.groups}
-    unknown = set(plan.moves) - grouped
-    if unknown - {bundle.class_name for bundle in plan.bundles if unknown}:
+    unknown = set(plan.moves).difference(group.swarm for group in plan.groups)
+    if unknown.difference(bundle.class_name for bundle in plan.robots):
         what = "the plan names the moves of swarms, but not the sub-swarms they make"
         raise PlanError([Finding(what, "fill them in with certify(mission, plan)")])
-    yield from of_bundles(bundle for bundle in plan.bundles if bundle.class_name not in grouped)
+    yield from of_bundles(plan.robots)
     yield from of_groups(plan.groups)
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tsplan.plans.subswarms import SubSwarm
 
 
-class Happening(NamedTuple):
+class Event(NamedTuple):
     """Something that happens at a step; `kind` orders what happens at the same one."""
 
     step: int
@@ -40,16 +40,16 @@ def timeline(plan: Plan) -> list[str]:
     step 1: 2 at p, 3 at q
     """
     several = len(plan.moves) > 1
-    happenings = [
-        Happening(step, kind, _listed(plan.groups_at(step), several=several))
+    events = [
+        Event(step, kind, _listed(plan.groups_at(step), several=several))
         for step, kind in ((0, _BEGIN), (plan.horizon, _END))
     ]
     for swarm, moves in plan.moves.items():
         who = f" {swarm}" if several else ""
         groups = [group for group in plan.groups if group.swarm == swarm]
-        happenings += _merges(_arrivals(moves, groups), who)
-        happenings += _splits(leaving(moves), who)
-    lines = (f"step {item.step}: {item.words}" for item in sorted(happenings))
+        events += _merges(_arrivals(moves, groups), who)
+        events += _splits(leaving(moves), who)
+    lines = (f"step {item.step}: {item.words}" for item in sorted(events))
     return list(dict.fromkeys(lines))  # start and end may be one
 
 
@@ -60,7 +60,7 @@ def _listed(groups: tuple[SubSwarm, ...], *, several: bool) -> str:
     )
 
 
-def _splits(gone: dict[Node, tuple[Move, ...]], who: str) -> Iterator[Happening]:
+def _splits(gone: dict[Node, tuple[Move, ...]], who: str) -> Iterator[Event]:
     for (state, step), moves in gone.items():
         if len(moves) > 1:
             parts = sorted(moves, key=lambda move: (move.is_wait, -move.count, move.target))
@@ -69,15 +69,15 @@ def _splits(gone: dict[Node, tuple[Move, ...]], who: str) -> Iterator[Happening]
                 for move in parts
             )
             total = sum(move.count for move in moves)
-            yield Happening(step, _SPLIT, f"{total:,}{who} at {state} split: {shown}")
+            yield Event(step, _SPLIT, f"{total:,}{who} at {state} split: {shown}")
 
 
-def _merges(came: dict[Node, list[Move]], who: str) -> Iterator[Happening]:
+def _merges(came: dict[Node, list[Move]], who: str) -> Iterator[Event]:
     for (state, step), moves in came.items():
         if len(moves) > 1:
             counts = sorted((move.count for move in moves), reverse=True)
             shown = " + ".join(f"{count:,}" for count in counts)
-            yield Happening(step, _MERGE, f"{shown}{who} merge at {state}")
+            yield Event(step, _MERGE, f"{shown}{who} merge at {state}")
 
 
 def _arrivals(moves: tuple[Move, ...], groups: list[SubSwarm]) -> dict[Node, list[Move]]:

@@ -60,8 +60,9 @@ def summary(plan: Plan) -> list[RenderableType]:
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, endless)}")
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
-        paths = [*_happenings(plan)] if plan.groups else _table(plan)
-        return [*_visible([*lines, ""]), *paths, "", *_work(plan)]
+        robots = [*_table(plan), ""] if plan.robots else []
+        events = [*_events(plan), ""] if plan.groups else []
+        return [*_visible([*lines, ""]), *robots, *events, *_work(plan)]
     return [*_visible(lines), *_work(plan)]
 
 
@@ -187,7 +188,7 @@ def names(ids: Sequence[str], most: int = 3) -> str:
     return ", ".join([*shown, *([f"{rest} more"] if rest else [])])
 
 
-def _happenings(plan: Plan) -> list[str]:
+def _events(plan: Plan) -> list[str]:
     """How the sub-swarms of a plan split and merge."""
     lines = list(_visible(timeline(plan)))
     if len(lines) <= MOST_PATHS:
@@ -204,11 +205,11 @@ def _table(plan: Plan) -> list[RenderableType]:
     table.add_column("agents", overflow="fold")
     table.add_column("class", overflow="fold")
     table.add_column("path (state:steps)", overflow="fold", ratio=1)
-    for bundle in plan.bundles[:MOST_PATHS]:
+    for bundle in plan.robots[:MOST_PATHS]:
         ids = [plan.agents[place].id for place in bundle.agents]
         cells = _visible((names(ids), bundle.class_name, path_words(bundle)))
         table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
-    hidden = plan.bundles[MOST_PATHS:]
+    hidden = plan.robots[MOST_PATHS:]
     if not hidden:
         return [table]
     agents = sum(len(bundle.agents) for bundle in hidden)
@@ -219,8 +220,8 @@ def _table(plan: Plan) -> list[RenderableType]:
 def _work(plan: Plan) -> list[str]:
     """With what and how long, as far as it is known."""
     size, time = plan.size, plan.timings
-    begin = plan.groups_at(0)
-    agents = sum(group.size for group in begin) if begin else len(plan.agents)
+    agents = sum(len(bundle.agents) for bundle in plan.robots)
+    agents += sum(group.size for group in plan.groups_at(0))
     lines = [f"  horizon {plan.horizon}" + (f", {agents:,} agents" if agents else "")]
     if plan.solver.name:
         lines.append(
