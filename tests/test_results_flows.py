@@ -5,13 +5,13 @@ from __future__ import annotations
 import time
 from collections import Counter
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tsplan.errors import TsplanError
-from tsplan.plans.decomposition import ClassFlow, decompose
+from tsplan.plans.decomposition import decompose
+from tsplan.plans.moves import Move
 
 ABLE = frozenset({"see"})
 
@@ -26,15 +26,9 @@ def members(starts):
 
 
 def flow_of(starts, edges, entries):
-    """A flow from `{(edge number, step): agents}`."""
-    keys = list(entries)
-    return ClassFlow(
-        members(starts),
-        edges,
-        np.array([edge for edge, _ in keys], dtype=np.int64),
-        np.array([step for _, step in keys], dtype=np.int64),
-        np.array([entries[key] for key in keys], dtype=np.int64),
-    )
+    """Members, moves and durations from `{(edge number, step): agents}`."""
+    moves = [Move(step, *edges[edge][:2], count) for (edge, step), count in entries.items()]
+    return members(starts), moves, {(u, v): duration for u, v, duration in edges}
 
 
 def entered(agents, edges, horizon):
@@ -76,20 +70,20 @@ def walks(draw):
 def test_paths_add_up_to_the_flow(walk, seed):
     starts, edges, entries, horizon = walk
     flow = flow_of(starts, edges, entries)
-    agents = decompose(flow, horizon, seed)
+    agents = decompose(*flow, horizon, seed)
     assert [(a.id, a.stays[0][0], a.stays[0][2]) for a in agents] == [
-        (name, 0, start) for name, _, _, start in flow.members
+        (name, 0, start) for name, _, _, start in flow[0]
     ]
     assert entered(agents, edges, horizon) == entries
     for agent in agents:
         assert (agent.heading is None) == (agent.stays[-1][1] == horizon)
-    assert agents == decompose(flow, horizon, seed)
+    assert agents == decompose(*flow, horizon, seed)
 
 
 @given(walks())
 def test_as_many_as_possible_stay_at_home(walk):
     starts, edges, entries, horizon = walk
-    agents = decompose(flow_of(starts, edges, entries), horizon)
+    agents = decompose(*flow_of(starts, edges, entries), horizon)
     wait = {source: n for n, (source, target, _) in enumerate(edges) if source == target}
     for state, count in starts.items():
         steps = range(0, horizon, edges[wait[state]][2])
@@ -101,20 +95,20 @@ def test_as_many_as_possible_stay_at_home(walk):
 def test_visitors_do_not_take_the_waits_of_those_at_home():
     edges = [("p", "p", 1), ("q", "q", 1), ("p", "q", 1)]
     entries = {(2, 0): 1, (1, 0): 1, (1, 1): 2, (1, 2): 2}
-    agents = decompose(flow_of({"p": 1, "q": 1}, edges, entries), 3)
+    agents = decompose(*flow_of({"p": 1, "q": 1}, edges, entries), 3)
     assert agents[1].stays == ((0, 3, "q"),)
 
 
 def test_another_seed_gives_the_paths_to_others():
     edges = [("p", "p", 1), ("p", "q", 1)]
     flow = flow_of({"p": 20}, edges, {(0, 0): 10, (1, 0): 10})
-    first, second = decompose(flow, 1, 0), decompose(flow, 1, 1)
+    first, second = decompose(*flow, 1, 0), decompose(*flow, 1, 1)
     assert first != second
     assert Counter(a.stays for a in first) == Counter(a.stays for a in second)
 
 
 def test_a_wait_of_two_steps_is_no_stay():
-    agents = decompose(flow_of({"p": 1}, [("p", "p", 2)], {(0, 0): 1, (0, 2): 1}), 3)
+    agents = decompose(*flow_of({"p": 1}, [("p", "p", 2)], {(0, 0): 1, (0, 2): 1}), 3)
     assert agents[0].stays == ((0, 0, "p"), (2, 2, "p"))
     assert agents[0].heading == "p"
 
@@ -131,7 +125,7 @@ def test_a_wait_of_two_steps_is_no_stay():
 )
 def test_a_flow_that_is_not_conserved_is_refused(entries):
     with pytest.raises(TsplanError):
-        decompose(flow_of({"p": 2}, [("p", "p", 1), ("p", "q", 1)], entries), 2)
+        decompose(*flow_of({"p": 2}, [("p", "p", 1), ("p", "q", 1)], entries), 2)
 
 
 def test_a_hundred_thousand_agents_take_seconds():
@@ -141,6 +135,6 @@ def test_a_hundred_thousand_agents_take_seconds():
     entries = {(e, step): share // 2 for e in range(len(edges)) for step in range(60)}
     flow = flow_of(dict.fromkeys(states, share), edges, entries)
     began = time.perf_counter()
-    agents = decompose(flow, 60)
+    agents = decompose(*flow, 60)
     assert len(agents) == share * 30
     assert time.perf_counter() - began < 5

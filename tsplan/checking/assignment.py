@@ -9,10 +9,10 @@ from tsplan.checking.plan_check import certify
 from tsplan.checking.traffic import read_traffic
 from tsplan.errors import Finding, PlanError
 from tsplan.parameters import refuse_options
-from tsplan.plans.decomposition import agents_of
+from tsplan.plans.decomposition import paths_of
 
 if TYPE_CHECKING:
-    from tsplan.mission import Mission
+    from tsplan.mission import Agent, Mission
     from tsplan.plans.plan import Plan
 
 
@@ -31,7 +31,12 @@ def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
     _, problems = read_traffic(mission, replace(plan, agents=others))
     if problems:
         raise PlanError(Finding(words, "name the mission that was planned") for words in problems)
-    agents = (*others, *agents_of(mission, plan.moves, seed))
+    members: dict[str, list[Agent]] = {}
+    for agent in mission.members(plan.moves):
+        members.setdefault(agent.class_name, []).append(agent)
+    agents = [*others]
+    for name, listed in members.items():
+        agents += paths_of(mission, listed, plan.moves[name], seed)
     place = {group.class_name: number for number, group in enumerate(mission.team)}
-    ordered = sorted(agents, key=lambda agent: place.get(agent.class_name, -1))
-    return certify(mission, replace(plan, agents=tuple(ordered)))
+    agents.sort(key=lambda agent: place.get(agent.class_name, -1))
+    return certify(mission, replace(plan, agents=tuple(agents)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TypeAlias
 
 import numpy as np
@@ -14,8 +14,6 @@ from tsplan.logic import Formula
 from tsplan.logic import labels as labels_of
 from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.milp.model import Floats, Ints
-from tsplan.mission import Agent
-from tsplan.plans.decomposition import ClassFlow
 from tsplan.plans.moves import Move
 
 Moves: TypeAlias = tuple[Ints, Ints, Ints]
@@ -68,32 +66,6 @@ def _expand(item: AgentClass, reduced: Reduced, moves: Moves, horizon: int) -> M
         np.concatenate(steps + empty),
         np.concatenate(counts + empty),
     )
-
-
-def class_flow(setting: Setting, item: AgentClass, moves: Moves) -> ClassFlow:
-    """The moves of one class with names, ready to be split into paths."""
-    names = setting.arrays.names
-    graph = item.graph
-    used, edge = np.unique(moves[0], return_inverse=True)
-    triples = zip(
-        graph.tail[used].tolist(),
-        graph.head[used].tolist(),
-        graph.duration[used].tolist(),
-        strict=True,
-    )
-    return ClassFlow(
-        members=[agent for group in item.groups for agent in _members(setting, group)],
-        edges=[(names[tail], names[head], duration) for tail, head, duration in triples],
-        edge=edge,
-        step=moves[1],
-        count=moves[2],
-    )
-
-
-def _members(setting: Setting, group: int) -> Iterable[Agent]:
-    """The agents of one group, as the mission numbers them."""
-    begin = sum(other.count for other in setting.mission.team[:group])
-    return setting.mission.agents[begin : begin + setting.mission.team[group].count]
 
 
 def availability(setting: Setting, point: Point) -> float:

@@ -1,58 +1,40 @@
-"""From counted flows to one path per agent.
+"""From moves to one path per agent.
 
 An integral flow in the map unrolled over time is a sum of paths (Ford and Fulkerson, "Flows in
 Networks", 1962, chapter I.2). Whole bundles of agents that share a path are taken off the flow
 at once: each one empties an edge at a step or a start, so the work depends on the number of
-nonzero entries and not on the number of agents.
+moves and not on the number of agents.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass
+from collections.abc import Sequence
 from itertools import islice
 from random import Random
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from tsplan.errors import TsplanError
+from tsplan.plans.moves import Durations, Move, Node, present
 from tsplan.plans.plan import AgentPlan, Stay
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from tsplan.milp.model import Ints
     from tsplan.mission import Agent, Mission
-    from tsplan.plans.moves import Move
-    from tsplan.ts import TransitionSystem
 
 
-class FlowEdge(NamedTuple):
-    """An edge of the map and the steps it takes the class to travel it."""
-
-    source: str
-    target: str
-    duration: int
-
-
-@dataclass(frozen=True, eq=False)
-class ClassFlow:
-    """The flow of one class of interchangeable agents.
-
-    `members` have an id, a class, capabilities and a start. `edge`, `step` and `count` are arrays
-    of equal length: `count[i]` agents enter `edges[edge[i]]` at step `step[i]`. Only entries that
-    are not zero need to be there.
-    """
-
-    members: Sequence[tuple[str, str, frozenset[str], str]]
-    edges: Sequence[tuple[str, str, int]]
-    edge: Ints
-    step: Ints
-    count: Ints
-
-
-_Entry: TypeAlias = tuple[tuple[str, int], int]  # (state, step) and the edge entered there
+def paths_of(
+    mission: Mission, members: Sequence[Agent], moves: Sequence[Move], seed: int | None = None
+) -> tuple[AgentPlan, ...]:
+    """One path per member of one class, which together make its `moves` on the mission's map."""
+    used = {(move.source, move.target) for move in moves}
+    durations = {
+        pair: edge.duration_for(members[0].class_name) or 0
+        for pair, edge in mission.system.edges.items()
+        if pair in used
+    }
+    return decompose(members, moves, durations, mission.horizon, seed)
 
 
 class _Path(NamedTuple):
@@ -61,117 +43,77 @@ class _Path(NamedTuple):
     agents: int
 
 
-def decompose(flow: ClassFlow, horizon: int, seed: int | None = None) -> tuple[AgentPlan, ...]:
-    """One path per member of `flow` whose paths together enter every edge exactly as counted.
+def decompose(
+    members: Sequence[tuple[str, str, frozenset[str], str]],
+    moves: Sequence[Move],
+    durations: Durations,
+    horizon: int,
+    seed: int | None = None,
+) -> tuple[AgentPlan, ...]:
+    """One path per member whose paths together enter every edge exactly as the moves say.
 
-    Agents that can wait at their start for the whole time do so; otherwise an agent that can
-    wait does, before any that can move moves. The result is in the order of the members and the
-    same for equal flows and seeds; another seed gives the paths to other members of the same
-    start and mixes which arrivals take which departure. Raises TsplanError for a flow that
-    loses or creates agents.
+    Members are interchangeable and have an id, a class, capabilities and a start. Agents that can
+    wait at their start for the whole time do so; otherwise an agent that can wait does, before any
+    that can move moves, and edges are taken in the order of `durations`. The result is in the order
+    of the members and the same for equal moves and seeds; another seed gives the paths to other
+    members of the same start and mixes which arrivals take which departure. Raises TsplanError for
+    moves that lose or create agents.
     """
     waiting: dict[str, list[int]] = defaultdict(list)
-    for place, (_, _, _, start) in enumerate(flow.members):
+    for place, (_, _, _, start) in enumerate(members):
         waiting[start].append(place)
     if seed is not None:
         random = Random(seed)  # noqa: S311  (reproducible choice, not a secret)
         for places in waiting.values():
             random.shuffle(places)
-    network = _Unrolled(flow, horizon, seed)
-    network.refuse_unless_conserved({state: len(places) for state, places in waiting.items()})
-    shares = {state: [network.patient(state, len(places))] for state, places in waiting.items()}
+    flow = _Unrolled(moves, durations, horizon, seed)
+    flow.refuse_unless_conserved({state: len(places) for state, places in waiting.items()})
+    bundles = {state: [flow.patient(state, len(places))] for state, places in waiting.items()}
+    made: list[AgentPlan | None] = [None] * len(members)
     for state, places in waiting.items():
-        rest = len(places) - shares[state][0].agents
-        shares[state] += network.paths(state, rest)
-    given: list[tuple[tuple[Stay, ...], str | None]] = [((), None)] * len(flow.members)
-    for state, places in waiting.items():
+        rest = len(places) - bundles[state][0].agents
         line = iter(places)
-        for stays, heading, agents in shares[state]:
-            way = stays, heading
+        for stays, heading, agents in bundles[state] + flow.paths(state, rest):
             for place in islice(line, agents):
-                given[place] = way
-    return tuple(
-        AgentPlan(name, class_name, capabilities, stays, heading)
-        for (name, class_name, capabilities, _), (stays, heading) in zip(
-            flow.members, given, strict=True
-        )
-    )
-
-
-def agents_of(
-    mission: Mission, moves: Mapping[str, Sequence[Move]], seed: int | None = None
-) -> tuple[AgentPlan, ...]:
-    """One path per agent of the classes in `moves`, which must fit the mission, in its order."""
-    members: dict[str, list[Agent]] = {}
-    for agent in mission.members(moves):
-        members.setdefault(agent.class_name, []).append(agent)
-    return tuple(
-        path
-        for name, agents in members.items()
-        for path in decompose(_flow(mission.system, agents, moves[name]), mission.horizon, seed)
-    )
-
-
-def _flow(system: TransitionSystem, members: Sequence[Agent], moves: Sequence[Move]) -> ClassFlow:
-    """The moves of one swarm as a flow that can be decomposed into paths."""
-    pairs = sorted({(move.source, move.target) for move in moves})
-    number = {pair: place for place, pair in enumerate(pairs)}
-    entries = [(number[move.source, move.target], move.step, move.count) for move in moves]
-    columns = np.array(entries, dtype=np.int64).reshape(-1, 3).T
-    swarm = members[0].class_name
-    return ClassFlow(
-        members=members,
-        edges=[(*pair, system.edges[pair].duration_for(swarm) or 0) for pair in pairs],
-        edge=columns[0],
-        step=columns[1],
-        count=columns[2],
-    )
+                made[place] = AgentPlan(*members[place][:3], stays, heading)
+    return tuple(agent for agent in made if agent is not None)
 
 
 class _Unrolled:
-    """What is left of a flow: for every state and step, the edges that agents still enter."""
+    """What is left of a flow: for every state and step, how many agents still leave whereto."""
 
-    def __init__(self, flow: ClassFlow, horizon: int, seed: int | None) -> None:
-        self.edges = [FlowEdge(*edge) for edge in flow.edges]
+    def __init__(
+        self, moves: Sequence[Move], durations: Durations, horizon: int, seed: int | None
+    ) -> None:
+        self.moves = moves
+        self.durations = durations
         self.horizon = horizon
-        self.left: dict[tuple[str, int], dict[int, int]] = {}
-        order = np.lexsort((flow.step, flow.edge))
+        self.left: dict[Node, dict[str, int]] = defaultdict(dict)
+        rank = {pair: number for number, pair in enumerate(durations)}
+        entries = sorted(moves, key=lambda move: (rank[move.source, move.target], move.step))
         if seed is not None:
-            order = order[np.random.default_rng(seed).permutation(len(order))]
-        entries = (flow.edge[order], flow.step[order], flow.count[order])
-        for edge, step, count in zip(*(column.tolist() for column in entries), strict=True):
-            self._add(edge, step, count)
-        for leaving in self.left.values():
-            self._waits_first(leaving)
-
-    def _add(self, edge: int, step: int, count: int) -> None:
-        if not 0 <= step < self.horizon or count < 0 or count != int(count):
-            where = f"edge {tuple(self.edges[edge])} at step {step}"
-            raise TsplanError(f"a flow of {count} into {where} is impossible (report this)")
-        if count:
-            leaving = self.left.setdefault((self.edges[edge].source, step), {})
-            leaving[edge] = leaving.get(edge, 0) + int(count)
-
-    def _waits_first(self, leaving: dict[int, int]) -> None:
-        for edge in [e for e in leaving if self.edges[e].source != self.edges[e].target]:
-            leaving[edge] = leaving.pop(edge)
+            order = np.random.default_rng(seed).permutation(len(entries))
+            entries = [entries[place] for place in order]
+        for move in entries:
+            step, source, target, count = move
+            if not 0 <= step < horizon or count < 0:
+                raise TsplanError(f"the move {tuple(move)} is impossible (report this)")
+            if count:
+                leaving = self.left[source, step]
+                leaving[target] = leaving.get(target, 0) + count
+        for (state, _), leaving in self.left.items():  # waits first
+            for target in [target for target in leaving if target != state]:
+                leaving[target] = leaving.pop(target)
 
     def refuse_unless_conserved(self, starts: dict[str, int]) -> None:
         """Raise unless at every state and step as many agents leave as have come."""
-        present = {(state, 0): count for state, count in starts.items()}
-        for (_, step), leaving in self.left.items():
-            for edge, count in leaving.items():
-                _, target, duration = self.edges[edge]
-                arrival = (target, step + duration)
-                present[arrival] = present.get(arrival, 0) + count
-        for node in sorted({*present, *self.left}, key=lambda node: (node[1], node[0])):
+        here = present(starts, self.moves, self.durations, self.horizon)
+        for node in sorted({*here, *self.left}, key=lambda node: (node[1], node[0])):
             state, step = node
-            if step >= self.horizon:
-                break
-            gone = sum(self.left.get(node, {}).values())
-            if gone != present.get(node, 0):
+            gone = sum(self.left[node].values()) if node in self.left else 0
+            if step < self.horizon and gone != here.get(node, 0):
                 raise TsplanError(
-                    f"the flow is not conserved: {present.get(node, 0)} agents are at {state} at "
+                    f"the flow is not conserved: {here.get(node, 0)} agents are at {state} at "
                     f"step {step} and {gone} leave (report this)"
                 )
 
@@ -183,48 +125,45 @@ class _Unrolled:
         """
         taken, step = [], 0
         while step < self.horizon:
-            node = (start, step)
-            edge = next(iter(self.left.get(node, ())), None)
-            if edge is None or self.edges[edge].target != start:
+            if start not in self.left.get((start, step), {}):
                 return _Path(((0, 0, start),), None, 0)
-            taken.append((node, edge))
-            step += self.edges[edge].duration
+            taken.append((start, step, start))
+            step += self.durations[start, start]
         return self._take(start, taken, agents)
 
     def paths(self, start: str, agents: int) -> list[_Path]:
         """Take off paths from `start` until all of its `agents` have one."""
         found = []
         while agents > 0:
-            found.append(self._take(start, self._following(start), agents))
+            taken, state, step = [], start, 0
+            while step < self.horizon:
+                target = next(iter(self.left[state, step]))
+                taken.append((state, step, target))
+                state, step = target, step + self.durations[state, target]
+            found.append(self._take(start, taken, agents))
             agents -= found[-1].agents
         return found
 
-    def _take(self, start: str, taken: list[_Entry], agents: int) -> _Path:
-        share = min([agents, *(self.left[node][edge] for node, edge in taken)])
-        for node, edge in taken if share else ():
-            self.left[node][edge] -= share
-            if not self.left[node][edge]:
-                del self.left[node][edge]
+    def _take(self, start: str, taken: list[tuple[str, int, str]], agents: int) -> _Path:
+        """Take some path off the flow, for as many agents as it is left for."""
+        share = min([agents, *(self.left[state, step][target] for state, step, target in taken)])
+        for state, step, target in taken if share else ():
+            leaving = self.left[state, step]
+            leaving[target] -= share
+            if not leaving[target]:
+                del leaving[target]
         return _Path(*self._stays(start, taken), share)
 
-    def _following(self, start: str) -> list[_Entry]:
-        """Some path from `start` at step 0 along edges that still have flow."""
-        taken, node = [], (start, 0)
-        while node[1] < self.horizon:
-            edge = next(iter(self.left[node]))
-            taken.append((node, edge))
-            node = (self.edges[edge].target, node[1] + self.edges[edge].duration)
-        return taken
-
-    def _stays(self, start: str, taken: list[_Entry]) -> tuple[tuple[Stay, ...], str | None]:
+    def _stays(
+        self, start: str, taken: list[tuple[str, int, str]]
+    ) -> tuple[tuple[Stay, ...], str | None]:
         stays: list[Stay] = []
         since, last, state, heading = 0, 0, start, None
-        for (_, step), edge in taken:
-            source, target, duration = self.edges[edge]
-            arrival = step + duration
+        for source, step, target in taken:
+            arrival = step + self.durations[source, target]
             if arrival > self.horizon:
                 heading = target
-            elif source == target and duration == 1:
+            elif source == target and arrival == step + 1:
                 last = arrival
             else:
                 stays.append((since, last, state))

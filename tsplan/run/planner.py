@@ -8,12 +8,12 @@ import numpy as np
 
 from tsplan.encode.encoded import Point
 from tsplan.encode.own_constraints import worth
-from tsplan.encode.read_back import class_flow, listed, moves_of
+from tsplan.encode.read_back import listed, moves_of
 from tsplan.errors import SolverError
 from tsplan.exact import digits
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
-from tsplan.plans.decomposition import decompose
+from tsplan.plans.decomposition import paths_of
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import AgentPlan, Plan
 from tsplan.run.problem import Problem, Tuning
@@ -95,12 +95,18 @@ class MissionRun(Run[Point]):
         moves: dict[str, tuple[Move, ...]] = {}
         few = mission.size <= MOST_AGENTS
         for item, entered in moves_of(setting, found):
+            made_moves = listed(setting, item, entered)
             if item.bounds is not None:
                 (group,) = item.groups
-                moves[mission.team[group].class_name] = listed(setting, item, entered)
+                moves[mission.team[group].class_name] = made_moves
                 if not few:
                     continue
-            made = decompose(class_flow(setting, item, entered), setting.horizon, seed)
+            members = [
+                agent
+                for group in item.groups
+                for agent in mission.agents[begins[group] : begins[group + 1]]
+            ]
+            made = paths_of(mission, members, made_moves, seed)
             taken = 0
             for group in item.groups:
                 count = mission.team[group].count
