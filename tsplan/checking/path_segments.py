@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from tsplan.mission import Group
     from tsplan.plans.plan import Bundle, Stay
     from tsplan.ts import Edge, TransitionSystem
 
@@ -31,16 +32,8 @@ class Path(NamedTuple):
     problems: tuple[str, ...]
 
 
-class Travellers(Protocol):
-    """Agents of one class with the same capabilities."""
-
-    @property
-    def class_name(self) -> str:
-        """The name of their class, by which edges know how long they take."""
-
-    @property
-    def capabilities(self) -> frozenset[str]:
-        """What they can do."""
+Travellers: TypeAlias = "Bundle | Group"
+"""Agents of one class with the same capabilities."""
 
 
 def read_path(system: TransitionSystem, bundle: Bundle, horizon: int) -> Path:
@@ -134,19 +127,18 @@ def _unfinished(
         if bundle.heading is not None:
             problems.append(f"is at {state} at the horizon and also heads for {bundle.heading}")
         return []
+    agents = len(bundle.agents)
     if bundle.heading is not None:
         edge = usable_edge(system, bundle, (state, bundle.heading), last, problems)
-        duration = edge.duration_for(bundle.class_name) if edge else None
-        if edge is None or duration is None:
+        if edge is None:
             return []
-        if last + duration <= horizon:
-            problems.append(
-                f"left {state} for {bundle.heading} at step {last} and does not arrive at step "
-                f"{last + duration}"
-            )
-        return [Segment(edge, last, last + duration, len(bundle.agents))]
+        arrival = last + (edge.duration_for(bundle.class_name) or 0)
+        if arrival <= horizon:
+            what = f"left {state} for {bundle.heading} at step {last}"
+            problems.append(f"{what} and does not arrive at step {arrival}")
+        return [Segment(edge, last, arrival, agents)]
     options = [
-        Segment(edge, last, last + duration, len(bundle.agents))
+        Segment(edge, last, last + duration, agents)
         for edge in system.leaving(state)
         if edge.needs <= bundle.capabilities
         and (duration := edge.duration_for(bundle.class_name)) is not None

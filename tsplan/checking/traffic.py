@@ -10,7 +10,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
@@ -128,11 +128,8 @@ class Traffic:
         return fulfilments_of(self.mission, self.trace) if self.mission.prefer else ()
 
 
-class _Walk(NamedTuple):
-    """A path of a bundle of agents, read against the map."""
-
-    bundle: Bundle
-    segments: tuple[Segment, ...]
+_Walk: TypeAlias = "tuple[Bundle, tuple[Segment, ...]]"
+"""A path of a bundle of agents, read against the map."""
 
 
 def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
@@ -144,7 +141,7 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
     problems = []
     for bundle in plan.bundles:
         path = read_path(mission.system, bundle, plan.horizon)
-        walks[bundle.class_name].append(_Walk(bundle, path.segments))
+        walks[bundle.class_name].append((bundle, path.segments))
         problems += [f"{_who(plan, bundle)} {problem}" for problem in path.problems]
     swarms = _swarms(mission)
     if problems:
@@ -190,24 +187,24 @@ def _who(plan: Plan, bundle: Bundle) -> str:
 
 def _walked(class_name: str, walks: Sequence[_Walk]) -> ClassTraffic:
     """What the agents of a class do by their paths."""
-    segments = tuple(segment for walk in walks for segment in walk.segments)
-    present = tuple(of_bundles(walk.bundle for walk in walks))
+    segments = tuple(segment for _, made in walks for segment in made)
+    present = tuple(of_bundles(bundle for bundle, _ in walks))
     return ClassTraffic(class_name, segments, present, _moving(walks))
 
 
 def _moving(walks: Iterable[_Walk]) -> int:
     """How many agents ever make a move that is no wait."""
     return sum(
-        len(walk.bundle.agents)
-        for walk in walks
-        if any(not segment.edge.is_wait for segment in walk.segments)
+        len(bundle.agents)
+        for bundle, segments in walks
+        if any(not segment.edge.is_wait for segment in segments)
     )
 
 
 def _moves_of(walks: Iterable[_Walk]) -> tuple[Move, ...]:
     """The moves that the paths of one class make together."""
     entered: Counter[tuple[int, str, str]] = Counter()
-    for segment in (segment for walk in walks for segment in walk.segments):
+    for segment in (segment for _, segments in walks for segment in segments):
         each = (segment.left - segment.entered) // segment.times
         for step in range(segment.entered, segment.left, each):
             entered[step, *segment.edge.pair] += segment.agents

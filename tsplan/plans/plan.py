@@ -213,9 +213,14 @@ class Plan(Record, display.Displayed):
         object.__setattr__(self, "status", Status(self.status))
         if self.stopped_by is not None:
             object.__setattr__(self, "stopped_by", StoppedBy(self.stopped_by))
-        findings = contradictions(
-            self.status, self.stopped_by, paths=bool(self.agents or self.moves)
-        )
+        findings = []
+        if self.stopped_by not in (possible := _POSSIBLE[self.status]):
+            words = ", ".join(sorted(str(item) if item else "null" for item in possible))
+            what = f"status {self.status} contradicts stopped_by {self.stopped_by or 'null'}"
+            findings.append(Finding(what, f"possible: {words}"))
+        if bool(self.agents or self.moves) != self.has_paths:
+            shape = "needs the agents' paths" if self.has_paths else "cannot hold agents' paths"
+            findings.append(Finding(f"a plan of status {self.status} {shape}"))
         if self.verified and not self.has_paths:
             findings.append(Finding(f"a plan of status {self.status} cannot be verified"))
         if findings:
@@ -383,19 +388,3 @@ class Plan(Record, display.Displayed):
         from tsplan.plans.plan_file import plan_from_json  # noqa: PLC0415  (imports this module)
 
         return plan_from_json(text, source)
-
-
-def contradictions(status: Status, stopped_by: StoppedBy | None, *, paths: bool) -> list[Finding]:
-    """What is impossible about a status together with its reason and the presence of paths."""
-    findings = []
-    possible = _POSSIBLE[status]
-    if stopped_by not in possible:
-        words = ", ".join(sorted(str(item) if item else "null" for item in possible))
-        given = stopped_by or "null"
-        findings.append(
-            Finding(f"status {status} contradicts stopped_by {given}", f"possible: {words}")
-        )
-    if paths != (status in _WITH_PATHS):
-        shape = "needs the agents' paths" if status in _WITH_PATHS else "cannot hold agents' paths"
-        findings.append(Finding(f"a plan of status {status} {shape}"))
-    return findings
