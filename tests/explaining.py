@@ -8,16 +8,16 @@ import tsplan
 from tests.test_swarm_brute import best
 from tsplan import Mission
 from tsplan.errors import MissionError
-from tsplan.explanation import Change, Conflict, Element, Explanation, explain
+from tsplan.explanation import Change, Conflict, Explanation, SoftConstraint, explain
 from tsplan.explanation.whynot.changes import applied
-from tsplan.explanation.whynot.elements import formula_groups, named_facts
 from tsplan.explanation.whynot.relaxing import relaxed
+from tsplan.explanation.whynot.soft_constraints import formula_groups, named_facts
 from tsplan.run.problem import Problem, Tuning
 
 REFERENCE = Tuning.named("reference", ())
 
 
-def everything(mission: Mission) -> frozenset[Element]:
+def everything(mission: Mission) -> frozenset[SoftConstraint]:
     """All that can be taken out of a mission."""
     groups = formula_groups(mission)
     return frozenset(item for group in groups for item in group) | frozenset(named_facts(mission))
@@ -36,14 +36,14 @@ def possible(question: Mission | Problem) -> bool:
     return plan.has_paths
 
 
-def holds_without(mission: Mission, kept: frozenset[Element]) -> bool:
+def holds_without(mission: Mission, kept: frozenset[SoftConstraint]) -> bool:
     """Whether some elements of a mission, alone, can hold together."""
     return possible(relaxed(mission, everything(mission) - kept, REFERENCE))
 
 
-def elements(conflict: Conflict) -> frozenset[Element]:
+def elements(conflict: Conflict) -> frozenset[SoftConstraint]:
     """All elements of a conflict's parts."""
-    return frozenset().union(*(part.elements for part in conflict.parts))
+    return frozenset().union(*(part.constraints for part in conflict.parts))
 
 
 def check_conflict(mission: Mission, conflict: Conflict) -> None:
@@ -60,9 +60,9 @@ def check_change(mission: Mission, change: Change) -> None:
     assert change.proven
     assert change.amount == sum(amount for _, amount in change.steps)
     assert possible(plain(change.mission)), change.text
-    for place, (dimension, amount) in enumerate(change.steps):
+    for place, (edit, amount) in enumerate(change.steps):
         less = [*change.steps]
-        less[place] = (dimension, amount - 1)
+        less[place] = (edit, amount - 1)
         try:
             smaller = applied(mission, [step for step in less if step[1]])
         except MissionError:
@@ -90,7 +90,7 @@ def check_explanation(mission: Mission, *, conflicts: int = 1) -> Explanation:
     for conflict in made.conflicts:
         check_conflict(mission, conflict)
     for fact in made.facts:
-        own = frozenset().union(*(part.elements for part in fact.parts))
+        own = frozenset().union(*(part.constraints for part in fact.parts))
         assert own
         assert not holds_without(mission, own), fact.text
     for change in made.changes:

@@ -14,8 +14,8 @@ from tsplan.explanation import Change, explain
 from tsplan.explanation.whynot import oracle
 from tsplan.explanation.whynot.changes import Least, Repairs, least
 from tsplan.explanation.whynot.conflicts import Finder
-from tsplan.explanation.whynot.facts import View
-from tsplan.explanation.whynot.joint_repair import Several
+from tsplan.explanation.whynot.context import Context
+from tsplan.explanation.whynot.joint_repair import JointRepair
 from tsplan.mission import Group, Mission
 from tsplan.plans.plan import Plan
 from tsplan.run.problem import Problem
@@ -173,8 +173,8 @@ def test_doubling_and_bisection() -> None:
 def test_more_agents_never_start_where_there_is_no_room() -> None:
     mission = replace(row("F[0,4] sum(A) >= 5"), system=squeezed(p=3))
     for change in changes(mission).values():
-        for dimension, _ in change.steps:
-            assert dimension.kind != "add_agents" or dimension.state != "p"
+        for edit, _ in change.steps:
+            assert edit.kind != "add_agents" or edit.number.key[1] != "p"
 
 
 def test_a_class_that_cannot_be_somewhere_is_not_added_there() -> None:
@@ -219,9 +219,9 @@ def test_deadlines_that_must_move_far_do() -> None:
     finder = Finder(asked)
     core = finder.within(finder.everything)
     assert core is not None
-    repairs = Repairs(asked, finder.everything, [core.elements])
-    several = Several(View.of(mission), asked, repairs)
-    assert several._gathered(core.elements, ["extend_deadline"], 8) == []
-    far = several._gathered(core.elements, ["extend_deadline"], None)
-    assert [dimension.kind for dimension, _ in far] == ["extend_deadline", "extend_deadline"]
-    assert several._ways(core.elements)
+    repairs = Repairs(asked, finder.everything, [core.constraints])
+    several = JointRepair(Context.of(mission), asked, repairs)
+    assert several._gathered(core.constraints, ["extend_deadline"], 8) == []
+    far = several._gathered(core.constraints, ["extend_deadline"], None)
+    assert [edit.kind for edit, _ in far] == ["extend_deadline", "extend_deadline"]
+    assert several._ways(core.constraints)

@@ -11,7 +11,7 @@ from tests.explaining import check_conflict, check_explanation, elements, plain
 from tests.random_missions import random_mission
 from tests.random_tasks import random_tasks
 from tests.test_swarm_brute import random_swarms
-from tsplan.explanation import Element, explain
+from tsplan.explanation import SoftConstraint, explain
 from tsplan.explanation.whynot.relaxing import relaxed
 from tsplan.mission import Group, Mission
 from tsplan.ts import Edge, State, TransitionSystem
@@ -143,7 +143,7 @@ def test_a_team_without_a_number_is_one_with_any_number() -> None:
         most = 7 if room is None else room - sum(n for g in mission.team for s, n in g.starts) + 1
         many = [replace(mission, team=(_grown(entry, n), *mission.team[1:])) for n in range(most)]
         some = any(tsplan.plan(item, encoding="reference").has_paths for item in many)
-        alone = tsplan.plan(relaxed(mission, [Element("team", (0,))]))
+        alone = tsplan.plan(relaxed(mission, [SoftConstraint("team", (0,))]))
         assert alone.has_paths or not some, seed
         if len(entry.starts) == 1 and not alone.has_paths:
             assert not some

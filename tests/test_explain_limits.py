@@ -15,7 +15,8 @@ from tests.test_explain_conflicts import row
 from tsplan.explanation import Conflict, Explanation, explain
 from tsplan.explanation.report import print_explanation
 from tsplan.explanation.whynot import facts, oracle
-from tsplan.explanation.whynot.facts import View, facts_of
+from tsplan.explanation.whynot.context import Context
+from tsplan.explanation.whynot.facts import facts_of
 from tsplan.explanation.whynot.oracle import EnoughError
 from tsplan.plans.plan import Plan
 from tsplan.process.interrupt import on_interrupt
@@ -68,7 +69,7 @@ def test_ctrl_c_at_any_question_keeps_what_was_found_before(monkeypatch) -> None
 def test_ctrl_c_while_facts_are_looked_for(monkeypatch) -> None:
     finder = facts.unreachable
 
-    def interrupted(view: View):
+    def interrupted(view: Context):
         signal.raise_signal(signal.SIGINT)
         yield from finder(view)
 
@@ -84,7 +85,7 @@ def test_ctrl_c_while_facts_are_looked_for(monkeypatch) -> None:
 
 
 def test_every_pause_of_the_facts_can_end_them() -> None:
-    whole = list(facts_of(View.of(MISSION)))
+    whole = list(facts_of(Context.of(MISSION)))
     for most in range(100):
         left = [most]
 
@@ -95,7 +96,7 @@ def test_every_pause_of_the_facts_can_end_them() -> None:
 
         found = []
         try:
-            found.extend(facts_of(View.of(MISSION, pause)))
+            found.extend(facts_of(Context.of(MISSION, pause)))
         except EnoughError:
             assert found == whole[: len(found)]
         else:

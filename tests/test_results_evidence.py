@@ -16,7 +16,7 @@ from tsplan.explanation.why.requirements import requirements, runs
 from tsplan.explanation.why.witness_tree import Presence, explain
 from tsplan.logic import horizon, parse, robustness
 from tsplan.logic.atoms import Count
-from tsplan.logic.causes import reason, settled, spans, windows
+from tsplan.logic.causes import cause, settled, spans, windows
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, Release, Until
 from tsplan.mission import Group
@@ -214,7 +214,7 @@ def test_runs():
 
 @pytest.mark.parametrize("kind", node_classes(), ids=lambda kind: kind.__name__)
 def test_every_class_of_nodes_is_registered(kind):
-    for operation in (reason, spans):
+    for operation in (cause, spans):
         assert operation.dispatch(kind) is not operation.dispatch(object)
 
 

@@ -28,7 +28,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.errors import SolverUnavailableError as SolverUnavailableError
     from tsplan.errors import TsplanError as TsplanError
     from tsplan.explanation import Explanation as Explanation
-    from tsplan.explanation.whynot.explaining import explain as explain
+    from tsplan.explanation.whynot.diagnosis import explain as explain
     from tsplan.logic import parse as parse
     from tsplan.mission import Group as Group
     from tsplan.mission import Mission as Mission
@@ -65,7 +65,7 @@ _HOMES = {
         "TsplanError",
     ),
     "explanation": ("Explanation",),
-    "explanation.whynot.explaining": ("explain",),
+    "explanation.whynot.diagnosis": ("explain",),
     "logic": ("parse",),
     "mission": ("Group", "Mission", "SolverChoice", "load_mission"),
     "run.planner": ("plan",),

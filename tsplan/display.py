@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from tsplan.draw.notebook import formula_svg, map_svg, plan_html
     from tsplan.draw.views import draw_plan
     from tsplan.explanation.why.requirements import Requirement, requirements
-    from tsplan.explanation.why.witness_tree import Evidence, explain
+    from tsplan.explanation.why.witness_tree import WitnessNode, explain
     from tsplan.protocol.simulation import Simulation, simulate
     from tsplan.viewer.browser import show_page
 
@@ -38,10 +38,10 @@ _FORMS = {"image/svg+xml": "_repr_svg_", "text/html": "_repr_html_"}
 
 __all__ = [
     "Displayed",
-    "Evidence",
     "Picture",
     "Requirement",
     "Simulation",
+    "WitnessNode",
     "draw_map",
     "draw_mission",
     "draw_plan",

@@ -94,7 +94,7 @@ def _job(
     given: tuple[Mission, bool, dict[str, Any]], send: Callable[[str | Explanation], object]
 ) -> Explanation:
     """The child's part."""
-    from tsplan.explanation.whynot.explaining import MOST_CONFLICTS, explain  # noqa: PLC0415  (slow)
+    from tsplan.explanation.whynot.diagnosis import MOST_CONFLICTS, explain  # noqa: PLC0415  (slow)
 
     mission, every, options = given
     most = MOST_CONFLICTS if every else 1

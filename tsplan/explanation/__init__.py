@@ -1,17 +1,10 @@
 """Why a mission cannot be met, what would help, and what is tight about one that can be.
 
-- `explaining`: the whole way from a mission to its `Explanation`.
-- `facts`, `scarcity`, `meetings`: what forbids every plan and is seen without a solver.
-- `oracle`, `relaxing`, `conflicts`: irreducible conflicts, decided by the ordinary planner.
-- `candidates`, `dimensions`, `surroundings`, `changes`: the smallest changes that help.
-- `several`: changes that only help together.
-- `waiting`: where nobody can wait, as an element, as facts and as changes.
-- `bounds`, `swarms`: the bounds of swarms as elements, as facts and as changes.
-- `tightness`, `critical`: what holds availability down, and how early deadlines could be.
-- `rewriting`: a changed mission as a file.
-- `writing`, `report`: explanations as JSON, and for people.
-
-Conflicts of a formula speak about its parts by where they occur (`occurrences`, `places`).
+- `whynot`: the way from a mission without a plan to an `Explanation` (`diagnosis`): facts that are
+  seen without a solver, irreducible conflicts of its soft constraints, decided by the ordinary
+  planner, and the smallest edits of its numbers that help.
+- `why`: what a plan's formula rests on (the witness tree), and what is tight about it.
+- `part_words`, `report`: the parts of a mission in words, and all of it for people.
 """
 
 from __future__ import annotations
@@ -21,29 +14,29 @@ from typing import TYPE_CHECKING
 from tsplan.explanation.explanation import (
     Change,
     Conflict,
-    Element,
     Explanation,
     Fact,
     Part,
     Place,
+    SoftConstraint,
     Status,
 )
 from tsplan.lazy_names import lazily
 
 if TYPE_CHECKING:
-    from tsplan.explanation.whynot.explaining import explain
+    from tsplan.explanation.whynot.diagnosis import explain
 
 __all__ = [
     "Change",
     "Conflict",
-    "Element",
     "Explanation",
     "Fact",
     "Part",
     "Place",
+    "SoftConstraint",
     "Status",
     "explain",
 ]
 
 # it loads a solver
-__getattr__, __dir__ = lazily(__name__, {"whynot.explaining": ("explain",)})
+__getattr__, __dir__ = lazily(__name__, {"whynot.diagnosis": ("explain",)})

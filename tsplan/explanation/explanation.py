@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 if TYPE_CHECKING:
-    from tsplan.explanation.whynot.formula_edits import Dimension
+    from tsplan.explanation.whynot.edits import Edit
     from tsplan.mission import Mission
+
+FORMAT = "tsplan-explanation/1"
 
 PartKind: TypeAlias = Literal["formula", "team", "start", "waiting", "capacity", "swarm"]
 ChangeKind: TypeAlias = Literal[
@@ -38,11 +41,11 @@ class Status(StrEnum):
     NO_ANSWER = "no_answer"  # the time was too short to know
 
 
-class Element(NamedTuple):
+class SoftConstraint(NamedTuple):
     """One thing that can be taken out of a mission: a part of its formula, a bound, a count.
 
-    The key says which: the way to a sub-formula and the number of a task's need (or None), the
-    number of a team's entry, the name of a state, the ends of an edge.
+    The key says which: the way to a sub-formula and the place of a task's need (or None), the
+    number of a team's entry, the name of a state, the ends of an edge, a swarm and which bound.
     """
 
     kind: PartKind
@@ -64,12 +67,12 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A requirement in words: what `elements` of the mission it stands for, and where it is."""
+    """A requirement in words: what `constraints` of the mission it stands for, and where it is."""
 
     kind: PartKind
     text: str
     place: Place = Place()
-    elements: frozenset[Element] = field(default=frozenset(), repr=False)
+    constraints: frozenset[SoftConstraint] = field(default=frozenset(), repr=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +105,7 @@ class Change:
     """A change of the mission after which it can be met, by the least `amount`.
 
     With `proven`, a verified plan shows that the changed mission can be met, and that it could not
-    with one less. `mission` is the changed mission, `steps` says how far each dimension went.
+    with one less. `mission` is the changed mission, `steps` says how far each edit went.
     """
 
     kind: ChangeKind
@@ -110,7 +113,7 @@ class Change:
     amount: int
     proven: bool
     mission: Mission = field(repr=False, compare=False)
-    steps: tuple[tuple[Dimension, int], ...] = field(default=(), repr=False, compare=False)
+    steps: tuple[tuple[Edit, int], ...] = field(default=(), repr=False, compare=False)
 
 
 @dataclass(frozen=True)
@@ -130,7 +133,26 @@ class Explanation:
     cut: Mapping[str, Cut] = field(default_factory=dict)
 
     def to_json(self) -> str:
-        """The explanation as a `tsplan-explanation/1` document."""
-        from tsplan.explanation.explanation_json import explanation_to_json  # noqa: PLC0415  (imports this)
+        """The explanation as a `tsplan-explanation/1` document, with a line break at its end."""
+        data = {
+            "format": FORMAT,
+            "status": str(self.status),
+            "facts": [_located(fact) for fact in self.facts],
+            "conflicts": [
+                {"minimal": conflict.minimal, "parts": [_located(part) for part in conflict.parts]}
+                for conflict in self.conflicts
+            ],
+            "changes": [
+                {key: getattr(change, key) for key in ("kind", "text", "amount", "proven")}
+                for change in self.changes
+            ],
+            "cut_short": dict(self.cut),
+            "timings": dict(self.timings),
+        }
+        return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
-        return explanation_to_json(self)
+
+def _located(said: Fact | Part) -> dict[str, Any]:
+    """Words with their kind and place; places that are not known are null."""
+    place = said.place
+    return {"kind": said.kind, "text": said.text, "line": place.line, "column": place.column}

@@ -1,27 +1,65 @@
-"""The parts of a mission in words, each with its place."""
+"""The parts of a mission in words, each with its place; and numbers of agents in words."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.agent_numbers import many
-from tsplan.explanation.explanation import Element, Part, Place
-from tsplan.explanation.whynot.elements import formula_groups, leaf_of
+from tsplan.explanation.explanation import Part, Place, SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
-from tsplan.explanation.whynot.group_bounds import path_of, swarm_part
-from tsplan.explanation.whynot.occurrences import Leaf, Way, conjuncts, node_at
-from tsplan.explanation.whynot.waiting import WAITING, waiting_part
+from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, bound_of
+from tsplan.explanation.whynot.occurrences import Occurrence, Way, conjuncts, counts_of, node_at
+from tsplan.explanation.whynot.soft_constraints import (
+    WAITING,
+    file_path,
+    formula_groups,
+    occurrence_of,
+    of_occurrence,
+)
+from tsplan.logic.text import number_text
+from tsplan.ts.map_lint import listed
+from tsplan.ts.waits import without_wait
 
 if TYPE_CHECKING:
     from tsplan.mission import Group, Mission
 
+_KINDS = ("formula", "team", "start", "waiting", "capacity", "swarm")
+"""The order in which parts of a conflict are said."""
+
+
+def counted(number: int, noun: str) -> str:
+    """A number of things.
+
+    >>> counted(1, "step"), counted(2, "agent")
+    ('1 step', '2 agents')
+    """
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def agents(number: int, capability: str | None) -> str:
+    """A number of agents, with the capability they are counted for."""
+    return counted(number, "agent") + (f" with {capability}" if capability else "")
+
+
+def room_of(margin: Fraction | int) -> str:
+    """A head-room: agents, or a share of the swarm."""
+    if isinstance(margin, Fraction):
+        return f"{number_text(float(100 * margin))}%"
+    return agents(margin, None)
+
+
+def swarm_words(mission: Mission, name: str) -> str:
+    """A swarm; by its name where there are several."""
+    assert mission.swarm is not None
+    return f"the swarm '{name}'" if len(mission.swarm.each) > 1 else "the swarm"
+
 
 @dataclass(frozen=True)
 class Wording:
-    """Words and places for the elements of one mission."""
+    """Words and places for the constraints of one mission."""
 
     mission: Mission
 
@@ -30,90 +68,92 @@ class Wording:
         """The texts of the formula with their places."""
         return Sources(self.mission)
 
-    def text(self, leaf: Leaf) -> str:
+    def text(self, part: Occurrence) -> str:
         """A part of the formula as it was written, on one line."""
-        found = self.sources.of(leaf.way)
-        if found is not None:
-            source, way = found
-            stretch = source.pair(Leaf(way, leaf.pair))
-            if stretch is not None:
-                return " ".join(source.text[stretch.begin : stretch.end].split())
-        node = node_at(self.mission.formula, leaf.way)
-        if leaf.pair is None:
+        written = self.sources.text(part)
+        if written is not None:
+            return " ".join(written.split())
+        node = node_at(self.mission.formula, part.way)
+        if part.need is None:
             return str(node)
-        name, amount = node.needs[leaf.pair]  # type: ignore[attr-defined]  # only these have pairs
-        return f"({name}, {amount})"
+        count = counts_of(node)[part.need]
+        return f"({count.capability}, {count.bound})"
 
     def conjunct(self, way: Way) -> Way:
         """The conjunct that a sub-formula belongs to."""
         return next(item for item in conjuncts(self.mission.formula) if way[: len(item)] == item)
 
-    def part_of(self, leaf: Leaf) -> Part:
-        """A leaf of the formula, said with the conjunct it belongs to."""
-        whole = self.conjunct(leaf.way)
-        text = self.text(leaf)
-        if leaf != Leaf(whole):
-            text = f"{text} in {self.text(Leaf(whole))}"
-        element = Element("formula", tuple(leaf))
-        return Part("formula", text, self.sources.place(leaf), frozenset({element}))
+    def whole(self, way: Way) -> str:
+        """The text of the conjunct that a sub-formula belongs to."""
+        return self.text(Occurrence(self.conjunct(way)))
 
-    def parts(self, elements: Iterable[Element]) -> tuple[Part, ...]:
-        """The parts that elements make up; whole conjuncts are one part."""
-        chosen = frozenset(elements)
+    def part_of(self, part: Occurrence) -> Part:
+        """A part of the formula, said with the conjunct it belongs to."""
+        text = self.text(part)
+        if part != Occurrence(self.conjunct(part.way)):
+            text = f"{text} in {self.whole(part.way)}"
+        return Part("formula", text, self.sources.place(part), frozenset({of_occurrence(part)}))
+
+    def parts(self, constraints: Iterable[SoftConstraint]) -> tuple[Part, ...]:
+        """The parts that constraints make up; whole conjuncts are one part."""
+        chosen = frozenset(constraints)
         found: list[Part] = []
         for group in formula_groups(self.mission):
             members = [item for item in group if item in chosen]
             if len(members) == len(group):
-                way = self.conjunct(leaf_of(group[0]).way)
-                leaf = Leaf(way)
-                place = self.sources.place(leaf)
-                found.append(Part("formula", self.text(leaf), place, frozenset(group)))
+                whole = Occurrence(self.conjunct(occurrence_of(group[0]).way))
+                place = self.sources.place(whole)
+                found.append(Part("formula", self.text(whole), place, frozenset(group)))
             else:
-                found += [self.part_of(leaf_of(item)) for item in members]
+                found += [self.part_of(occurrence_of(item)) for item in members]
         others = [item for item in chosen if item.kind != "formula"]
         return (*found, *(self.fact(item) for item in sorted(others, key=_order)))
 
-    def fact(self, element: Element) -> Part:
+    def fact(self, constraint: SoftConstraint) -> Part:
         """A bound beside the formula, as a named fact."""
-        if element.kind == "capacity":
-            return self._capacity(element)
-        if element == WAITING:
-            return waiting_part(self.mission, self._map(("map", "waiting")))
-        if element.kind == "swarm":
-            place = self.sources.at(path_of(self.mission, element))
-            return swarm_part(self.mission, element, place)
-        (number,) = element.key
-        group = self.mission.team[number]
-        if element.kind == "team":
-            text = f"the team has {many(group.count, group.class_name)}"
-            place = self._entry(number, "count")
-        else:
-            text = f"the agents of class {group.class_name} start at {starts_of(group)}"
-            place = self._entry(number, "at")
-        return Part(element.kind, text, place, frozenset({element}))
-
-    def _capacity(self, element: Element) -> Part:
-        system = self.mission.system
-        if len(element.key) == 1:
-            (name,) = element.key
-            text = f"state '{name}' holds at most {system.states[name].capacity}"
-            place = self._map(("map", "states", name, "capacity"))
-        else:
-            source, target = element.key
-            edge = system.edges[source, target]
-            both = " (both ways together)" if edge.both_ways else ""
-            text = f"the edge from '{source}' to '{target}' holds at most {edge.capacity}{both}"
-            place = self._map(("map", "edges"))
-        return Part("capacity", text, place, frozenset({element}))
-
-    def _map(self, path: tuple[str, ...]) -> Place:
-        """The place of a part of the map, if the map stands in the mission file."""
+        path = file_path(self.mission, constraint)
         origin = self.mission.origin
-        inline = origin is not None and isinstance(origin.data.get("map"), dict)
-        return self.sources.at(path) if inline else Place()
+        apart = origin is None or (path[0] == "map" and not isinstance(origin.data["map"], dict))
+        place = Place() if apart else self.sources.at(path)
+        text = self._bound_text(constraint)
+        return Part(constraint.kind, text, place, frozenset({constraint}))
 
-    def _entry(self, number: int, key: str) -> Place:
-        return self.sources.at(("team", number, key))
+    def _bound_text(self, constraint: SoftConstraint) -> str:
+        key, mission = constraint.key, self.mission
+        if constraint == WAITING:
+            where = listed(without_wait(mission.system))
+            return f"nobody can wait at {where}: no edge leads from there to itself"
+        if constraint.kind == "swarm":
+            return self._group_bound(*key)
+        if constraint.kind == "capacity":
+            return self._capacity(*key)
+        group = mission.team[key[0]]
+        if constraint.kind == "team":
+            return f"the team has {counted(group.count, 'agent')} of class {group.class_name}"
+        return f"the agents of class {group.class_name} start at {starts_of(group)}"
+
+    def _capacity(self, *ends: str) -> str:
+        system = self.mission.system
+        if len(ends) == 1:
+            return f"state '{ends[0]}' holds at most {system.states[ends[0]].capacity}"
+        source, target = ends
+        edge = system.edges[source, target]
+        both = " (both ways together)" if edge.both_ways else ""
+        return f"the edge from '{source}' to '{target}' holds at most {edge.capacity}{both}"
+
+    def _group_bound(self, name: str, which: str) -> str:
+        assert self.mission.swarm is not None
+        bound = bound_of(self.mission.swarm, name, which)
+        assert isinstance(bound, int | Fraction)
+        if (name, which) == MARGIN:
+            return f"every demand is met with {room_of(bound)} to spare (margin)"
+        assert isinstance(bound, int)
+        if (name, which) == TOGETHER:
+            return f"all swarms together have at most {counted(bound, 'sub-swarm')} at a step"
+        whose = swarm_words(self.mission, name)
+        if which == "most":
+            return f"{whose} has at most {counted(bound, 'sub-swarm')} at a step"
+        return f"every sub-swarm of {whose} has at least {agents(bound, None)}"
 
 
 def starts_of(group: Group) -> str:
@@ -123,8 +163,5 @@ def starts_of(group: Group) -> str:
     return ", ".join(f"'{state}' ({count})" for state, count in group.starts)
 
 
-def _order(element: Element) -> tuple[int, tuple[str, ...]]:
-    return _KINDS.index(element.kind), tuple(str(item) for item in element.key)
-
-
-_KINDS = ("formula", "team", "start", "waiting", "capacity", "swarm")
+def _order(constraint: SoftConstraint) -> tuple[int, tuple[str, ...]]:
+    return _KINDS.index(constraint.kind), tuple(str(item) for item in constraint.key)

@@ -45,7 +45,7 @@ NONE = -1
 NO_STEPS: Steps = np.empty(0, dtype=np.int64)
 
 
-class Reason(NamedTuple):
+class Cause(NamedTuple):
     """What settles a node at some steps.
 
     `below` has the steps of each child that settle it, sorted; a child without any is not needed.
@@ -80,7 +80,7 @@ def settled(
     for node in reversed(tuple(asked)):
         found[node] = np.unique(np.concatenate(asked[node]))
         for child, wanted in zip(
-            node.children, reason_of(node, found[node], margins).below, strict=True
+            node.children, cause_of(node, found[node], margins).below, strict=True
         ):
             asked[child].append(wanted)
     return found
@@ -101,75 +101,75 @@ def windows(formula: Formula) -> Mapping[Formula, tuple[Span, ...]]:
     return {node: tuple(sorted(found)) for node, found in asked.items()}
 
 
-def reason_of(node: Formula, steps: Steps, margins: Mapping[Formula, Values]) -> Reason:
+def cause_of(node: Formula, steps: Steps, margins: Mapping[Formula, Values]) -> Cause:
     """What settles a node at the given steps."""
     below = tuple(margins[child] for child in node.children)
-    found: Reason = reason(node, Judged(steps, margins[node], below))
+    found: Cause = cause(node, Judged(steps, margins[node], below))
     return found
 
 
 @singledispatch
-def reason(node: Formula, _judged: Judged) -> Reason:
+def cause(node: Formula, _judged: Judged) -> Cause:
     """What settles a node. Every class of nodes registers its own."""
-    raise TypeError(f"no reason is registered for {type(node).__name__}")
+    raise TypeError(f"no cause is registered for {type(node).__name__}")
 
 
-@reason.register(Constant)
-@reason.register(Count)
-@reason.register(Linear)
-def _(_node: Formula, _judged: Judged) -> Reason:
-    return Reason(())
+@cause.register(Constant)
+@cause.register(Count)
+@cause.register(Linear)
+def _(_node: Formula, _judged: Judged) -> Cause:
+    return Cause(())
 
 
-@reason.register(Task)
-@reason.register(Limit)
-def _(node: Formula, _judged: Judged) -> Reason:
+@cause.register(Task)
+@cause.register(Limit)
+def _(node: Formula, _judged: Judged) -> Cause:
     raise ValueError(f"'{node}' is settled through its translation")
 
 
-@reason.register(Not)
-@reason.register(Iff)
-def _(node: Formula, judged: Judged) -> Reason:
-    return Reason(tuple(judged.steps for _ in node.children))
+@cause.register(Not)
+@cause.register(Iff)
+def _(node: Formula, judged: Judged) -> Cause:
+    return Cause(tuple(judged.steps for _ in node.children))
 
 
-@reason.register
-def _(_node: And, judged: Judged) -> Reason:
-    return Reason(_parts(judged, -np.array([b[judged.steps] for b in judged.below]), every=True))
+@cause.register
+def _(_node: And, judged: Judged) -> Cause:
+    return Cause(_parts(judged, -np.array([b[judged.steps] for b in judged.below]), every=True))
 
 
-@reason.register
-def _(_node: Or, judged: Judged) -> Reason:
-    return Reason(_parts(judged, np.array([b[judged.steps] for b in judged.below]), every=False))
+@cause.register
+def _(_node: Or, judged: Judged) -> Cause:
+    return Cause(_parts(judged, np.array([b[judged.steps] for b in judged.below]), every=False))
 
 
-@reason.register
-def _(_node: Implies, judged: Judged) -> Reason:
+@cause.register
+def _(_node: Implies, judged: Judged) -> Cause:
     left, right = (b[judged.steps] for b in judged.below)
-    return Reason(_parts(judged, np.array([-left - 1.0, right]), every=False))
+    return Cause(_parts(judged, np.array([-left - 1.0, right]), every=False))
 
 
-@reason.register
-def _(node: Eventually, judged: Judged) -> Reason:
+@cause.register
+def _(node: Eventually, judged: Judged) -> Cause:
     best = _extreme(judged, (node.low, node.high), judged.below[0])
     return _one_or_all(judged, (node.low, node.high), best, one=judged.own[judged.steps] >= 0)
 
 
-@reason.register
-def _(node: Always, judged: Judged) -> Reason:
+@cause.register
+def _(node: Always, judged: Judged) -> Cause:
     worst = _extreme(judged, (node.low, node.high), -judged.below[0])
     return _one_or_all(judged, (node.low, node.high), worst, one=judged.own[judged.steps] < 0)
 
 
-@reason.register
-def _(node: Until, judged: Judged) -> Reason:
+@cause.register
+def _(node: Until, judged: Judged) -> Cause:
     left, right = judged.below
     reached = judged.own[judged.steps] >= 0
     return _switched(judged, (node.low, node.high), (left, right), reached)
 
 
-@reason.register
-def _(node: Release, judged: Judged) -> Reason:
+@cause.register
+def _(node: Release, judged: Judged) -> Cause:
     left, right = judged.below
     reached = judged.own[judged.steps] < 0
     return _switched(judged, (node.low, node.high), (-left, -right), reached)
@@ -230,16 +230,16 @@ def _extreme(judged: Judged, interval: Span, scores: Values) -> Steps:
     return np.fromiter(found, dtype=np.int64, count=len(judged.steps))
 
 
-def _one_or_all(judged: Judged, interval: Span, chosen: Steps, *, one: Values) -> Reason:
+def _one_or_all(judged: Judged, interval: Span, chosen: Steps, *, one: Values) -> Cause:
     """The chosen step where `one` says so, the whole window elsewhere."""
     low, high = interval
     whole = [np.arange(t + low, t + high + 1, dtype=np.int64) for t in judged.steps[~one]]
-    return Reason((_union([chosen[one], *whole]),), chosen)
+    return Cause((_union([chosen[one], *whole]),), chosen)
 
 
 def _switched(
     judged: Judged, interval: Span, sides: tuple[Values, Values], reached: Values
-) -> Reason:
+) -> Cause:
     """The change-over of an until where it is `reached`; else why every change-over fails.
 
     A release is the same with both sides' signs turned, reached where the release fails.
@@ -250,7 +250,7 @@ def _switched(
         chosen.append(step)
         lefts.append(left)
         rights.append(right)
-    return Reason((_union(lefts), _union(rights)), np.array(chosen, dtype=np.int64))
+    return Cause((_union(lefts), _union(rights)), np.array(chosen, dtype=np.int64))
 
 
 def _change(t: int, interval: Span, sides: tuple[Values, Values]) -> tuple[int, Steps, Steps]:

@@ -325,7 +325,7 @@ class Plan(Record, display.Displayed):
 
         return asked_counts(self, states, capability)
 
-    def explain(self, mission: Mission) -> display.Evidence:
+    def explain(self, mission: Mission) -> display.WitnessNode:
         """Why the plan satisfies the formula of its mission, as a tree that prints itself.
 
         Every node says where it holds, by how many agents, and what it rests on there: which step,

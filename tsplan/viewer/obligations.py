@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tsplan.logic.atoms import Count
-from tsplan.logic.causes import NO_STEPS, Span, Steps, reason_of, spans
+from tsplan.logic.causes import NO_STEPS, Span, Steps, cause_of, spans
 from tsplan.logic.nodes import And, Formula, Iff, Implies, Not, Or
 from tsplan.logic.traces import Floats
 from tsplan.logic.traversal import walk
@@ -44,7 +44,7 @@ def below(node: Formula, ask: Ask, early: Early) -> tuple[Ask, ...]:
     ):
         wanted = tuple(ask.steps for _ in node.children)
     else:
-        wanted = reason_of(node, ask.steps, early).below
+        wanted = cause_of(node, ask.steps, early).below
     windows: list[set[Span]] = [set() for _ in node.children]
     for span in ask.windows:
         for found, one in zip(windows, spans(node, span), strict=True):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +16,8 @@ from tsplan.plans.summary import names
 from tsplan.words import number
 
 if TYPE_CHECKING:
-    from tsplan.explanation.why.witness_tree import Evidence, Presence
+    from tsplan.explanation.why.witness_tree import Presence, WitnessNode
+    from tsplan.logic.causes import Span
 
 MOST_LINES = 2000
 """Nodes that are printed; a formula that repeats itself can have many more."""
@@ -26,7 +27,7 @@ _RUNS = 4
 _STATES = 4
 
 
-def tree_text(top: Evidence) -> str:
+def tree_text(top: WitnessNode) -> str:
     """The tree, one node a line: what it is, when it holds, its availability and its choice.
 
     Nodes are indented by two columns for each level.
@@ -48,7 +49,7 @@ def tree_text(top: Evidence) -> str:
     return "\n".join(lines)
 
 
-def title(node: Evidence) -> str:
+def title(node: WitnessNode) -> str:
     """A node without what is below it, and what an atom means where its text alone does not say."""
     text = operator_text(node.formula)
     if not node.formula.children and node.meaning is not node.formula and not node.children:
@@ -70,7 +71,7 @@ def operator_text(formula: Formula) -> str:
     return " ".join(sign for sign in signs if sign)
 
 
-def verdict(node: Evidence) -> str:
+def verdict(node: WitnessNode) -> str:
     """What is said about a node: whether it holds, where, how well, and what it rests on."""
     if not node.steps:
         return "not needed"
@@ -83,33 +84,37 @@ def verdict(node: Evidence) -> str:
     return text if node.needed else f"(not needed: {text})"
 
 
-def span_words(steps: Sequence[int]) -> str:
-    """Steps in words.
+def run_words(spans: Iterable[Span], most: int | None = None) -> str:
+    """Runs of steps in words, `most` of them at most.
 
-    >>> span_words([1, 2, 3, 7])
+    >>> run_words([(1, 3), (7, 7)])
     '1..3, 7'
     """
-    spans = runs(np.array(sorted(set(steps)), dtype=np.int64))
-    shown = [str(first) if first == last else f"{first}..{last}" for first, last in spans[:_RUNS]]
-    return ", ".join([*shown, *(["..."] if len(spans) > _RUNS else [])])
+    said = [str(first) if first == last else f"{first}..{last}" for first, last in spans]
+    return ", ".join(said if most is None or len(said) <= most else [*said[:most], "..."])
 
 
-def _held(node: Evidence) -> str:
-    where = f"at {span_words(node.steps)}"
+def _at(steps: Iterable[int]) -> str:
+    """Steps in words; only the first few runs of them."""
+    return run_words(runs(np.array(sorted(set(steps)), dtype=np.int64)), _RUNS)
+
+
+def _held(node: WitnessNode) -> str:
+    where = f"at {_at(node.steps)}"
     if node.holds:
         return f"holds {where}"
     failing = [s for s, value in zip(node.steps, node.availability, strict=True) if value < 0]
     if len(failing) == len(node.steps):
         return f"fails {where}"
-    return f"holds {where} but for {span_words(failing)}"
+    return f"holds {where} but for {_at(failing)}"
 
 
-def _choice(node: Evidence) -> str:
+def _choice(node: WitnessNode) -> str:
     """The steps that a temporal operator rests on."""
     steps = [step for step in node.chosen if step is not None]
     if not steps:
         return "held all through" if isinstance(node.formula, Release) else "never given up"
-    where = span_words(steps)
+    where = _at(steps)
     good = bool(node.holds)
     match node.formula:
         case Eventually():
@@ -128,7 +133,7 @@ def _counted(counts: tuple[int, ...]) -> str:
     return f"count {least}" if least == most else f"count {least}..{most}"
 
 
-def _who(node: Evidence) -> list[str]:
+def _who(node: WitnessNode) -> list[str]:
     """Who stands there at the tightest step; empty states count where every state does."""
     everywhere = isinstance(node.meaning, Count) and node.meaning.function == "min"
     there = [presence for presence in node.present if presence.count or everywhere]

@@ -17,7 +17,7 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, trace_of
 from tsplan.logic.atoms import Count, Limit, Task
 from tsplan.logic.catl import resolve_percent, translate
-from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, reason_of, settled
+from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of, settled
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import And, Formula, Implies, Or
 from tsplan.logic.traversal import walk
@@ -40,7 +40,7 @@ class Presence:
 
 
 @dataclass(frozen=True, eq=False)
-class Evidence:
+class WitnessNode:
     """One node of the formula, where it stands, and what settles it there.
 
     `steps` are those at which it is judged because the nodes above it rest on it there, and
@@ -59,7 +59,7 @@ class Evidence:
     needed: bool = True
     counts: tuple[int, ...] = ()
     present: tuple[Presence, ...] = ()
-    children: tuple[Evidence, ...] = field(default=(), repr=False)
+    children: tuple[WitnessNode, ...] = field(default=(), repr=False)
 
     @cached_property
     def tightest(self) -> int | None:
@@ -78,7 +78,7 @@ class Evidence:
         """Whether it holds at all judged steps; None if there are none."""
         return None if self.worst is None else self.worst >= 0
 
-    def walk(self) -> Iterator[tuple[int, Evidence]]:
+    def walk(self) -> Iterator[tuple[int, WitnessNode]]:
         """Every node with its depth, from the top, in the order of the text."""
         waiting = [(0, self)]
         while waiting:
@@ -93,7 +93,7 @@ class Evidence:
         return tree_text(self)
 
 
-def explain(plan: Plan, mission: Mission) -> Evidence:
+def explain(plan: Plan, mission: Mission) -> WitnessNode:
     """Why the plan satisfies the formula, or why it does not.
 
     Raises PlanError for a plan without paths or of another mission.
@@ -102,7 +102,7 @@ def explain(plan: Plan, mission: Mission) -> Evidence:
     return _Explaining(plan, mission, mission.formula).tree()
 
 
-def explain_preferred(plan: Plan, mission: Mission) -> dict[str, Evidence]:
+def explain_preferred(plan: Plan, mission: Mission) -> dict[str, WitnessNode]:
     """The same for each formula that the mission prefers, by its name.
 
     Raises PlanError for a plan without paths or of another mission.
@@ -131,9 +131,9 @@ class _Explaining:
         self._margins = margins(goal, self._trace)
         self._carriers = mission.system.labels
 
-    def tree(self) -> Evidence:
+    def tree(self) -> WitnessNode:
         """The evidence of every place, children before their parents."""
-        done: dict[_Place, Evidence] = {}
+        done: dict[_Place, WitnessNode] = {}
         below: dict[_Place, tuple[_Place, ...]] = {}
         top = _Place(self._root, (0,), needed=True)
         waiting = [top]
@@ -169,20 +169,20 @@ class _Explaining:
             return ()
         if not steps.size:
             return tuple(NO_STEPS for _ in node.children)
-        return reason_of(self._meaning[node], steps, self._margins).below
+        return cause_of(self._meaning[node], steps, self._margins).below
 
-    def _evidence(self, place: _Place, children: tuple[Evidence, ...]) -> Evidence:
+    def _evidence(self, place: _Place, children: tuple[WitnessNode, ...]) -> WitnessNode:
         node = place.formula
         meaning = self._meaning.get(node, node)
         steps = _array(place.steps)
         values = self._margins[meaning][steps]
         chosen: tuple[int | None, ...] = ()
         if node.children and steps.size:
-            found = reason_of(meaning, steps, self._margins).chosen
+            found = cause_of(meaning, steps, self._margins).chosen
             if found is not None:
                 chosen = tuple(None if step == NONE else step for step in found.tolist())
         atom = meaning if isinstance(meaning, Count) else None
-        return Evidence(
+        return WitnessNode(
             formula=node,
             meaning=meaning,
             steps=place.steps,

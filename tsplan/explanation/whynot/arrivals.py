@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -38,25 +39,14 @@ class Arrivals:
         default_factory=dict
     )
 
-    def at(self, state: str, capability: str | None) -> list[Arrival]:
-        """Everybody with a capability, those first that can be at a state first."""
-        place = self._number(state)
-        found = [
-            Arrival(float(self.durations(group, start)[place]), count, entry, start)
+    def within(self, states: tuple[str, ...], capability: str | None) -> list[Arrival]:
+        """Everybody with a capability, those first that can be at the nearest state first."""
+        return sorted(
+            Arrival(min(self.between(group, start, state) for state in states), count, entry, start)
             for entry, group in enumerate(self.mission.team)
             if capability is None or capability in group.capabilities
             for start, count in group.starts
-        ]
-        return sorted(found)
-
-    def within(self, states: tuple[str, ...], capability: str | None) -> list[Arrival]:
-        """The same for the nearest of several states."""
-        nearest: dict[tuple[int, str], Arrival] = {}
-        for state in states:
-            for item in self.at(state, capability):
-                key = (item.entry, item.start)
-                nearest[key] = min(nearest.get(key, item), item)
-        return sorted(nearest.values())
+        )
 
     def durations(self, group: Group, start: str) -> npt.NDArray[np.float64]:
         """Fewest steps from a state to every state, for robots like those of a group."""
@@ -73,12 +63,12 @@ class Arrivals:
 
     def between(self, group: Group, start: str, target: str) -> float:
         """Fewest steps from one state to another, for robots like those of a group."""
-        return float(self.durations(group, start)[self._number(target)])
+        return float(self.durations(group, start)[self._places[target]])
 
     def way(self, group: Group, start: str, target: str) -> list[str]:
         """The states of a quickest way; empty where there is none."""
-        distance = self.durations(group, start)
-        if distance[self._number(target)] == inf:
+        distance = dict(zip(self._places, self.durations(group, start), strict=True))
+        if distance[target] == inf:
             return []
         into: dict[str, list[tuple[str, int]]] = {}
         for edge, duration in usable(self.mission.system, group.class_name, group.capabilities):
@@ -86,22 +76,14 @@ class Arrivals:
                 into.setdefault(edge.target, []).append((edge.source, duration))
         states = [target]
         while states[-1] != start:
-            here = distance[self._number(states[-1])]
-            states.append(
-                next(
-                    source
-                    for source, duration in into[states[-1]]
-                    if distance[self._number(source)] + duration == here
-                )
-            )
+            before = into[states[-1]]
+            here = distance[states[-1]]
+            states.append(next(s for s, duration in before if distance[s] + duration == here))
         return states[::-1]
 
-    def _number(self, state: str) -> int:
-        if not self._numbers:
-            self._numbers.update({name: n for n, name in enumerate(self.mission.system.states)})
-        return self._numbers[state]
-
-    _numbers: dict[str, int] = field(default_factory=dict)
+    @cached_property
+    def _places(self) -> Mapping[str, int]:
+        return {name: number for number, name in enumerate(self.mission.system.states)}
 
 
 def latest_of(arrivals: list[Arrival], amount: int) -> float:

@@ -1,4 +1,4 @@
-"""Irreducible conflicts among the elements of a mission, and several different ones.
+"""Irreducible conflicts among the constraints of a mission, and several different ones.
 
 One conflict is found by QuickXplain (U. Junker, "QuickXplain: preferred explanations and
 relaxations for over-constrained problems", AAAI 2004): halves are dropped while the rest stays
@@ -13,19 +13,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from tsplan.explanation.whynot.elements import formula_groups, named_facts
+from tsplan.explanation.whynot.soft_constraints import formula_groups, named_facts
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import Element
+    from tsplan.explanation.explanation import SoftConstraint
     from tsplan.explanation.whynot.oracle import Oracle
 
-Set = frozenset["Element"]
+Set = frozenset["SoftConstraint"]
 
 
 class Core(NamedTuple):
-    """Elements that cannot hold together; `minimal` if no proof of that is missing."""
+    """SoftConstraints that cannot hold together; `minimal` if no proof of that is missing."""
 
-    elements: Set
+    constraints: Set
     minimal: bool
 
 
@@ -33,7 +33,7 @@ class Core(NamedTuple):
 class Finder:
     """Finds conflicts of one mission.
 
-    `groups` are the leaves of each conjunct, `facts` all other elements, those first that are
+    `groups` are the leaves of each conjunct, `facts` all other constraints, those first that are
     rather to be named.
     """
 
@@ -46,9 +46,9 @@ class Finder:
         self.everything: Set = frozenset().union(*self.groups, *self.facts)
         self._sure = True
 
-    def within(self, elements: Set) -> Core | None:
-        """A conflict among some elements; None where it is not proven that there is one."""
-        return self._reduced(elements) if self._impossible(elements) else None
+    def within(self, constraints: Set) -> Core | None:
+        """A conflict among some constraints; None where it is not proven that there is one."""
+        return self._reduced(constraints) if self._impossible(constraints) else None
 
     def others(self, core: Core, most: int) -> Iterator[Core]:
         """Up to `most` conflicts that differ from `core` and from each other."""
@@ -58,8 +58,8 @@ class Finder:
         while open_ and found < most and not self.oracle.refuses():
             hit = open_.pop(0)
             for known in cores:
-                if not known.elements & hit:
-                    branches = [hit | {item} for item in sorted(known.elements, key=repr)]
+                if not known.constraints & hit:
+                    branches = [hit | {item} for item in sorted(known.constraints, key=repr)]
                     open_ += [branch for branch in branches if branch not in tried]
                     tried.update(branches)
                     break
@@ -72,15 +72,15 @@ class Finder:
                     yield new
                     open_.insert(0, hit)
 
-    def _reduced(self, elements: Set) -> Core:
-        """An irreducible conflict within elements that cannot hold together.
+    def _reduced(self, constraints: Set) -> Core:
+        """An irreducible conflict within constraints that cannot hold together.
 
         First over whole conjuncts, then over their leaves and the facts.
         """
         self._sure = True
-        facts = [fact for fact in self.facts if fact <= elements]
+        facts = [fact for fact in self.facts if fact <= constraints]
         background: Set = frozenset().union(*facts)
-        conjuncts = [group & elements for group in self.groups if group & elements]
+        conjuncts = [group & constraints for group in self.groups if group & constraints]
         kept = self._least(background, conjuncts)
         fine = [frozenset({leaf}) for group in kept for leaf in sorted(group, key=repr)]
         # whole formula parts, then the facts: most of them go at once
@@ -107,9 +107,9 @@ class Finder:
         from_early = self._explained(background.union(*from_late), early, grown=bool(from_late))
         return [*from_early, *from_late]
 
-    def _impossible(self, elements: Set) -> bool:
-        """Whether it is proven that elements cannot hold together."""
-        answer = self.oracle.without(self.everything - elements)
+    def _impossible(self, constraints: Set) -> bool:
+        """Whether it is proven that constraints cannot hold together."""
+        answer = self.oracle.without(self.everything - constraints)
         if answer is None:
             self._sure = False
         return answer is False

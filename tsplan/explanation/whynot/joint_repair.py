@@ -16,19 +16,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from tsplan.errors import MissionError
-from tsplan.explanation.whynot.candidates import candidates
-from tsplan.explanation.whynot.changes import ORDER, Repairs, applied, least
+from tsplan.explanation.whynot.changes import ORDER, Repairs, Step, least
 from tsplan.explanation.whynot.conflicts import Finder
-from tsplan.explanation.whynot.facts import View
-from tsplan.explanation.whynot.formula_edits import MOST_STEPS
+from tsplan.explanation.whynot.context import Context
+from tsplan.explanation.whynot.edits import MOST_STEPS, candidates
 from tsplan.explanation.whynot.relaxing import bounded_above, relaxed
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import Change, ChangeKind, Element
-    from tsplan.explanation.whynot.formula_edits import Dimension
+    from tsplan.explanation.explanation import Change, ChangeKind, SoftConstraint
+    from tsplan.explanation.whynot.edits import Edit
     from tsplan.explanation.whynot.oracle import Oracle
-    from tsplan.mission import Mission
 
 MOST_WAYS = 12
 """Ways to change a mission that are gathered at most."""
@@ -41,35 +38,33 @@ _NEAR = 8  # steps by which deadlines of short missions are moved at first
 _MOST_ADDED = 64
 _SEARCHED = 6  # ways over which the least total is looked for
 
-Step = tuple["Dimension", int]
-
 
 @dataclass(frozen=True)
-class Several:
+class JointRepair:
     """Looks for changes of more than one kind together."""
 
-    view: View
+    context: Context
     oracle: Oracle
     repairs: Repairs
 
-    def change(self, conflict: frozenset[Element]) -> Change | None:
+    def change(self, conflict: frozenset[SoftConstraint]) -> Change | None:
         """A change that resolves a conflict and all others; None if none is found in time."""
         ways = self._ways(conflict)
         small = self._lowered(self._needed(ways)) if ways else None
         if small is None:
             return None
-        found = [dimension for dimension, _ in small]
-        found += [dimension for dimension, _ in ways if dimension not in found]
-        if bounded_above(self.view.mission):
+        found = [edit for edit, _ in small]
+        found += [edit for edit, _ in ways if edit not in found]
+        if bounded_above(self.context.mission):
             found = [item for item in found if item.kind != "add_agents"]
         total = sum(amount for _, amount in small)
         best = self.repairs.several(found[:_SEARCHED], total, QUESTIONS)
         return best or self.repairs.made(small)
 
-    def _ways(self, conflict: frozenset[Element]) -> list[Step]:
+    def _ways(self, conflict: frozenset[SoftConstraint]) -> list[Step]:
         """Ways that together lead to a plan: first with near deadlines, which are proven sooner."""
         fewer = [kind for kind in ORDER if kind != "add_agents"]
-        near = max(_NEAR, self.view.mission.horizon)
+        near = max(_NEAR, self.context.mission.horizon)
         for farthest in (near, None):
             for kinds in (ORDER, fewer):
                 ways = self._gathered(conflict, kinds, farthest)
@@ -80,7 +75,7 @@ class Several:
         return []
 
     def _gathered(
-        self, conflict: frozenset[Element], kinds: Sequence[ChangeKind], farthest: int | None
+        self, conflict: frozenset[SoftConstraint], kinds: Sequence[ChangeKind], farthest: int | None
     ) -> list[Step]:
         """Ways of some kinds that together lead to a plan; nothing if none are found."""
         chosen: list[Step] = []
@@ -90,19 +85,19 @@ class Several:
             if not new:
                 return []
             chosen += new
-            changed = self._changed(chosen)
+            changed = self.repairs.changed(chosen)
             if changed is None:
                 return []
             finder = Finder(self.oracle.about(changed))
             found = finder.within(finder.everything)
             if found is None:
                 return chosen
-            core = found.elements
+            core = found.constraints
         return []
 
     def _resolving(
         self,
-        core: frozenset[Element],
+        core: frozenset[SoftConstraint],
         chosen: Sequence[Step],
         which: tuple[Sequence[ChangeKind], int | None],
     ) -> list[Step]:
@@ -111,20 +106,20 @@ class Several:
         They are of some kinds, with deadlines moved by so many steps at most.
         """
         kinds, farthest = which
-        entries = len(self.view.mission.team)
+        entries = len(self.context.mission.team)
         known = {item for item in core if item.kind not in ("team", "start")}
         known |= {item for item in core - known if item.key[0] < entries}
         every = [
-            item for item in candidates(self.view, frozenset(known)) if item.dimension.kind in kinds
+            item for item in candidates(self.context, frozenset(known)) if item.edit.kind in kinds
         ]
-        every.sort(key=lambda item: (item.rank, ORDER.index(item.dimension.kind)))
-        taken = {dimension for dimension, _ in chosen}
+        every.sort(key=lambda item: (item.rank, ORDER.index(item.edit.kind)))
+        taken = {edit for edit, _ in chosen}
         found: list[Step] = []
         for candidate in every:
-            dimension = candidate.dimension
-            if dimension in taken or dimension.kind in {item.kind for item, _ in found}:
+            edit = candidate.edit
+            if edit in taken or edit.kind in {item.kind for item, _ in found}:
                 continue
-            step = self._step(dimension, core, chosen, farthest)
+            step = self._step(edit, core, chosen, farthest)
             if step is not None:
                 found.append(step)
                 if len(found) == _PER_CONFLICT:
@@ -133,36 +128,29 @@ class Several:
 
     def _step(
         self,
-        dimension: Dimension,
-        core: frozenset[Element],
+        edit: Edit,
+        core: frozenset[SoftConstraint],
         chosen: Sequence[Step],
         farthest: int | None,
     ) -> Step | None:
-        """A change along one dimension that resolves a conflict."""
-        if dimension.kind == "add_agents":
+        """A step of one edit that resolves a conflict."""
+        if edit.kind == "add_agents":
             few = least(
-                lambda amount: self._resolves(core, [*chosen, (dimension, amount)]),
-                min(dimension.most, _MOST_ADDED),
+                lambda amount: self._resolves(core, [*chosen, (edit, amount)]),
+                min(edit.most, _MOST_ADDED),
             )
-            return None if few is None else (dimension, few.amount)
-        amount = dimension.most
-        if dimension.kind == "extend_deadline" and farthest is not None:
+            return None if few is None else (edit, few.amount)
+        amount = edit.most
+        if edit.kind == "extend_deadline" and farthest is not None:
             amount = min(amount, farthest)
-        while amount and self._changed([*chosen, (dimension, amount)]) is None:
+        while amount and self.repairs.changed([*chosen, (edit, amount)]) is None:
             amount //= 2  # less may fit together
-        step = (dimension, amount)
+        step = (edit, amount)
         return step if amount and self._resolves(core, [*chosen, step]) else None
 
-    def _changed(self, steps: Sequence[Step]) -> Mission | None:
-        self.oracle.pause()
-        try:
-            return applied(self.view.mission, steps)
-        except MissionError:
-            return None
-
-    def _resolves(self, core: frozenset[Element], steps: Sequence[Step]) -> bool:
+    def _resolves(self, core: frozenset[SoftConstraint], steps: Sequence[Step]) -> bool:
         """Whether a conflict can be met after some changes."""
-        changed = self._changed(steps)
+        changed = self.repairs.changed(steps)
         if changed is None:
             return False
         others = Finder(self.oracle.about(changed)).everything - core
@@ -182,13 +170,13 @@ class Several:
         steps = list(ways)
         if not self.repairs.possible(steps):
             return None
-        for place, (dimension, amount) in enumerate(steps):
+        for place, (edit, amount) in enumerate(steps):
 
-            def enough(less: int, place: int = place, dimension: Dimension = dimension) -> bool:
-                own = [*steps[:place], (dimension, less), *steps[place + 1 :]]
+            def enough(less: int, place: int = place, edit: Edit = edit) -> bool:
+                own = [*steps[:place], (edit, less), *steps[place + 1 :]]
                 return self.repairs.possible(own) is True
 
             found = least(enough, amount)
             if found is not None:
-                steps[place] = (dimension, found.amount)
+                steps[place] = (edit, found.amount)
         return steps

@@ -1,4 +1,4 @@
-"""Sub-formulas by where they occur: equal formulas are one object, but each place is its own.
+"""Parts of a formula by where they occur: equal formulas are one object, but each place is its own.
 
 An occurrence is the way to it from the root, child by child. Only operators that are monotone in
 their children are entered, so replacing any occurrence by true makes the whole formula weaker.
@@ -14,6 +14,7 @@ from tsplan.logic import (
     TRUE,
     Always,
     And,
+    Count,
     Eventually,
     Formula,
     Limit,
@@ -25,18 +26,18 @@ from tsplan.logic import (
 
 Way: TypeAlias = "tuple[int, ...]"
 
-MOST_LEAVES = 100
-"""Leaves into which one conjunct is taken apart at most."""
+MOST_OCCURRENCES = 100
+"""Parts into which one conjunct is taken apart at most."""
 
 _DEEPEST = 100
 _MONOTONE = (And, Or, Always, Eventually, Until, Release)
 
 
-class Leaf(NamedTuple):
-    """A part that is not taken apart further: a sub-formula, or one need of a task or limit."""
+class Occurrence(NamedTuple):
+    """A part of a formula: the sub-formula at a way, or one need of the task or limit there."""
 
     way: Way
-    pair: int | None = None
+    need: int | None = None
 
 
 def monotone(node: Formula) -> bool:
@@ -57,6 +58,25 @@ def nodes_along(root: Formula, way: Way) -> Iterator[tuple[Way, Formula]]:
         yield way[:length], node_at(root, way[:length])
 
 
+def counts_of(node: Formula) -> tuple[Count, ...]:
+    """The counts that an atom means at a step, one for each need; nothing for other formulas."""
+    if isinstance(node, Task):
+        return tuple(Count("min", node.label, name, ">=", least) for name, least in node.needs)
+    if isinstance(node, Limit):
+        nobody: tuple[tuple[str | None, int], ...] = ((None, 0),)
+        return tuple(
+            Count("max", node.label, name, "<=", most) for name, most in node.needs or nobody
+        )
+    return (node,) if isinstance(node, Count) else ()
+
+
+def numbered_counts(node: Formula, way: Way) -> Iterator[tuple[Occurrence, Count]]:
+    """The same, each with the occurrence that it is: that of a need where there are several."""
+    counts = counts_of(node)
+    for number, count in enumerate(counts):
+        yield Occurrence(way, number if len(counts) > 1 else None), count
+
+
 def conjuncts(root: Formula) -> tuple[Way, ...]:
     """The ways to what the root demands together: `and` below `and` is one level."""
     found: list[Way] = []
@@ -70,37 +90,36 @@ def conjuncts(root: Formula) -> tuple[Way, ...]:
     return tuple(found)
 
 
-def leaves(root: Formula, way: Way) -> tuple[Leaf, ...]:
-    """The parts of the sub-formula at `way`, in the order of the text, `MOST_LEAVES` at most."""
-    parts = [Leaf(way)]
+def occurrences(root: Formula, way: Way) -> tuple[Occurrence, ...]:
+    """What the sub-formula at `way` consists of, in the order of the text, so many at most."""
+    parts = [Occurrence(way)]
     place = 0
     while place < len(parts):
         smaller = _smaller(root, parts[place])
-        if smaller and len(parts) + len(smaller) - 1 <= MOST_LEAVES:
+        if smaller and len(parts) + len(smaller) - 1 <= MOST_OCCURRENCES:
             parts[place : place + 1] = smaller
         else:
             place += 1
     return tuple(parts)
 
 
-def _smaller(root: Formula, leaf: Leaf) -> list[Leaf]:
-    """What a leaf consists of; nothing if it cannot be taken apart."""
-    if leaf.pair is not None or len(leaf.way) >= _DEEPEST:
+def _smaller(root: Formula, part: Occurrence) -> list[Occurrence]:
+    """What a part consists of; nothing if it cannot be taken apart."""
+    if part.need is not None or len(part.way) >= _DEEPEST:
         return []
-    node = node_at(root, leaf.way)
+    node = node_at(root, part.way)
     if monotone(node):
-        return [Leaf((*leaf.way, number)) for number in range(len(node.children))]
-    if isinstance(node, Task | Limit) and len(node.needs) > 1:
-        return [Leaf(leaf.way, number) for number in range(len(node.needs))]
-    return []
+        return [Occurrence((*part.way, number)) for number in range(len(node.children))]
+    found = [occurrence for occurrence, _ in numbered_counts(node, part.way)]
+    return found if len(found) > 1 else []
 
 
-def without(root: Formula, dropped: Iterable[Leaf]) -> Formula:
-    """The formula that no longer demands some leaves."""
-    pairs: dict[Way, set[int | None]] = {}
-    for leaf in dropped:
-        pairs.setdefault(leaf.way, set()).add(leaf.pair)
-    return exchanged(root, {way: _rest(node_at(root, way), gone) for way, gone in pairs.items()})
+def without(root: Formula, dropped: Iterable[Occurrence]) -> Formula:
+    """The formula that no longer demands some of its parts."""
+    needs: dict[Way, set[int | None]] = {}
+    for part in dropped:
+        needs.setdefault(part.way, set()).add(part.need)
+    return exchanged(root, {way: _rest(node_at(root, way), gone) for way, gone in needs.items()})
 
 
 def _rest(node: Formula, gone: set[int | None]) -> Formula:

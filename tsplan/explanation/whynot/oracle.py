@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.explanation import Cut, Element
+from tsplan.explanation.explanation import Cut, SoftConstraint
 from tsplan.explanation.whynot.relaxing import any_plan, relaxed
 from tsplan.plans.plan import Status
 from tsplan.run.planner import plan
@@ -53,8 +53,8 @@ class Oracle:
     unanswered: set[Cut] = field(default_factory=set)
     solves: int = field(default=0, init=False)
     seconds: float = field(default=0.0, init=False)
-    _met: list[frozenset[Element]] = field(default_factory=list, init=False)
-    _unmet: list[frozenset[Element]] = field(default_factory=list, init=False)
+    _met: list[frozenset[SoftConstraint]] = field(default_factory=list, init=False)
+    _unmet: list[frozenset[SoftConstraint]] = field(default_factory=list, init=False)
 
     def refuses(self) -> bool:
         """Whether no more questions are answered; why is noted in `unanswered`."""
@@ -72,8 +72,8 @@ class Oracle:
         """An oracle about another mission, with the same time."""
         return Oracle(mission, self.clock, self.solver, self.patience, self.stop, self.unanswered)
 
-    def without(self, dropped: Iterable[Element]) -> Answer:
-        """Whether the mission without some of its elements can be met."""
+    def without(self, dropped: Iterable[SoftConstraint]) -> Answer:
+        """Whether the mission without some of its constraints can be met."""
         gone = frozenset(dropped)
         if any(known <= gone for known in self._met):
             return True
@@ -86,8 +86,8 @@ class Oracle:
             (self._met if answer else self._unmet).append(gone)
         return answer
 
-    def learn_impossible(self, dropped: Iterable[Element]) -> None:
-        """Take over a proof that the mission without some elements cannot be met."""
+    def learn_impossible(self, dropped: Iterable[SoftConstraint]) -> None:
+        """Take over a proof that the mission without some constraints cannot be met."""
         self._unmet.append(frozenset(dropped))
 
     def met(self, mission: Mission) -> Answer:

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.explanation import Element
-from tsplan.explanation.whynot.elements import leaf_of
-from tsplan.explanation.whynot.group_bounds import unbounded
+from tsplan.explanation.explanation import PartKind, SoftConstraint
+from tsplan.explanation.whynot.mission_numbers import both_directions, remapped, with_bound
 from tsplan.explanation.whynot.occurrences import without
-from tsplan.explanation.whynot.waiting import WAITING
+from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, robot_entries
 from tsplan.limits import MOST_ROBOTS
 from tsplan.logic import Always, Count, walk
 from tsplan.mission import Group
@@ -27,7 +27,10 @@ from tsplan.ts.waits import with_waits, without_wait
 if TYPE_CHECKING:
     from tsplan.mission import Mission
 
-Dropped = frozenset[Element]
+Dropped = frozenset[SoftConstraint]
+
+_UNBOUNDED = {"most": None, "least": 1, "margin": Fraction(0)}
+"""Bounds of swarms that bound nothing."""
 
 
 def any_plan(mission: Mission) -> Mission:
@@ -36,47 +39,40 @@ def any_plan(mission: Mission) -> Mission:
 
 
 def relaxed(
-    mission: Mission, dropped: Iterable[Element], tuning: Tuning | None = None
+    mission: Mission, dropped: Iterable[SoftConstraint], tuning: Tuning | None = None
 ) -> Mission | Problem:
-    """The problem without some elements of the mission; of swarms, the mission itself."""
+    """The problem without some constraints of the mission; of swarms alone, the mission itself."""
     tuning = tuning or Tuning()
     gone = frozenset(dropped)
-    leaves = [leaf_of(item) for item in gone if item.kind == "formula"]
-    formula = without(mission.formula, leaves)
+    parts = [occurrence_of(item) for item in gone if item.kind == "formula"]
+    formula = without(mission.formula, parts)
+    rules = mission.swarm
+    if rules is not None:
+        for item in gone:
+            if item.kind == "swarm":
+                rules = with_bound(rules, _UNBOUNDED[item.key[1]], *item.key)
     left = replace(
         any_plan(mission),
         formula=formula,
         text=str(formula),
         system=_roomier(mission.system, gone),
+        swarm=rules,
     )
-    if mission.swarm is not None:
-        return replace(left, swarm=unbounded(mission.swarm, gone))
     if any(item.kind in ("team", "start") for item in gone):
         return _Depots(left, gone).problem(tuning)
-    return Problem(left, tuning)
+    return Problem(left, tuning) if robot_entries(mission) else left
 
 
 def _roomier(system: TransitionSystem, gone: Dropped) -> TransitionSystem:
     """The map without some capacities, and with all waits; the same where nothing is taken out."""
     if WAITING in gone:
         system = with_waits(system, without_wait(system))
-    keys = {item.key for item in gone if item.kind == "capacity"}
+    keys = [item.key for item in gone if item.kind == "capacity"]
+    states = [key[0] for key in keys if len(key) == 1]
+    edges = [pair for key in keys if len(key) > 1 for pair in both_directions(system, key)]
     if not keys:
         return system
-    states = [
-        replace(state, capacity=None) if (state.name,) in keys else state
-        for state in system.states.values()
-    ]
-    edges = [
-        replace(edge, capacity=None) if edge.pair in keys or _shared(edge) in keys else edge
-        for edge in system.edges.values()
-    ]
-    return TransitionSystem.build(states, edges, system.name)
-
-
-def _shared(edge: Edge) -> tuple[str, str] | None:
-    """The other direction of an edge that shares its capacity."""
-    return (edge.target, edge.source) if edge.both_ways else None
+    return remapped(system, {*states, *edges}, lambda item: replace(item, capacity=None))
 
 
 def bounded_above(mission: Mission) -> bool:
@@ -124,7 +120,7 @@ def useful_number(mission: Mission) -> int:
 
 @dataclass(frozen=True)
 class _Depots:
-    """Makes the problem in which parts of the team come from depots."""
+    """Makes the problem in which the agents come from depots; those of swarms as many as before."""
 
     mission: Mission
     gone: Dropped
@@ -137,12 +133,14 @@ class _Depots:
         open_: list[str] = []
         all_: list[str] = []
         for number, group in enumerate(mission.team):
+            starts = []
             for name, count, targets in self._depots(number, group):
                 states.append(State(name))
                 edges.append(Edge(name, name))
                 edges += [Edge(name, target) for target in targets]
-                team.append(Group(group.class_name, group.capabilities, ((name, count),)))
+                starts.append((name, count))
                 (open_ if self._without("team", number) else all_).append(name)
+            team.append(Group(group.class_name, group.capabilities, tuple(starts)))
         formula = Always(1, 1, mission.formula)
         problem = Problem(
             replace(
@@ -159,22 +157,17 @@ class _Depots:
             self._hurry(problem, open_, all_)
         return problem
 
-    def _without(self, kind: str, number: int) -> bool:
-        return Element(kind, (number,)) in self.gone  # type: ignore[arg-type]  # kinds are words
+    def _without(self, kind: PartKind, number: int) -> bool:
+        return SoftConstraint(kind, (number,)) in self.gone
 
     def _depots(self, number: int, group: Group) -> Iterator[tuple[str, int, list[str]]]:
         """Name, robots and first states of the depots of one entry of the team."""
-        many = useful_number(self.mission)
+        many = useful_number(self.mission) if self._without("team", number) else None
         if self._without("start", number):
-            count = many if self._without("team", number) else group.count
-            yield self._name(number, 0), count, self._anywhere(group)
+            yield self._name(number, 0), many or group.count, self._anywhere(group)
             return
         for place, (state, count) in enumerate(group.starts):
-            yield (
-                self._name(number, place),
-                many if self._without("team", number) else count,
-                [state],
-            )
+            yield self._name(number, place), many or count, [state]
 
     def _name(self, number: int, place: int) -> str:
         name = f"depot {number}.{place}"
@@ -194,8 +187,12 @@ class _Depots:
 
     @property
     def _late_is_harmless(self) -> bool:
-        """Whether leaving the depot later is as good as waiting where the robot starts."""
-        return waits_everywhere(self.mission) and not bounded_above(self.mission)
+        """Whether leaving the depot later is as good as waiting where the robot starts.
+
+        It is not where swarms are bounded, since whoever is in a depot is a sub-swarm there.
+        """
+        mission = self.mission
+        return mission.swarm is None and waits_everywhere(mission) and not bounded_above(mission)
 
     def _hurry(self, problem: Problem, open_: list[str], all_: list[str]) -> None:
         """Robots leave their depot before the mission begins or, where they may, never."""

@@ -15,10 +15,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import InputError
-from tsplan.explanation.whynot.formula_places import Source, Sources
-from tsplan.explanation.whynot.group_bounds import bound_of, path_of, swarm_bounds
-from tsplan.explanation.whynot.occurrences import Way
-from tsplan.logic import Count, Eventually, Formula, Release, Until, Window
+from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.whynot.formula_places import Sources
+from tsplan.explanation.whynot.mission_numbers import Number
+from tsplan.explanation.whynot.occurrences import Occurrence, Way
+from tsplan.explanation.whynot.soft_constraints import file_path, group_bounds, robot_entries
+from tsplan.logic import Count, Formula, Release, Until, Window
 from tsplan.logic.text import number_text, quoted
 from tsplan.mission import mission_from_text
 from tsplan.ts.io.flow_style import word
@@ -88,7 +90,7 @@ def _edits(
 ) -> list[_Edit]:
     """What has to change in the original's text."""
     return [
-        *_formula_edits(original, changed, document),
+        *_formula_edits(original, changed),
         *_team_edits(original, changed, document),
         *_swarm_edits(original, changed, document),
         *_map_edits(original, changed, document, folders),
@@ -99,30 +101,13 @@ def _edits(
 # --- the formula -----------------------------------------------------------------------------
 
 
-def _formula_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
+def _formula_edits(original: Mission, changed: Mission) -> Iterator[_Edit]:
     sources = Sources(original)
-    starts = _line_starts(document.content)
     for way, node in _differences(original.formula, changed.formula):
-        found = sources.of(way)
-        if found is None:
-            continue
-        source, rest = found
-        stretch = source.stretch(rest)
-        if isinstance(node, Window | Until | Release):
-            stretch = source.interval(rest)
-        if stretch is None:
-            continue
-        line, column = sources.in_file(source, stretch.begin)
-        last_line, last_column = sources.in_file(source, stretch.end - 1)
-        begin, end = starts[line - 1] + column - 1, starts[last_line - 1] + last_column
-        yield _Edit(begin, end, _text(node, source, rest))
-
-
-def _line_starts(content: str) -> list[int]:
-    starts = [0]
-    for line in content.split("\n"):
-        starts.append(starts[-1] + len(line) + 1)
-    return starts
+        windowed = isinstance(node, Window | Until | Release)
+        span = sources.span((*way, "interval") if windowed else way)
+        if span is not None:
+            yield _Edit(*span, _text(node, sources.text(Occurrence(way)) or ""))
 
 
 def _differences(old: Formula, new: Formula) -> Iterator[tuple[Way, Formula]]:
@@ -142,14 +127,12 @@ def _differences(old: Formula, new: Formula) -> Iterator[tuple[Way, Formula]]:
         open_ += [((*way, n), *pair) for n, pair in enumerate(pairs)]
 
 
-def _text(node: Formula, source: Source, way: Way) -> str:
-    """A node's new text: an operator's interval, or a whole atom."""
-    if isinstance(node, Eventually | Window | Until | Release):
+def _text(node: Formula, old: str) -> str:
+    """The new text of an operator's interval, or of an atom in place of an old one."""
+    if isinstance(node, Window | Until | Release):
         return f"[{node.low},{node.high}]"
     if not isinstance(node, Count):
         return str(node)
-    stretch = source.stretch(way)
-    old = source.text[stretch.begin : stretch.end] if stretch is not None else ""
     compared = any(sign in old for sign in "<>=")
     # a bare label or a limit binds tighter than the comparison that takes its place
     return _comparison(node) if compared else f"({_comparison(node)})"
@@ -164,24 +147,24 @@ def _comparison(node: Count) -> str:
 
 
 def _team_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
-    if original.team == changed.team or original.swarm is not None:
-        return
-    if len(original.team) != len(changed.team):
+    """Entries of the team; the sizes and starts of swarms are never changed."""
+    numbers = robot_entries(original)
+    if numbers and len(original.team) != len(changed.team):
         yield _exchanged(document, ("team",), _team(changed))
         return
-    for number, (before, after) in enumerate(zip(original.team, changed.team, strict=True)):
-        if before != after:
-            yield _exchanged(document, ("team", number), _member(after))
+    for number in numbers:
+        if original.team[number] != changed.team[number]:
+            path = file_path(original, SoftConstraint("team", (number,)))
+            yield _exchanged(document, path[:-1], _member(changed.team[number]))
 
 
 def _swarm_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
-    """Bounds of swarms; their sizes and starts are never changed."""
-    if original.swarm is None or changed.swarm is None:
-        return
-    for element in swarm_bounds(original):
-        old, new = (bound_of(rules, element) for rules in (original.swarm, changed.swarm))
-        if old != new:
-            yield _exchanged(document, path_of(original, element), _bound(new))
+    """Bounds of swarms."""
+    for constraint in group_bounds(original):
+        bound = Number("bound", constraint.key)
+        if bound.get(original) != bound.get(changed):
+            path = file_path(original, constraint)
+            yield _exchanged(document, path, _bound(bound.get(changed)))
 
 
 def _bound(value: Fraction | int | None) -> str:
@@ -193,7 +176,8 @@ def _bound(value: Fraction | int | None) -> str:
 
 def _team(mission: Mission) -> str:
     """The team in flow style, one entry a line."""
-    return "[\n" + "".join(f"    {_member(group)},\n" for group in mission.team) + "  ]"
+    members = [_member(mission.team[number]) for number in robot_entries(mission)]
+    return "[\n" + "".join(f"    {member},\n" for member in members) + "  ]"
 
 
 def _member(group: Group) -> str:

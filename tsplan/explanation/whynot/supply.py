@@ -5,35 +5,35 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.agent_numbers import agents
+from tsplan.explanation.part_words import agents
 from tsplan.explanation.whynot.occurrences import Way
 from tsplan.explanation.whynot.unconditional_demands import Demand, Span, demands_below
 from tsplan.logic import Always, And, Eventually, Formula
 
 if TYPE_CHECKING:
     from tsplan.explanation.explanation import Fact
-    from tsplan.explanation.whynot.facts import View
+    from tsplan.explanation.whynot.context import Context
 
 
-def scarcity(view: View) -> Iterator[Fact]:
+def scarcity(context: Context) -> Iterator[Fact]:
     """A task that needs more robots than have the capability; then several at one step."""
     alone: set[str | None] = set()
-    for need in view.needs:
-        if need.total > view.mission.having(need.capability):
+    for need in context.needs:
+        if need.total > context.mission.having(need.capability):
             alone.add(need.capability)
-            text = f"{_wanted(need)}; the team has {view.having(need.capability)}"
-            yield view.fact("scarcity", text, [need], *view.team(need.capability, "team"))
-    for together in moments(view):
-        view.pause()
+            text = f"{_wanted(need)}; the team has {context.having(need.capability)}"
+            yield context.fact("scarcity", text, [need], *context.team(need.capability, "team"))
+    for together in moments(context):
+        context.pause()
         capability = together[0].capability
         total = _at_once(together)
-        if capability not in alone and total > view.mission.having(capability):
+        if capability not in alone and total > context.mission.having(capability):
             parts = " and ".join(_wanted(need) for need in together)
             text = (
                 f"at one step, {parts}: {agents(total, capability)} in all; "
-                f"the team has {view.having(capability)}"
+                f"the team has {context.having(capability)}"
             )
-            yield view.fact("scarcity", text, together, *view.team(capability, "team"))
+            yield context.fact("scarcity", text, together, *context.team(capability, "team"))
 
 
 def _wanted(need: Demand) -> str:
@@ -46,22 +46,22 @@ def _wanted(need: Demand) -> str:
     return f"{agents(need.amount, need.capability)} {verb} needed at {where}"
 
 
-def moments(view: View) -> Iterator[list[Demand]]:
+def moments(context: Context) -> Iterator[list[Demand]]:
     """Needs for one capability that begin at the same step, whenever that is."""
-    for now in instants(view):
+    for now in instants(context):
         for capability in dict.fromkeys(item.capability for item in now):
             together = [item for item in now if item.capability == capability]
             if len(together) > 1:
                 yield together
 
 
-def instants(view: View) -> Iterator[list[Demand]]:
+def instants(context: Context) -> Iterator[list[Demand]]:
     """All needs that begin at the same step, whenever that is."""
-    for way, node in _anchors(view.mission.formula):
-        view.pause()
+    for way, node in _anchors(context.mission.formula):
+        context.pause()
         yield [
             item
-            for item in demands_below(view.mission, way, node, Span(0, 0))
+            for item in demands_below(context.mission, way, node, Span(0, 0))
             if not item.upper and item.amount > 0 and item.span.first == item.span.last == 0
         ]
 

@@ -7,21 +7,23 @@ from itertools import combinations
 from math import inf
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.agent_numbers import agents
-from tsplan.explanation.explanation import Element
-from tsplan.explanation.whynot.facts import MOST_DEMANDS
+from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.part_words import agents
 
 if TYPE_CHECKING:
     from tsplan.explanation.explanation import Fact
-    from tsplan.explanation.whynot.facts import View
+    from tsplan.explanation.whynot.context import Context
     from tsplan.explanation.whynot.unconditional_demands import Demand
 
+MOST_DEMANDS = 200
+"""Demands that are compared with each other."""
 
-def crowding(view: View) -> Iterator[Fact]:
+
+def crowding(context: Context) -> Iterator[Fact]:
     """Needs beyond the capacity of the state where they must be met."""
-    states = view.mission.system.states
-    for need in view.needs:
-        view.pause()
+    states = context.mission.system.states
+    for need in context.needs:
+        context.pause()
         room = {name: states[name].capacity for name in need.states}
         bounded = {name: most for name, most in room.items() if most is not None}
         if need.reach == "each":
@@ -35,37 +37,37 @@ def crowding(view: View) -> Iterator[Fact]:
         if full:
             holds = ", ".join(f"'{name}' holds {bounded[name]}" for name in full)
             text = f"{agents(need.amount, need.capability)} must be at '{need.label}', and {holds}"
-            yield view.fact(
-                "capacity", text, [need], *(Element("capacity", (name,)) for name in full)
+            yield context.fact(
+                "capacity", text, [need], *(SoftConstraint("capacity", (name,)) for name in full)
             )
 
 
-def contradictions(view: View) -> Iterator[Fact]:
+def contradictions(context: Context) -> Iterator[Fact]:
     """Needs that a limit forbids at every step at which they may begin."""
-    for need, limits in _opposed(view):
-        view.pause()
+    for need, limits in _opposed(context):
+        context.pause()
         free = _free_steps(need, limits, need.span.first)
         if free is None:
             limit = limits[0]
             text = f"{_asked(need)}, and {_allowed(limit)} {_during(limit)}"
-            yield view.fact("contradiction", text, [need, *limits])
+            yield context.fact("contradiction", text, [need, *limits])
             continue
-        ready = view.ready(need)
+        ready = context.ready(need)
         if ready <= need.span.last and _free_steps(need, limits, int(ready)) is None:
             limit = limits[0]
             text = (
                 f"{_asked(need)}, nobody can see to it before step {int(ready)}, "
                 f"and {_allowed(limit)} {_during(limit)}"
             )
-            able = view.team(need.capability, "start", "team")
-            yield view.fact("room", text, [need, *limits], *able)
+            able = context.team(need.capability, "start", "team")
+            yield context.fact("room", text, [need, *limits], *able)
 
 
-def _opposed(view: View) -> Iterator[tuple[Demand, list[Demand]]]:
+def _opposed(context: Context) -> Iterator[tuple[Demand, list[Demand]]]:
     """Needs with the limits that forbid them and whose steps are known."""
-    limits = [limit for limit in view.limits if limit.span.fixed]
-    for need in view.needs[:MOST_DEMANDS]:
-        view.pause()
+    limits = [limit for limit in context.limits if limit.span.fixed]
+    for need in context.needs[:MOST_DEMANDS]:
+        context.pause()
         against = [limit for limit in limits if _forbids(limit, need)]
         if against:
             yield need, against
@@ -97,31 +99,31 @@ def _free_steps(need: Demand, limits: list[Demand], first: int) -> int | None:
     return begin if begin <= need.span.last else None
 
 
-def room(view: View) -> Iterator[Fact]:
+def timing(context: Context) -> Iterator[Fact]:
     """Two tasks that need the same robots, with too little time to see to both."""
-    needs = [need for need in view.needs[:MOST_DEMANDS] if need.span.last < inf]
+    needs = [need for need in context.needs[:MOST_DEMANDS] if need.span.last < inf]
     for one, two in combinations(needs, 2):
-        view.pause()
+        context.pause()
         if one.capability != two.capability or set(one.states) & set(two.states):
             continue
-        if one.total + two.total <= view.mission.having(one.capability):
+        if one.total + two.total <= context.mission.having(one.capability):
             continue
-        if max(one.total, two.total) > view.mission.having(one.capability):
+        if max(one.total, two.total) > context.mission.having(one.capability):
             continue  # one alone is too much: that is scarcity
-        late = _too_late(view, one, two)
+        late = _too_late(context, one, two)
         if late is not None:
-            able = view.team(one.capability, "start", "team")
-            yield view.fact("timing", late, [one, two], *able)
+            able = context.team(one.capability, "start", "team")
+            yield context.fact("timing", late, [one, two], *able)
 
 
-def _too_late(view: View, one: Demand, two: Demand) -> str | None:
+def _too_late(context: Context, one: Demand, two: Demand) -> str | None:
     """Why nobody can see to both needs, in either order; None if somebody may."""
     words = []
     for early, later in ((one, two), (two, one)):
-        ready = max(view.ready(early), early.span.first)
+        ready = max(context.ready(early), early.span.first)
         if ready > early.span.last:
             return None  # that alone is impossible: it is out of reach
-        travel = _between(view, early, later)
+        travel = _between(context, early, later)
         free = ready + early.span.lasts
         if free + travel <= later.span.last:
             return None
@@ -133,16 +135,16 @@ def _too_late(view: View, one: Demand, two: Demand) -> str | None:
     both = one.total + two.total
     return (
         f"{_asked(one)}, and {_asked(two)}: {both} in all, the team has "
-        f"{view.having(one.capability)}, so somebody must see to both; {'; '.join(words)}"
+        f"{context.having(one.capability)}, so somebody must see to both; {'; '.join(words)}"
     )
 
 
-def _between(view: View, one: Demand, two: Demand) -> float:
+def _between(context: Context, one: Demand, two: Demand) -> float:
     """Fewest steps from a state of one need to a state of the other, for anybody able."""
     return min(
         (
-            view.arrivals.between(group, source, target)
-            for group in view.mission.team
+            context.arrivals.between(group, source, target)
+            for group in context.mission.team
             if one.capability is None or one.capability in group.capabilities
             for source in one.states
             for target in two.states

@@ -7,24 +7,13 @@ instance stands for all of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, floor
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
-from tsplan.explanation.whynot.occurrences import Leaf, Way
-from tsplan.logic import (
-    Always,
-    And,
-    Count,
-    Eventually,
-    Formula,
-    Limit,
-    Percent,
-    Release,
-    Task,
-    Until,
-)
+from tsplan.explanation.whynot.occurrences import Occurrence, Way, numbered_counts
+from tsplan.logic import Always, And, Count, Eventually, Formula, Percent, Release, Task, Until
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -55,7 +44,7 @@ class Demand:
     them.
     """
 
-    leaf: Leaf
+    occurrence: Occurrence
     states: tuple[str, ...]
     capability: str | None
     amount: int
@@ -80,7 +69,7 @@ def demands_below(mission: Mission, way: Way, node: Formula, span: Span) -> Iter
     open_ = [(way, node, span)]
     while open_:
         here, formula, when = open_.pop()
-        yield from _atom(mission, here, formula, when)
+        yield from _of_atom(mission, here, formula, when)
         inner = [
             ((*here, number), formula.children[number], later)
             for number, later in _inside(formula, when)
@@ -111,41 +100,26 @@ def _some_step(span: Span, low: int, high: int) -> Span:
     return Span(span.first + low, span.last + high)
 
 
-def _atom(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Demand]:
+def _of_atom(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Demand]:
     """The demands of a task, a limit or a count itself."""
-    if not isinstance(node, Task | Limit | Count):
-        return
-    states = mission.system.labels[node.label]
     if isinstance(node, Task):
         lasts = node.duration - (mission.task_interval == "half-open")
-        during = span._replace(lasts=span.lasts + lasts)
-        for number, (name, amount) in enumerate(node.needs):
-            leaf = Leaf(way, number if len(node.needs) > 1 else None)
-            yield Demand(leaf, states, name, amount, "each", False, during, node.label)
-    elif isinstance(node, Limit):
-        nobody: list[tuple[str | None, int]] = [(None, 0)]
-        for number, (who, most) in enumerate(node.needs or nobody):
-            leaf = Leaf(way, number if len(node.needs) > 1 else None)
-            yield Demand(leaf, states, who, most, "each", True, span, node.label)
-    else:
-        yield from _count(mission, way, node, span)
+        span = span._replace(lasts=span.lasts + lasts)
+    for part, count in numbered_counts(node, way):
+        states, who = mission.system.labels[count.label], count.capability
+        for upper, amount in _bounds(count, mission.having(who)):
+            reach = (_UPPER if upper else _LOWER)[count.function]
+            yield Demand(part, states, who, amount, reach, upper, span, count.label)
 
 
-def _count(mission: Mission, way: Way, node: Count, span: Span) -> Iterator[Demand]:
-    states, who = mission.system.labels[node.label], node.capability
-    for upper, amount in _bounds(node, mission.having(who)):
-        reach = (_UPPER if upper else _LOWER)[node.function]
-        yield Demand(Leaf(way), states, who, amount, reach, upper, span, node.label)
-
-
-def _bounds(node: Count, agents: int) -> Iterable[tuple[bool, int]]:
+def _bounds(count: Count, agents: int) -> Iterator[tuple[bool, int]]:
     """The bounds that a relation means, as (upper, amount); none for `!=`."""
-    share = node.bound.of(agents) if isinstance(node.bound, Percent) else node.bound
-    if node.relation in (">=", "="):
+    share = count.bound.of(agents) if isinstance(count.bound, Percent) else count.bound
+    if count.relation in (">=", "="):
         yield False, ceil(share)
-    if node.relation == ">":
+    if count.relation == ">":
         yield False, floor(share) + 1
-    if node.relation in ("<=", "="):
+    if count.relation in ("<=", "="):
         yield True, floor(share)
-    if node.relation == "<":
+    if count.relation == "<":
         yield True, ceil(share) - 1

@@ -9,13 +9,13 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, TypeAlias, get_args
 
 from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, Fact, Status
-from tsplan.explanation.whynot.candidates import Candidate, candidates
 from tsplan.explanation.whynot.changes import ORDER, Repairs, ranked
 from tsplan.explanation.whynot.conflicts import Core, Finder
-from tsplan.explanation.whynot.facts import View, facts_of
-from tsplan.explanation.whynot.joint_repair import Several
+from tsplan.explanation.whynot.context import Context
+from tsplan.explanation.whynot.edits import Candidate, candidates
+from tsplan.explanation.whynot.facts import facts_of
+from tsplan.explanation.whynot.joint_repair import JointRepair
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
-from tsplan.explanation.whynot.team_map_edits import EdgeTime
 from tsplan.parameters import refuse_options
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
@@ -92,7 +92,7 @@ class _Run:
     def __post_init__(self) -> None:
         self.clock = Clock(self.limit, lambda: self._stopped)
         self.oracle = Oracle(self.mission, self.clock, self.solver, stop=self.stop)
-        self.view = View.of(self.mission, self.oracle.pause)
+        self.context = Context.of(self.mission, self.oracle.pause)
 
     def stop(self) -> None:
         """Ask no more questions."""
@@ -121,7 +121,7 @@ class _Run:
         if self.clock.limit is not None:
             seconds = max(_SHARE * self.clock.limit, _FOR_FACTS)
             self.oracle.clock = replace(self.clock, limit=seconds)
-        for fact in facts_of(self.view):
+        for fact in facts_of(self.context):
             self.facts.append(fact)
 
     def _find_conflict(self, finder: Finder) -> None:
@@ -176,12 +176,12 @@ class _Run:
         """
         self._limit_questions(0.0)
         for fact in self.facts:
-            elements = frozenset().union(*(part.elements for part in fact.parts))
-            core = finder.within(elements)
-            rest = finder.everything - elements
+            constraints = frozenset().union(*(part.constraints for part in fact.parts))
+            core = finder.within(constraints)
+            rest = finder.everything - constraints
             if core is None and self.oracle.without(rest) is None:
                 self.oracle.learn_impossible(rest)
-                core = finder.within(elements)
+                core = finder.within(constraints)
             if core is not None:
                 return core
         return None
@@ -191,7 +191,8 @@ class _Run:
         if self.possible:
             status = Status.FEASIBLE
         conflicts = tuple(
-            Conflict(self.view.wording.parts(core.elements), core.minimal) for core in self.cores
+            Conflict(self.context.wording.parts(core.constraints), core.minimal)
+            for core in self.cores
         )
         timings = {**self.seconds, "solve": self.oracle.seconds, "total": self.clock.elapsed}
         rounded = {name: round(value, 6) for name, value in timings.items()}
@@ -207,32 +208,32 @@ class _Run:
         self.oracle.clock = self.clock
         self.facts.clear()
         with self._stage("tight"):
-            self.facts += tight_facts(self.view, self.oracle)
+            self.facts += tight_facts(self.context, self.oracle)
         if slack:
             with self._stage("slack"):
-                for fact in slacks(self.view, self.oracle):
+                for fact in slacks(self.context, self.oracle):
                     self.facts.append(fact)
 
     # --- changes -----------------------------------------------------------------------------
 
     def _find_changes(self, finder: Finder) -> None:
         """Single changes that help; several together where none does."""
-        repairs = Repairs(self.oracle, finder.everything, [core.elements for core in self.cores])
-        every = candidates(self.view, self.cores[0].elements)
-        every.sort(key=lambda item: (ORDER.index(item.dimension.kind), item.rank))
+        repairs = Repairs(self.oracle, finder.everything, [core.constraints for core in self.cores])
+        every = candidates(self.context, self.cores[0].constraints)
+        every.sort(key=lambda item: (ORDER.index(item.edit.kind), item.rank))
         self.oracle.patience = _PATIENCE
         if self.clock.left is not None:
             self.oracle.patience = min(_PATIENCE, self.clock.left / 4)
         self._singles(repairs, every)
         if not self.changes:
-            several = Several(self.view, self.oracle, repairs)
-            together = several.change(self.cores[0].elements)
+            several = JointRepair(self.context, self.oracle, repairs)
+            together = several.change(self.cores[0].constraints)
             self.changes += [together] if together is not None else []
 
     def _singles(self, repairs: Repairs, every: list[Candidate]) -> None:
         began = time.perf_counter()
         helped: dict[tuple[str, int] | None, int] = {}
-        quick = [item.dimension for item in every if isinstance(item.dimension, EdgeTime)]
+        quick = [(item.edit, item.edit.most) for item in every if item.edit.number.kind == "edge"]
         for candidate in every:
             enough = len(self.changes) >= _ENOUGH and time.perf_counter() - began > _LONG
             if enough and self.clock.limit is None:
@@ -240,8 +241,8 @@ class _Run:
                 return
             if candidate.family and candidate.rank > helped.get(candidate.family, candidate.rank):
                 continue
-            if isinstance(candidate.dimension, EdgeTime) and not repairs.at_most(quick):
-                continue
+            if candidate.edit.number.kind == "edge" and not repairs.possible(quick):
+                continue  # not even all edges as quick as can be would do
             change = repairs.single(candidate)
             if change is not None:
                 self.changes.append(change)

@@ -1,0 +1,349 @@
+"""Ways to make a mission easier step by step, each by moving one of its numbers.
+
+Which may help against a conflict: those that touch one of its parts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+from math import ceil, inf
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.part_words import counted, room_of
+from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number, Value, moved
+from tsplan.explanation.whynot.occurrences import (
+    Occurrence,
+    counts_of,
+    node_at,
+    nodes_along,
+    occurrences,
+)
+from tsplan.explanation.whynot.relaxing import useful_number
+from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, of_occurrence
+from tsplan.logic import Count, Eventually, Percent, Task, Until
+from tsplan.logic import labels as labels_of
+from tsplan.ts.waits import without_wait
+
+if TYPE_CHECKING:
+    from tsplan.explanation.explanation import ChangeKind
+    from tsplan.explanation.whynot.context import Context
+    from tsplan.mission import Mission
+
+MOST_STEPS = 60
+"""Steps by which a deadline of a short mission is extended at most."""
+
+MOST_PLACES = 6
+"""States at which more robots are tried, for each entry of the team, and at which waits are."""
+
+MOST_EDGES = 12
+"""Edges that are tried, those on quickest ways first."""
+
+_ASKING = {">=": 0, ">": 1}
+"""Relations that ask for agents, with how many more than the bound."""
+
+_ALLOWING = {"<=": 0, "<": -1}
+"""Relations that limit agents, with how many more than the bound are allowed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """A number of the mission to be moved by 1, 2, ... up to `most`.
+
+    It grows, or shrinks with `sense` -1. `now` is the number as people are told it, `text` what is
+    said of the change: `{new}` stands for the new number, `{agents}` for it as one of agents, and
+    `{steps}` and `{added}` for the amount of the change; `text_at_most` is said of the largest.
+    """
+
+    number: Number
+    kind: ChangeKind
+    most: int
+    text: str
+    now: Value = 0
+    sense: int = 1
+    text_at_most: str = ""
+
+    def applied(self, mission: Mission, amount: int) -> Mission:
+        """The mission after the change; MissionError where it would not fit together."""
+        now = self.number.get(mission)
+        return self.number.put(mission, moved(now, self.sense * amount)) if amount else mission
+
+    def words(self, amount: int) -> str:
+        """The change in words."""
+        new = moved(self.now, self.sense * amount)
+        text = self.text_at_most if self.text_at_most and amount == self.most else self.text
+        return text.format(
+            new=room_of(new) if isinstance(new, Fraction) else new,
+            agents=new if isinstance(new, Percent) else counted(new, "agent"),
+            steps=counted(amount, "step"),
+            added=counted(amount, "agent"),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """An edit that may help.
+
+    It weakens nothing but `within`: if the mission cannot be met even without that, it does not
+    help. Of one `family`, larger ranks are only worth trying where smaller ones do not help.
+    """
+
+    edit: Edit
+    within: frozenset[SoftConstraint]
+    family: tuple[str, int] | None = None
+    rank: int = 0
+
+
+def candidates(context: Context, conflict: frozenset[SoftConstraint]) -> list[Candidate]:
+    """Everything that can be tried against one conflict, each once."""
+    found: dict[Edit, Candidate] = {}
+    for constraint in sorted(conflict, key=repr):
+        for candidate in _against(context, constraint, conflict):
+            found.setdefault(candidate.edit, candidate)
+    return list(found.values())
+
+
+def _against(
+    context: Context, constraint: SoftConstraint, conflict: frozenset[SoftConstraint]
+) -> Iterator[Candidate]:
+    match constraint.kind:
+        case "formula":
+            yield from _in_formula(context, occurrence_of(constraint))
+        case "team" | "start":
+            yield from _more_agents(context, constraint.key[0], conflict)
+            if constraint.kind == "start":
+                yield from _quicker_edges(context, constraint.key[0], conflict)
+        case "waiting":
+            yield from _waits(context, conflict)
+        case "swarm":
+            edit = _looser_bound(context.mission, constraint.key)
+            yield from [Candidate(edit, frozenset({constraint}))] if edit.most > 0 else []
+        case "capacity":
+            edit = _more_capacity(context.mission, constraint.key)
+            yield Candidate(edit, frozenset({constraint}))
+
+
+# --- the formula -------------------------------------------------------------------------------
+
+
+def _in_formula(context: Context, part: Occurrence) -> Iterator[Candidate]:
+    """Edits of a part of the formula, the least intrusive first, and of the deadlines above it."""
+    mission = context.mission
+    was = _literal(context.wording.text(Occurrence(context.wording.conjunct(part.way))))
+    whole = Occurrence(part.way)
+    for edit, inside in (
+        (_deadline(mission, whole, was), whole),
+        (_looser_limit(mission, part, was), part),
+        (_lower_need(mission, part, was), part),
+        (_shorter_task(mission, whole, was), whole),
+        *(
+            (_deadline(mission, Occurrence(way), was), Occurrence(way))
+            for way, _ in nodes_along(mission.formula, part.way[:-1])
+        ),
+    ):
+        if edit is not None:
+            yield Candidate(edit, _below(mission, inside))
+
+
+def _below(mission: Mission, part: Occurrence) -> frozenset[SoftConstraint]:
+    """One need, or all parts of a sub-formula."""
+    if part.need is not None:
+        return frozenset({of_occurrence(part)})
+    return frozenset(of_occurrence(item) for item in occurrences(mission.formula, part.way))
+
+
+def _deadline(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+    """The end of the window of an eventuality or an until, moved later."""
+    node = node_at(mission.formula, part.way)
+    if not isinstance(node, Eventually | Until):
+        return None
+    most = max(mission.horizon, MOST_STEPS)
+    text = f"extend the deadline {node.high} to {{new}} ({{steps}} later) in {was}"
+    return Edit(Number("formula", (part.way, "high")), "extend_deadline", most, text, node.high)
+
+
+def _shorter_task(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+    """A task that lasts less long."""
+    node = node_at(mission.formula, part.way)
+    least = int(mission.task_interval == "half-open")
+    if not isinstance(node, Task) or node.duration <= least:
+        return None
+    now = node.duration
+    text = f"shorten the task from {now} to {{new}} steps in {was}"
+    return Edit(
+        Number("formula", (part.way, "duration")), "shorten_task", now - least, text, now, -1
+    )
+
+
+def _lower_need(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+    """Fewer agents asked for by a task's need or a count; of a percentage, fewer hundredths."""
+    count = _count_at(mission, part)
+    if count is None or count.relation not in _ASKING:
+        return None
+    now, who = count.bound, count.capability
+    if isinstance(now, Percent):
+        asked, less = ceil(now.value), "{agents}"
+    else:
+        asked = now = now + _ASKING[count.relation]
+        less = "{agents}" + _literal(f" with {who}" if who else "")
+    label = _literal(count.label)
+    nobody = f"ask for no {_literal(who or 'agents')} at '{label}' in {was}"
+    text = f"lower the need at '{label}' from {now} to {less} in {was}"
+    number = _number_of(mission, part)
+    return Edit(number, "lower_need", asked, text, now, -1, nobody) if asked > 0 else None
+
+
+def _looser_limit(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+    """More agents allowed by a limit or a count; of a percentage, more hundredths."""
+    count = _count_at(mission, part)
+    if count is None or count.relation not in _ALLOWING:
+        return None
+    now, who = count.bound, count.capability
+    if isinstance(now, Percent):
+        most, more = ceil(100 - now.value), "{agents}"
+    else:
+        now += _ALLOWING[count.relation]
+        most = mission.size - max(now, 0)
+        more = "{agents}" + _literal(f" with {who}" if who else "")
+    text = f"loosen the limit at '{_literal(count.label)}' from {now} to {more} in {was}"
+    number = _number_of(mission, part)
+    return Edit(number, "loosen_limit", most, text, now) if most > 0 else None
+
+
+def _count_at(mission: Mission, part: Occurrence) -> Count | None:
+    """The count that a part of the formula means, if it is an atom or one of an atom's needs."""
+    counts = counts_of(node_at(mission.formula, part.way))
+    return counts[part.need or 0] if counts else None
+
+
+def _number_of(mission: Mission, part: Occurrence) -> Number:
+    """The number that a count compares with, where it is written."""
+    node = node_at(mission.formula, part.way)
+    return Number("formula", (part.way, "bound" if isinstance(node, Count) else part.need or 0))
+
+
+def _literal(text: str) -> str:
+    """A text in which nothing is filled in."""
+    return text.replace("{", "{{").replace("}", "}}")
+
+
+# --- the team and the map ----------------------------------------------------------------------
+
+
+def _more_agents(
+    context: Context, entry: int, conflict: frozenset[SoftConstraint]
+) -> Iterator[Candidate]:
+    """More robots like those of one entry of the team, where it starts or elsewhere."""
+    mission = context.mission
+    group = mission.team[entry]
+    most = useful_number(mission)
+    own = [state for state, _ in group.starts]
+    others = [state for other in mission.team for state, _ in other.starts]
+    open_ = [
+        state
+        for state in dict.fromkeys([*own, *others, *_states_of(mission, conflict)])
+        if mission.system.states[state].needs <= group.capabilities
+    ]
+    for state in open_[:MOST_PLACES]:
+        within = {SoftConstraint("team", (entry,))}
+        if state not in own:
+            within.add(SoftConstraint("start", (entry,)))
+        rank = 0 if state in own else 1 if state in others else 2
+        text = f"add {{added}} of class {_literal(group.class_name)} at '{_literal(state)}'"
+        edit = Edit(Number("agents", (entry, state)), "add_agents", most, text)
+        yield Candidate(edit, frozenset(within), ("agents", entry), rank)
+
+
+def _more_capacity(mission: Mission, ends: tuple[str, ...]) -> Edit:
+    """More room at a state, or on an edge (in both its directions where they share it)."""
+    number = Number("capacity", ends)
+    now = number.get(mission)
+    names = [_literal(name) for name in ends]
+    alone = len(ends) == 1
+    where = f"state '{names[0]}'" if alone else f"the edge from '{names[0]}' to '{names[1]}'"
+    text = f"raise the capacity of {where} from {now} to {{new}}"
+    return Edit(number, "loosen_limit" if alone else "edge", mission.size, text, now)
+
+
+def _quicker_edges(
+    context: Context, entry: int, conflict: frozenset[SoftConstraint]
+) -> Iterator[Candidate]:
+    """Edges on the quickest ways from where robots start to where the conflict needs them."""
+    mission = context.mission
+    group = mission.team[entry]
+    pairs: dict[tuple[str, str], None] = {}
+    targets = list(dict.fromkeys(_states_of(mission, conflict)))
+    for origin in [*(state for state, _ in group.starts), *targets]:
+        for target in targets:
+            if context.arrivals.between(group, origin, target) < inf:
+                way = context.arrivals.way(group, origin, target)
+                pairs.update(dict.fromkeys(pairwise(way)))
+    for pair in list(pairs)[:MOST_EDGES]:
+        number = Number("edge", pair)
+        longest = number.get(mission)
+        if longest > 1:
+            alike = isinstance(mission.system.edges[pair].duration, int)
+            source, target = map(_literal, pair)
+            was = f" (now {longest})" if alike else ""
+            text = f"cross the edge from '{source}' to '{target}'{was} in {{steps}} less"
+            edit = Edit(number, "edge", longest - 1, text, longest, -1)
+            yield Candidate(edit, frozenset())
+
+
+def _waits(context: Context, conflict: frozenset[SoftConstraint]) -> Iterator[Candidate]:
+    """Waits at single states: where the conflict needs somebody, at ends, at starts; and at all."""
+    mission = context.mission
+    missing = without_wait(mission.system)
+    ends = (name for name in missing if not mission.system.leaving(name))
+    starts = (state for group in mission.team for state, _ in group.starts)
+    ordered = dict.fromkeys([*_states_of(mission, conflict), *ends, *starts, *missing])
+    within = frozenset({WAITING})
+    for state in [name for name in ordered if name in set(missing)][:MOST_PLACES]:
+        text = _literal(f"let agents wait at '{state}' (an edge from '{state}' to itself)")
+        yield Candidate(Edit(Number("wait", (state,)), "waiting", 1, text), within)
+    text = "let agents wait at every state (`waiting: true` in the map)"
+    yield Candidate(Edit(Number("wait", ()), "waiting", 1, text), within)
+
+
+def _states_of(mission: Mission, conflict: frozenset[SoftConstraint]) -> Iterator[str]:
+    """The states that the needs of a conflict speak about; limits need nobody."""
+    for constraint in sorted(conflict, key=repr):
+        if constraint.kind == "formula":
+            node = node_at(mission.formula, occurrence_of(constraint).way)
+            if not any(count.relation == "<=" for count in counts_of(node)):
+                for label in sorted(labels_of(node)):
+                    yield from mission.system.labels[label]
+
+
+# --- bounds of swarms --------------------------------------------------------------------------
+
+
+def _looser_bound(mission: Mission, key: tuple[str, str]) -> Edit:
+    """More sub-swarms, smaller ones, or less head-room (in agents, or hundredths of the swarm)."""
+    assert mission.swarm is not None
+    number = Number("bound", key)
+    now = number.get(mission)
+    name, which = key
+    if key == MARGIN:
+        new = "{agents}" if isinstance(now, int) else "{new}"
+        most = now if isinstance(now, int) else ceil(100 * now)
+        text = f"lower the margin from {room_of(now)} to {new}"
+        return Edit(number, "lower_need", most, text, now, -1)
+    whose = f" of swarm '{_literal(name)}'" if len(mission.swarm.each) > 1 else ""
+    if which == "least":
+        text = f"lower min_subswarm{whose} from {now} to {{new}}"
+        return Edit(number, "loosen_limit", now - 1, text, now, -1)
+    whose = " of all swarms together" if key == TOGETHER else whose
+    most = swarm_size(mission, name) - (now or 0)
+    text = f"raise max_subswarms{whose} from {now} to {{new}}"
+    return Edit(number, "more_subswarms", most, text, now)
+
+
+def swarm_size(mission: Mission, name: str) -> int:
+    """The agents of a swarm; of all swarms together for the empty name."""
+    assert mission.swarm is not None
+    names = {name} if name else set(mission.swarm.each)
+    return sum(group.count for group in mission.team if group.class_name in names)

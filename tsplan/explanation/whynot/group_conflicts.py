@@ -1,0 +1,126 @@
+"""What breaks the bounds of swarms and is seen without a solver."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.explanation import Fact, SoftConstraint
+from tsplan.explanation.part_words import agents, counted, swarm_words
+from tsplan.explanation.whynot.mission_numbers import TOGETHER
+from tsplan.explanation.whynot.supply import instants, moments
+
+if TYPE_CHECKING:
+    from tsplan.explanation.whynot.context import Context
+    from tsplan.explanation.whynot.unconditional_demands import Demand
+    from tsplan.mission import Mission
+
+
+def divided(context: Context) -> Iterator[Fact]:
+    """More places at one step than sub-swarms, or than there are agents for sub-swarms."""
+    if context.mission.swarm is None:
+        return
+    yield from _begun(context)
+    yield from _all_swarms(context)
+    for together in moments(context):
+        name = _swarm_of(context.mission, together)
+        if name is not None:
+            yield from _too_many(context, name, _apart(together))
+
+
+def _begun(context: Context) -> Iterator[Fact]:
+    """Bounds that the start already breaks."""
+    rules = context.mission.swarm
+    assert rules is not None
+    broken: list[tuple[str, tuple[str, str]]] = []
+    begin = 0
+    for group in context.mission.team:
+        name, places = group.class_name, len(group.starts)
+        bounds = rules.each.get(name)
+        if bounds is None:
+            continue  # robots
+        begin += places
+        whose = swarm_words(context.mission, name)
+        if bounds.most is not None and places > bounds.most:
+            text = f"{whose} starts at {places} states, in as many sub-swarms"
+            broken.append((text, (name, "most")))
+        broken += (
+            (f"only {agents(count, None)} of {whose} start at '{state}'", (name, "least"))
+            for state, count in group.starts
+            if 0 < count < bounds.least
+        )
+    if rules.together is not None and begin > rules.together:
+        broken.append((f"the swarms start at {begin} states, in as many sub-swarms", TOGETHER))
+    for text, key in broken:
+        parts = context.wording.parts({SoftConstraint("swarm", key)})
+        yield Fact("swarm", f"{text}, and {parts[0].text}", parts[0].place, parts)
+
+
+def _all_swarms(context: Context) -> Iterator[Fact]:
+    """More sub-swarms of all swarms at one step than may be."""
+    rules = context.mission.swarm
+    if rules is None or rules.together is None:
+        return
+    for now in instants(context):
+        needs: list[Demand] = []
+        words, number = [], 0
+        for name in rules.each:
+            own = [item for item in now if _swarm_of(context.mission, [item]) == name]
+            apart = _apart(own)
+            needs += [need for need, _ in apart]
+            number += max(len(apart), 1)  # every swarm is somewhere
+            places = ", ".join(place for _, place in apart) or "anywhere"
+            words.append(f"{name} at {max(len(apart), 1)} ({places})")
+        if needs and number > rules.together:
+            text = (
+                f"at one step there must be {counted(number, 'sub-swarm')}: {', '.join(words)}; "
+                f"all swarms together may be divided into "
+                f"{counted(rules.together, 'sub-swarm')} at most"
+            )
+            yield context.fact("swarm", text, needs, SoftConstraint("swarm", TOGETHER))
+
+
+def _swarm_of(mission: Mission, needs: Sequence[Demand]) -> str | None:
+    """The one swarm that must meet the needs, which are all for one capability."""
+    assert mission.swarm is not None
+    who = needs[0].capability
+    able = [group.class_name for group in mission.team if who is None or who in group.capabilities]
+    return able[0] if len(able) == 1 and able[0] in mission.swarm.each else None
+
+
+def _apart(needs: Sequence[Demand]) -> list[tuple[Demand, str]]:
+    """Needs for agents at places that no other one of them shares, with how it is called."""
+    taken: set[str] = set()
+    found = []
+    for need in sorted(needs, key=lambda item: len(item.states)):
+        each = need.states if need.reach == "each" else ()
+        for state in each:
+            if state not in taken:
+                found.append((need, f"'{state}'"))
+                taken.add(state)
+        if not each and not taken & set(need.states):
+            found.append((need, f"'{need.label}'"))
+            taken |= set(need.states)
+    return found
+
+
+def _too_many(context: Context, name: str, apart: list[tuple[Demand, str]]) -> Iterator[Fact]:
+    """What forbids agents at so many places at once."""
+    rules = context.mission.swarm
+    assert rules is not None
+    bounds = rules.each[name]
+    needs = [need for need, _ in apart]
+    where = f"at one step agents must be at {len(apart)} places ({', '.join(p for _, p in apart)})"
+    whose = swarm_words(context.mission, name)
+    if bounds.most is not None and bounds.most < len(apart):
+        most = counted(bounds.most, "sub-swarm")
+        text = f"{where}; {whose} may be divided into {most} at most"
+        yield context.fact("swarm", text, needs, SoftConstraint("swarm", (name, "most")))
+    size = context.mission.having(needs[0].capability)
+    sizes = [max(need.amount, bounds.least) for need in needs]
+    if sum(sizes) > size >= sum(need.amount for need in needs):
+        text = (
+            f"{where}, in sub-swarms of {bounds.least} or more: {sum(sizes):,} in all; "
+            f"{whose} has {size:,}"
+        )
+        yield context.fact("swarm", text, needs, SoftConstraint("swarm", (name, "least")))

@@ -1,0 +1,217 @@
+"""The numbers of a mission that can be changed: where each stands, how it is read and put.
+
+All of them are reached alike, whether they stand in the formula, the team, the map or the bounds of
+its swarms, so that what searches for a smallest change knows numbers alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+from tsplan.explanation.whynot.occurrences import Way, exchanged, node_at
+from tsplan.logic import Count, Formula, Percent, horizon, translate
+from tsplan.mission import Group
+from tsplan.ts import Edge, TransitionSystem
+from tsplan.ts.waits import with_waits, without_wait
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission, SwarmRules
+
+Value: TypeAlias = int | Fraction | Percent
+Pair: TypeAlias = tuple[str, str]
+
+MARGIN = ("", "margin")
+"""The key of the head-room that every demand is kept away from."""
+
+TOGETHER = ("", "most")
+"""The key of the bound on the sub-swarms of all swarms together."""
+
+
+class Number(NamedTuple):
+    """A place in a mission that holds a number.
+
+    The key says which of its kind: of a `formula`, the way to a sub-formula and its field or the
+    place of a need; of `agents`, the entry of the team and a state; of a `capacity`, a state or the
+    two ends of an edge; of an `edge`, whose duration is meant, these ends; of a `bound` of swarms,
+    the swarm's name and which one; of a `wait`, the state where there is one (1) or none (0), or
+    nothing for all states at once.
+    """
+
+    kind: str
+    key: tuple[Any, ...]
+
+    def get(self, mission: Mission) -> Any:
+        """The number that stands there now; None where there is no bound."""
+        return _ACCESS[self.kind][0](mission, *self.key)
+
+    def put(self, mission: Mission, value: Any) -> Mission:
+        """The mission with another number there; MissionError where that does not fit together."""
+        return _ACCESS[self.kind][1](mission, value, *self.key)
+
+
+def moved(value: Any, steps: int) -> Any:
+    """A number so many steps further: hundredths of a share, which stay between 0 % and 100 %.
+
+    >>> str(moved(Percent(Fraction(30)), 5)), moved(Fraction(1, 4), -50), moved(3, -1)
+    ('35%', Fraction(0, 1), 2)
+    """
+    if isinstance(value, Percent):
+        return Percent(min(max(value.value + steps, Fraction(0)), Fraction(100)))
+    if isinstance(value, Fraction):
+        return max(value + Fraction(steps, 100), Fraction(0))
+    return value + steps
+
+
+# --- the formula -------------------------------------------------------------------------------
+
+
+def with_node(mission: Mission, way: Way, node: Formula) -> Mission:
+    """The mission with another node in its formula, its horizon extended where that needs it."""
+    formula = exchanged(mission.formula, {way: node})
+    own = horizon(translate(formula, interval=mission.task_interval))
+    longest = max(mission.horizon, own)
+    return replace(mission, formula=formula, text=str(formula), horizon=longest, warnings=())
+
+
+def _in_formula(mission: Mission, way: Way, field: str | int) -> Any:
+    node: Any = node_at(mission.formula, way)
+    if isinstance(field, str):
+        return getattr(node, field)
+    return node.needs[field][1] if node.needs else 0  # a limit without needs lets nobody be there
+
+
+def _put_in_formula(mission: Mission, value: Any, way: Way, field: str | int) -> Mission:
+    node: Any = node_at(mission.formula, way)
+    if isinstance(field, str):
+        return with_node(mission, way, replace(node, **{field: value}))
+    if not node.needs:
+        return with_node(mission, way, Count("max", node.label, None, "<=", value))
+    needs = list(node.needs)
+    needs[field] = (needs[field][0], value)
+    return with_node(mission, way, replace(node, needs=tuple(needs)))
+
+
+# --- the team ----------------------------------------------------------------------------------
+
+
+def _agents(mission: Mission, entry: int, state: str) -> int:
+    return dict(mission.team[entry].starts).get(state, 0)
+
+
+def _put_agents(mission: Mission, value: int, entry: int, state: str) -> Mission:
+    """A larger entry, or one entry more if the state is a new one."""
+    team = list(mission.team)
+    group = team[entry]
+    starts = dict(group.starts)
+    new = {**starts, state: value} if state in starts else {state: value}
+    made = Group(group.class_name, group.capabilities, tuple(new.items()))
+    team[entry:] = [made, *team[entry + 1 :]] if state in starts else [*team[entry:], made]
+    return replace(mission, team=tuple(team), warnings=())
+
+
+# --- the map -----------------------------------------------------------------------------------
+
+
+def both_directions(system: TransitionSystem, pair: Pair) -> frozenset[Pair]:
+    """An edge, and its other direction where both were written as one."""
+    return frozenset({pair, pair[::-1]} if system.edges[pair].both_ways else {pair})
+
+
+def remapped(
+    system: TransitionSystem,
+    names: Collection[str | Pair],
+    change: Callable[[Any], Any],
+) -> TransitionSystem:
+    """The map with some of its states, by name, and edges, by their ends, changed."""
+    states = [change(item) if item.name in names else item for item in system.states.values()]
+    edges = [change(item) if item.pair in names else item for item in system.edges.values()]
+    return TransitionSystem.build(states, edges, system.name)
+
+
+def _capacity(mission: Mission, *ends: str) -> int | None:
+    system = mission.system
+    return (system.states[ends[0]] if len(ends) == 1 else system.edges[ends]).capacity  # type: ignore[index]  # two ends
+
+
+def _put_capacity(mission: Mission, value: int | None, *ends: Any) -> Mission:
+    names = set(ends) if len(ends) == 1 else both_directions(mission.system, ends)
+    system = remapped(mission.system, names, lambda item: replace(item, capacity=value))
+    return replace(mission, system=system, warnings=())
+
+
+def _duration(mission: Mission, *pair: str) -> int:
+    """Steps that an edge takes, of its slowest class."""
+    duration = mission.system.edges[pair].duration  # type: ignore[index]  # two ends
+    return max(duration.values()) if isinstance(duration, Mapping) else duration
+
+
+def _put_duration(mission: Mission, value: int, *pair: Any) -> Mission:
+    """The edge by as many steps quicker for all classes, but takes one at least."""
+    less = _duration(mission, *pair) - value
+
+    def quicker(edge: Edge) -> Edge:
+        if isinstance(edge.duration, Mapping):
+            each = {name: max(steps - less, 1) for name, steps in edge.duration.items()}
+            return replace(edge, duration=each)
+        return replace(edge, duration=max(edge.duration - less, 1))
+
+    system = remapped(mission.system, both_directions(mission.system, pair), quicker)
+    return replace(mission, system=system, warnings=())
+
+
+def _waits(mission: Mission, *state: str) -> int:
+    missing = without_wait(mission.system)
+    return int(state[0] not in missing if state else not missing)
+
+
+def _put_waits(mission: Mission, value: int, *state: str) -> Mission:
+    """Edges from states to themselves where there are none yet; none is ever taken away."""
+    missing = [
+        name for name in without_wait(mission.system) if value and name in (state or (name,))
+    ]
+    return replace(mission, system=with_waits(mission.system, missing), warnings=())
+
+
+# --- bounds of swarms --------------------------------------------------------------------------
+
+
+def bound_of(rules: SwarmRules, name: str, which: str) -> Value | None:
+    """What the rules say of a bound; None where there is none."""
+    if not name:
+        return rules.margin if which == "margin" else rules.together
+    bound: int | None = getattr(rules.each[name], which)
+    return bound
+
+
+def with_bound(rules: SwarmRules, value: Any, name: str, which: str) -> SwarmRules:
+    """The rules with another number of sub-swarms, least size, or head-room."""
+    if not name:
+        return replace(rules, **{"margin" if which == "margin" else "together": value})
+    bounds = replace(rules.each[name], **{which: value})
+    return replace(rules, each={**rules.each, name: bounds})
+
+
+def _bound(mission: Mission, name: str, which: str) -> Value | None:
+    assert mission.swarm is not None
+    return bound_of(mission.swarm, name, which)
+
+
+def _put_bound(mission: Mission, value: Any, name: str, which: str) -> Mission:
+    assert mission.swarm is not None
+    return replace(mission, swarm=with_bound(mission.swarm, value, name, which), warnings=())
+
+
+_ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = MappingProxyType(
+    {
+        "formula": (_in_formula, _put_in_formula),
+        "agents": (_agents, _put_agents),
+        "capacity": (_capacity, _put_capacity),
+        "edge": (_duration, _put_duration),
+        "wait": (_waits, _put_waits),
+        "bound": (_bound, _put_bound),
+    }
+)

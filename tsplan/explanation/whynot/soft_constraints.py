@@ -1,0 +1,108 @@
+"""What a mission consists of, as constraints that can be taken out one by one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER
+from tsplan.explanation.whynot.occurrences import Occurrence, conjuncts, occurrences
+from tsplan.ts.waits import without_wait
+
+if TYPE_CHECKING:
+    from tsplan.document import Path
+    from tsplan.mission import Mission
+
+WAITING = SoftConstraint("waiting", ())
+"""That nobody can wait at the states without an edge to themselves."""
+
+
+def of_occurrence(occurrence: Occurrence) -> SoftConstraint:
+    """The constraint of a part of the formula."""
+    return SoftConstraint("formula", tuple(occurrence))
+
+
+def occurrence_of(constraint: SoftConstraint) -> Occurrence:
+    """The part of the formula that a constraint stands for."""
+    return Occurrence(*constraint.key)
+
+
+def formula_groups(mission: Mission) -> tuple[tuple[SoftConstraint, ...], ...]:
+    """The parts of the formula, those of one conjunct together, in the order of the text."""
+    formula = mission.formula
+    return tuple(
+        tuple(of_occurrence(part) for part in occurrences(formula, way))
+        for way in conjuncts(formula)
+    )
+
+
+def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
+    """Everything that bounds the plans beside the formula, what matters most to people first.
+
+    How many robots an entry of the team has and where they start can be taken out, and of a swarm
+    how it may divide and its head-room; its size and its start stay, and so does the map, but for
+    its capacities (those of edges by the direction that comes first) and for states without a wait.
+    """
+    system = mission.system
+    entries = robot_entries(mission)
+    return (
+        *(SoftConstraint("team", (number,)) for number in entries),
+        *(SoftConstraint("start", (number,)) for number in entries),
+        *waiting_constraints(mission),
+        *group_bounds(mission),
+        *(
+            SoftConstraint("capacity", (state.name,))
+            for state in system.states.values()
+            if state.capacity is not None
+        ),
+        *(SoftConstraint("capacity", pairs[0]) for _, pairs in system.capacity_groups),
+    )
+
+
+def waiting_constraints(mission: Mission) -> tuple[SoftConstraint, ...]:
+    """The constraint of a map on which agents cannot wait everywhere; nothing for others."""
+    return (WAITING,) if without_wait(mission.system) else ()
+
+
+def robot_entries(mission: Mission) -> tuple[int, ...]:
+    """The numbers of the team's entries that are no swarms."""
+    swarms = mission.swarm.each if mission.swarm is not None else {}
+    return tuple(n for n, group in enumerate(mission.team) if group.class_name not in swarms)
+
+
+def group_bounds(mission: Mission) -> tuple[SoftConstraint, ...]:
+    """What bounds the swarms of a mission; nothing where there are none."""
+    rules = mission.swarm
+    if rules is None:
+        return ()
+    keys = []
+    for name, bounds in rules.each.items():
+        keys += [(name, "most")] if bounds.most is not None else []
+        keys += [(name, "least")] if bounds.least > 1 else []
+    keys += [TOGETHER] if rules.together is not None else []
+    keys += [MARGIN] if rules.margin else []
+    return tuple(SoftConstraint("swarm", key) for key in keys)
+
+
+def file_path(mission: Mission, constraint: SoftConstraint) -> Path:
+    """Where a mission file says what is no part of the formula."""
+    kind, key = constraint
+    if kind == "waiting":
+        return ("map", "waiting")
+    if kind == "capacity":
+        return ("map", "states", key[0], "capacity") if len(key) == 1 else ("map", "edges")
+    if kind == "swarm":
+        word = {"most": "max_subswarms", "least": "min_subswarm", "margin": "margin"}[key[1]]
+        names = [group.class_name for group in mission.team]
+        return (*_entry_path(mission, names.index(key[0])), word) if key[0] else (word,)
+    return (*_entry_path(mission, key[0]), "count" if kind == "team" else "at")
+
+
+def _entry_path(mission: Mission, number: int) -> Path:
+    """Where a mission file says what an entry of the team is, or a swarm."""
+    robots = robot_entries(mission)
+    if number in robots:
+        return ("team", robots.index(number))
+    swarms = [n for n in range(len(mission.team)) if n not in robots]
+    data = mission.origin.data if mission.origin is not None else {}
+    return ("swarms", swarms.index(number)) if "swarms" in data else ("swarm",)
