@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import Part, Place, SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
-from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, bound_of
+from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number
 from tsplan.explanation.whynot.occurrences import Occurrence, Way, conjuncts, counts_of, node_at
 from tsplan.explanation.whynot.soft_constraints import (
-    WAITING,
     file_path,
     formula_groups,
     occurrence_of,
@@ -119,41 +118,36 @@ class Wording:
         return Part(constraint.kind, text, place, frozenset({constraint}))
 
     def _bound_text(self, constraint: SoftConstraint) -> str:
-        key, mission = constraint.key, self.mission
-        if constraint == WAITING:
-            where = listed(without_wait(mission.system))
+        kind, key = constraint
+        if kind == "waiting":
+            where = listed(without_wait(self.mission.system))
             return f"nobody can wait at {where}: no edge leads from there to itself"
-        if constraint.kind == "swarm":
+        if kind == "swarm":
             return self._group_bound(*key)
-        if constraint.kind == "capacity":
-            return self._capacity(*key)
-        group = mission.team[key[0]]
-        if constraint.kind == "team":
+        if kind == "capacity":
+            system = self.mission.system
+            both = len(key) > 1 and system.edges[key].both_ways
+            most = Number("capacity", key).get(self.mission)
+            return f"{ends_words(key)} holds at most {most}{' (both ways together)' * both}"
+        group = self.mission.team[key[0]]
+        if kind == "team":
             return f"the team has {counted(group.count, 'agent')} of class {group.class_name}"
         return f"the agents of class {group.class_name} start at {starts_of(group)}"
 
-    def _capacity(self, *ends: str) -> str:
-        system = self.mission.system
-        if len(ends) == 1:
-            return f"state '{ends[0]}' holds at most {system.states[ends[0]].capacity}"
-        source, target = ends
-        edge = system.edges[source, target]
-        both = " (both ways together)" if edge.both_ways else ""
-        return f"the edge from '{source}' to '{target}' holds at most {edge.capacity}{both}"
-
     def _group_bound(self, name: str, which: str) -> str:
-        assert self.mission.swarm is not None
-        bound = bound_of(self.mission.swarm, name, which)
-        assert isinstance(bound, int | Fraction)
+        bound = Number("bound", (name, which)).get(self.mission)
         if (name, which) == MARGIN:
             return f"every demand is met with {room_of(bound)} to spare (margin)"
-        assert isinstance(bound, int)
-        if (name, which) == TOGETHER:
-            return f"all swarms together have at most {counted(bound, 'sub-swarm')} at a step"
-        whose = swarm_words(self.mission, name)
-        if which == "most":
-            return f"{whose} has at most {counted(bound, 'sub-swarm')} at a step"
-        return f"every sub-swarm of {whose} has at least {agents(bound, None)}"
+        whose = "all swarms together" if not name else swarm_words(self.mission, name)
+        if which == "least":
+            return f"every sub-swarm of {whose} has at least {agents(bound, None)}"
+        have = "have" if (name, which) == TOGETHER else "has"
+        return f"{whose} {have} at most {counted(bound, 'sub-swarm')} at a step"
+
+
+def ends_words(ends: tuple[str, ...]) -> str:
+    """A state, or an edge by its two ends."""
+    return f"state '{ends[0]}'" if len(ends) == 1 else f"the edge from '{ends[0]}' to '{ends[1]}'"
 
 
 def starts_of(group: Group) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import astuple
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
@@ -9,7 +10,7 @@ from tsplan.explanation.explanation import Conflict, Cut, Explanation, Fact, Par
 from tsplan.words import visible
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterator, Sequence
 
     from rich.console import Console
     from rich.table import Table
@@ -76,10 +77,10 @@ def lines_of(explanation: Explanation, mission: Mission, width: int) -> Iterator
         yield "\nwhat is tight:" if feasible else "\nfacts that forbid every plan:"
         for fact in explanation.facts:
             yield from _folded(fact, width)
-    source = _Source(mission)
+    text = mission.text if mission.origin is None else mission.origin.content
     for number, conflict in enumerate(explanation.conflicts, start=1):
         yield f"\n{_title(conflict, number, explanation)}"
-        yield from source.marked([part for part in conflict.parts if part.kind == "formula"])
+        yield from _marked(text, [part for part in conflict.parts if part.kind == "formula"])
         for part in conflict.parts:
             if part.kind != "formula":
                 yield from _folded(part, width)
@@ -97,8 +98,9 @@ def _title(conflict: Conflict, number: int, explanation: Explanation) -> str:
 
 def _folded(item: Fact | Part, width: int) -> list[str]:
     """A sentence with its place, its further lines indented."""
+    place = item.place
     return wrap(
-        f"{_at(item)}{item.text}",
+        f"{'' if place.line is None else f'{place.line}:{place.column}: '}{item.text}",
         width,
         initial_indent="  ",
         subsequent_indent="      ",
@@ -107,43 +109,26 @@ def _folded(item: Fact | Part, width: int) -> list[str]:
     )
 
 
-def _at(item: Fact | Part) -> str:
-    """Where something is, before what it says."""
-    return "" if item.place.line is None else f"{item.place.line}:{item.place.column}: "
-
-
-class _Source:
-    """The text that places speak about, to show parts of it."""
-
-    def __init__(self, mission: Mission) -> None:
-        text = mission.text if mission.origin is None else mission.origin.content
-        self._lines = text.splitlines()
-
-    def marked(self, parts: Sequence[Part]) -> Iterator[str]:
-        """The lines of the parts, each with a line of marks below."""
-        marks: dict[int, set[int]] = {}
-        for part in parts:
-            if part.place.line is None or part.place.end_line is None:
-                yield f"  {part.text}"
-            for line, columns in self._columns(part):
-                marks.setdefault(line, set()).update(columns)
-        width = len(str(max(marks, default=0)))
-        for line in sorted(marks):
-            text = self._lines[line - 1]
-            below = "".join("^" if n in marks[line] else " " for n in range(1, len(text) + 1))
-            yield f"  {line:>{width}} | {text}"
-            yield f"  {'':>{width}} | {below.rstrip()}"
-
-    def _columns(self, part: Part) -> Iterator[tuple[int, Iterable[int]]]:
-        """The columns of each line that a part covers, without indentation."""
-        place = part.place
-        if place.line is None or place.end_line is None:
-            return
-        for line in range(place.line, min(place.end_line, len(self._lines)) + 1):
-            text = self._lines[line - 1]
-            first = place.column if line == place.line else len(text) - len(text.lstrip()) + 1
-            last = place.end_column if line == place.end_line else len(text.rstrip()) + 1
-            yield line, range(first or 1, last or 1)
+def _marked(content: str, parts: Sequence[Part]) -> Iterator[str]:
+    """The lines of a text that parts stand in, each with a line of marks below."""
+    lines = content.splitlines()
+    marks: dict[int, set[int]] = {}
+    for part in parts:
+        line, column, end_line, end_column = astuple(part.place)
+        if line is None or end_line is None:
+            yield f"  {part.text}"
+            continue
+        for number in range(line, min(end_line, len(lines)) + 1):
+            text = lines[number - 1]
+            first = column if number == line else len(text) - len(text.lstrip()) + 1
+            last = end_column if number == end_line else len(text.rstrip()) + 1
+            marks.setdefault(number, set()).update(range(first or 1, last or 1))
+    width = len(str(max(marks, default=0)))
+    for number in sorted(marks):
+        text = lines[number - 1]
+        below = "".join("^" if n in marks[number] else " " for n in range(1, len(text) + 1))
+        yield f"  {number:>{width}} | {text}"
+        yield f"  {'':>{width}} | {below.rstrip()}"
 
 
 def _changes(explanation: Explanation) -> Table:

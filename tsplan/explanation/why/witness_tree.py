@@ -6,7 +6,7 @@ below it. All values come from the evaluator and the counts of the plan.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
@@ -15,6 +15,7 @@ import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, trace_of
+from tsplan.explanation.why.witness_text import tree_text
 from tsplan.logic.atoms import Count, Limit, Task
 from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of, settled
@@ -64,9 +65,7 @@ class WitnessNode:
     @cached_property
     def tightest(self) -> int | None:
         """The earliest judged step with the least availability."""
-        if not self.steps:
-            return None
-        return self.steps[int(np.argmin(self.availability))]
+        return _tightest(self.steps, self.availability)
 
     @property
     def worst(self) -> float | None:
@@ -88,9 +87,12 @@ class WitnessNode:
 
     def __str__(self) -> str:
         """The tree, one node a line."""
-        from tsplan.explanation.why.witness_text import tree_text  # noqa: PLC0415  (imports this module)
-
         return tree_text(self)
+
+
+def _tightest(steps: tuple[int, ...], availability: Sequence[float] | Values) -> int | None:
+    """The earliest of some steps with the least availability; None if there are none."""
+    return steps[int(np.argmin(availability))] if steps else None
 
 
 def explain(plan: Plan, mission: Mission) -> WitnessNode:
@@ -99,7 +101,7 @@ def explain(plan: Plan, mission: Mission) -> WitnessNode:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    return _Explaining(plan, mission, mission.formula).tree()
+    return _Builder(plan, mission, mission.formula).tree()
 
 
 def explain_preferred(plan: Plan, mission: Mission) -> dict[str, WitnessNode]:
@@ -108,97 +110,90 @@ def explain_preferred(plan: Plan, mission: Mission) -> dict[str, WitnessNode]:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    return {wish.name: _Explaining(plan, mission, wish.formula).tree() for wish in mission.prefer}
+    return {soft.name: _Builder(plan, mission, soft.formula).tree() for soft in mission.prefer}
 
 
 class _Place(NamedTuple):
-    """A node with the steps it is asked for; equal places have equal evidence."""
+    """A formula with the steps it is asked for; equal places have equal witness nodes."""
 
     formula: Formula
     steps: tuple[int, ...]
     needed: bool
 
 
-class _Explaining:
-    """The explanation of one formula; built without recursion, since formulas may be deep."""
+class _Builder:
+    """Makes the tree of one formula; without recursion, since formulas may be deep."""
 
     def __init__(self, plan: Plan, mission: Mission, formula: Formula) -> None:
         self._plan = plan
         self._meaning = meanings(mission, formula)
-        goal = self._meaning[formula]
-        self._root = formula
-        self._trace = trace_of(plan, mission, goal)
-        self._margins = margins(goal, self._trace)
+        self._top = _Place(formula, (0,), needed=True)
+        self._trace = trace_of(plan, mission, self._meaning[formula])
+        self._margins = margins(self._meaning[formula], self._trace)
         self._carriers = mission.system.labels
 
     def tree(self) -> WitnessNode:
-        """The evidence of every place, children before their parents."""
+        """The node of every place, children before their parents."""
         done: dict[_Place, WitnessNode] = {}
         below: dict[_Place, tuple[_Place, ...]] = {}
-        top = _Place(self._root, (0,), needed=True)
-        waiting = [top]
+        waiting = [self._top]
         while waiting:
             place = waiting[-1]
             if place not in below:
                 below[place] = self._below(place)
-                waiting += (p for p in below[place] if p not in done)
+                waiting += (child for child in below[place] if child not in done)
                 continue
             waiting.pop()
             if place not in done:
-                done[place] = self._evidence(place, tuple(done[p] for p in below[place]))
-        return done[top]
+                done[place] = self._node(place, tuple(done[child] for child in below[place]))
+        return done[self._top]
 
     def _below(self, place: _Place) -> tuple[_Place, ...]:
         """The places below a place."""
-        node, steps = place.formula, _array(place.steps)
+        node, steps = place.formula, np.array(place.steps, dtype=np.int64)
         if isinstance(node, Task | Limit):
             used = settled(self._meaning[node], steps, self._margins)
             atoms = [part for part in walk(self._meaning[node]) if isinstance(part, Count)]
-            return tuple(_Place(atom, _tuple(used[atom]), place.needed) for atom in atoms)
+            return tuple(_Place(a, tuple(used[a].tolist()), place.needed) for a in atoms)
+        # where nobody asks for a node, nothing below it settles anything
+        wanted = [NO_STEPS] * len(node.children)
+        if node.children and steps.size:
+            wanted = [*cause_of(self._meaning[node], steps, self._margins).below]
         made = []
-        for child, wanted in zip(node.children, self._wanted(node, steps), strict=True):
-            needed = place.needed and bool(wanted.size)
+        for child, own in zip(node.children, wanted, strict=True):
             # a branch that was not taken is judged where it was offered
-            offered = not wanted.size and isinstance(node, And | Or | Implies)
-            made.append(_Place(child, _tuple(steps if offered else wanted), needed))
+            offered = not own.size and isinstance(node, And | Or | Implies)
+            judged = place.steps if offered else tuple(own.tolist())
+            made.append(_Place(child, judged, place.needed and bool(own.size)))
         return tuple(made)
 
-    def _wanted(self, node: Formula, steps: Steps) -> tuple[Steps, ...]:
-        """The steps at which each child, as written, settles a node."""
-        if not node.children:
-            return ()
-        if not steps.size:
-            return tuple(NO_STEPS for _ in node.children)
-        return cause_of(self._meaning[node], steps, self._margins).below
-
-    def _evidence(self, place: _Place, children: tuple[WitnessNode, ...]) -> WitnessNode:
-        node = place.formula
-        meaning = self._meaning.get(node, node)
-        steps = _array(place.steps)
+    def _node(self, place: _Place, children: tuple[WitnessNode, ...]) -> WitnessNode:
+        meaning = self._meaning.get(place.formula, place.formula)
+        steps = np.array(place.steps, dtype=np.int64)
         values = self._margins[meaning][steps]
-        chosen: tuple[int | None, ...] = ()
-        if node.children and steps.size:
-            found = cause_of(meaning, steps, self._margins).chosen
-            if found is not None:
-                chosen = tuple(None if step == NONE else step for step in found.tolist())
+        rests: Steps | None = None
+        if place.formula.children and steps.size:
+            rests = cause_of(meaning, steps, self._margins).chosen
+        chosen = () if rests is None else rests.tolist()
         atom = meaning if isinstance(meaning, Count) else None
         return WitnessNode(
-            formula=node,
+            formula=place.formula,
             meaning=meaning,
             steps=place.steps,
             availability=tuple(values.tolist()),
-            chosen=chosen,
+            chosen=tuple(None if step == NONE else step for step in chosen),
             needed=place.needed,
-            counts=_tuple(measured(atom, self._trace)[steps]) if atom is not None else (),
-            present=self._present(atom, steps, values) if atom is not None else (),
+            counts=() if atom is None else tuple(measured(atom, self._trace)[steps].tolist()),
+            present=()
+            if atom is None
+            else self._present(atom, _tightest(place.steps, values.tolist())),
             children=children,
         )
 
-    def _present(self, atom: Count, steps: Steps, values: Values) -> tuple[Presence, ...]:
-        """Who is at the states with an atom's label at its tightest step."""
-        if not steps.size:
+    def _present(self, atom: Count, step: int | None) -> tuple[Presence, ...]:
+        """Who is at the states with an atom's label at a step; nobody if there is none."""
+        if step is None:
             return ()
-        step = int(steps[int(np.argmin(values))])
         states = self._carriers[atom.label]
         counts = self._trace.at(atom.label, atom.capability)[:, step].astype(np.int64).tolist()
         ids: dict[str | None, list[str]] = {state: [] for state in states}
@@ -223,11 +218,3 @@ def meanings(mission: Mission, formula: Formula) -> Mapping[Formula, Formula]:
         plain = translate(node, interval=mission.task_interval)
         found[node] = resolve_percent(plain, mission.having)
     return found
-
-
-def _array(steps: tuple[int, ...]) -> Steps:
-    return np.array(steps, dtype=np.int64)
-
-
-def _tuple(steps: Steps) -> tuple[int, ...]:
-    return tuple(steps.tolist())

@@ -2,19 +2,110 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
+from math import inf
+from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.explanation.explanation import Fact, PartKind, SoftConstraint
 from tsplan.explanation.part_words import Wording
-from tsplan.explanation.whynot.arrivals import Arrivals, latest_of
 from tsplan.explanation.whynot.soft_constraints import of_occurrence, robot_entries
 from tsplan.explanation.whynot.unconditional_demands import Demand, demands
+from tsplan.ts.reachability import shortest_durations, usable
 
 if TYPE_CHECKING:
-    from tsplan.mission import Mission
+    import numpy as np
+    import numpy.typing as npt
+
+    from tsplan.mission import Group, Mission
+
+
+class Arrival(NamedTuple):
+    """Robots of one entry of the team that can be somewhere from `step` on (inf: never)."""
+
+    step: float
+    robots: int
+    entry: int
+    start: str
+
+
+@dataclass(frozen=True)
+class Arrivals:
+    """Earliest arrivals on the map of one mission; what is computed is kept.
+
+    `pause` is called before what takes long, and raises where the work is to end.
+    """
+
+    mission: Mission
+    pause: Callable[[], None] = lambda: None
+    _known: dict[tuple[str, frozenset[str], str], npt.NDArray[np.float64]] = field(
+        default_factory=dict
+    )
+
+    def within(self, states: tuple[str, ...], capability: str | None) -> list[Arrival]:
+        """Everybody with a capability, those first that can be at the nearest state first."""
+        return sorted(
+            Arrival(min(self.between(group, start, s) for s in states), count, entry, start)
+            for entry, group in able(self.mission, capability)
+            for start, count in group.starts
+        )
+
+    def durations(self, group: Group, start: str) -> npt.NDArray[np.float64]:
+        """Fewest steps from a state to every state, for robots like those of a group."""
+        key = (group.class_name, group.capabilities, start)
+        if key not in self._known:
+            self.pause()
+            self._known[key] = shortest_durations(
+                self.mission.system,
+                [start],
+                class_name=group.class_name,
+                capabilities=group.capabilities,
+            )[0]
+        return self._known[key]
+
+    def between(self, group: Group, start: str, target: str) -> float:
+        """Fewest steps from one state to another, for robots like those of a group."""
+        return float(self.durations(group, start)[self._places[target]])
+
+    def way(self, group: Group, start: str, target: str) -> list[str]:
+        """The states of a quickest way; empty where there is none."""
+        distance = dict(zip(self._places, self.durations(group, start), strict=True))
+        if distance[target] == inf:
+            return []
+        into: dict[str, list[tuple[str, int]]] = {}
+        for edge, duration in usable(self.mission.system, group.class_name, group.capabilities):
+            if not edge.is_wait:
+                into.setdefault(edge.target, []).append((edge.source, duration))
+        states = [target]
+        while states[-1] != start:
+            before = into[states[-1]]
+            here = distance[states[-1]]
+            states.append(next(s for s, duration in before if distance[s] + duration == here))
+        return states[::-1]
+
+    @cached_property
+    def _places(self) -> Mapping[str, int]:
+        return {name: number for number, name in enumerate(self.mission.system.states)}
+
+
+def able(mission: Mission, capability: str | None) -> Iterator[tuple[int, Group]]:
+    """The entries of the team with a capability; all of them for None."""
+    for number, group in enumerate(mission.team):
+        if capability is None or capability in group.capabilities:
+            yield number, group
+
+
+def latest_of(arrivals: list[Arrival], amount: int) -> float:
+    """The step from which `amount` robots can be there; inf if they never can."""
+    if amount <= 0:
+        return 0.0
+    for item in arrivals:
+        amount -= item.robots
+        if amount <= 0:
+            return item.step
+    return inf
 
 
 @dataclass(frozen=True)
@@ -49,15 +140,16 @@ class Context:
         """The upper bounds among the demands."""
         return tuple(item for item in self.all_demands if item.upper)
 
+    def places(self, need: Demand) -> list[tuple[str, list[Arrival]]]:
+        """The states at which a need must be met, or one for all of them, and who comes there."""
+        together = need.reach == "together"
+        sites = [need.states] if together else [(state,) for state in need.states]
+        return [(site[0], self.arrivals.within(site, need.capability)) for site in sites]
+
     def ready(self, need: Demand) -> float:
         """The earliest step at which a need can begin to be met, by travel times alone."""
-        if need.reach == "together":
-            return latest_of(self.arrivals.within(need.states, need.capability), need.amount)
-        steps = [
-            latest_of(self.arrivals.within((state,), need.capability), need.amount)
-            for state in need.states
-        ]
-        return max(steps) if need.reach == "each" else min(steps)
+        steps = [latest_of(arrivals, need.amount) for _, arrivals in self.places(need)]
+        return min(steps) if need.reach == "one" else max(steps)
 
     def fact(
         self, kind: str, text: str, demands: Iterable[Demand], *others: SoftConstraint
@@ -70,12 +162,8 @@ class Context:
 
     def team(self, capability: str | None, *kinds: PartKind) -> list[SoftConstraint]:
         """The constraints of the team's entries with a capability."""
-        return [
-            constraint
-            for number, group in enumerate(self.mission.team)
-            if capability is None or capability in group.capabilities
-            for constraint in self.entry(number, *kinds)
-        ]
+        entries = able(self.mission, capability)
+        return [item for number, _ in entries for item in self.entry(number, *kinds)]
 
     def entry(self, number: int, *kinds: PartKind) -> list[SoftConstraint]:
         """The constraints of one entry of the team, its size and its start; swarms have none."""
@@ -84,9 +172,8 @@ class Context:
 
     def having(self, capability: str | None) -> str:
         """How many the team has with a capability, and in which classes."""
-        counts: dict[str, int] = {}
-        for group in self.mission.team:
-            if capability is None or capability in group.capabilities:
-                counts[group.class_name] = counts.get(group.class_name, 0) + group.count
+        counts: Counter[str] = Counter()
+        for _, group in able(self.mission, capability):
+            counts[group.class_name] += group.count
         inside = ", ".join(f"{count} {name}" for name, count in counts.items())
-        return f"{sum(counts.values())} ({inside})" if inside else "none"
+        return f"{counts.total()} ({inside})" if inside else "none"

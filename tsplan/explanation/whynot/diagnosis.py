@@ -196,10 +196,8 @@ class _Run:
         )
         timings = {**self.seconds, "solve": self.oracle.seconds, "total": self.clock.elapsed}
         rounded = {name: round(value, 6) for name, value in timings.items()}
-        changes = ranked([replace(item, mission=self._whole(item)) for item in self.changes])
-        return Explanation(
-            status, self.mission.name, tuple(self.facts), conflicts, changes, rounded, self.cut
-        )
+        facts, changes = tuple(self.facts), ranked(self.changes)
+        return Explanation(status, self.mission.name, facts, conflicts, changes, rounded, self.cut)
 
     def _feasible(self, *, slack: bool) -> None:
         """What is tight about a mission that can be met."""
@@ -248,7 +246,3 @@ class _Run:
                 self.changes.append(change)
                 self._hand_over()
                 helped.setdefault(candidate.family, candidate.rank)
-
-    def _whole(self, change: Change) -> Mission:
-        """The changed mission with everything that the solves left out."""
-        return replace(change.mission, objective=self.mission.objective)

@@ -13,7 +13,7 @@ from math import ceil, inf
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
-from tsplan.explanation.part_words import counted, room_of
+from tsplan.explanation.part_words import counted, ends_words, room_of
 from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number, Value, moved
 from tsplan.explanation.whynot.occurrences import (
     Occurrence,
@@ -24,7 +24,7 @@ from tsplan.explanation.whynot.occurrences import (
 )
 from tsplan.explanation.whynot.relaxing import useful_number
 from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, of_occurrence
-from tsplan.logic import Count, Eventually, Percent, Task, Until
+from tsplan.logic import Eventually, Percent, Task, Until
 from tsplan.logic import labels as labels_of
 from tsplan.ts.waits import without_wait
 
@@ -42,11 +42,8 @@ MOST_PLACES = 6
 MOST_EDGES = 12
 """Edges that are tried, those on quickest ways first."""
 
-_ASKING = {">=": 0, ">": 1}
-"""Relations that ask for agents, with how many more than the bound."""
-
-_ALLOWING = {"<=": 0, "<": -1}
-"""Relations that limit agents, with how many more than the bound are allowed."""
+_BEYOND = {">=": 0, ">": 1, "<=": 0, "<": -1}
+"""What a relation adds to its bound: `> 2` asks for 3 agents, `< 2` allows 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,8 +133,7 @@ def _in_formula(context: Context, part: Occurrence) -> Iterator[Candidate]:
     whole = Occurrence(part.way)
     for edit, inside in (
         (_deadline(mission, whole, was), whole),
-        (_looser_limit(mission, part, was), part),
-        (_lower_need(mission, part, was), part),
+        (_counted(mission, part, was), part),
         (_shorter_task(mission, whole, was), whole),
         *(
             (_deadline(mission, Occurrence(way), was), Occurrence(way))
@@ -150,9 +146,8 @@ def _in_formula(context: Context, part: Occurrence) -> Iterator[Candidate]:
 
 def _below(mission: Mission, part: Occurrence) -> frozenset[SoftConstraint]:
     """One need, or all parts of a sub-formula."""
-    if part.need is not None:
-        return frozenset({of_occurrence(part)})
-    return frozenset(of_occurrence(item) for item in occurrences(mission.formula, part.way))
+    parts = [part] if part.need is not None else occurrences(mission.formula, part.way)
+    return frozenset(map(of_occurrence, parts))
 
 
 def _deadline(mission: Mission, part: Occurrence, was: str) -> Edit | None:
@@ -171,58 +166,35 @@ def _shorter_task(mission: Mission, part: Occurrence, was: str) -> Edit | None:
     least = int(mission.task_interval == "half-open")
     if not isinstance(node, Task) or node.duration <= least:
         return None
-    now = node.duration
+    now, number = node.duration, Number("formula", (part.way, "duration"))
     text = f"shorten the task from {now} to {{new}} steps in {was}"
-    return Edit(
-        Number("formula", (part.way, "duration")), "shorten_task", now - least, text, now, -1
-    )
+    return Edit(number, "shorten_task", now - least, text, now, -1)
 
 
-def _lower_need(mission: Mission, part: Occurrence, was: str) -> Edit | None:
-    """Fewer agents asked for by a task's need or a count; of a percentage, fewer hundredths."""
-    count = _count_at(mission, part)
-    if count is None or count.relation not in _ASKING:
-        return None
-    now, who = count.bound, count.capability
-    if isinstance(now, Percent):
-        asked, less = ceil(now.value), "{agents}"
-    else:
-        asked = now = now + _ASKING[count.relation]
-        less = "{agents}" + _literal(f" with {who}" if who else "")
-    label = _literal(count.label)
-    nobody = f"ask for no {_literal(who or 'agents')} at '{label}' in {was}"
-    text = f"lower the need at '{label}' from {now} to {less} in {was}"
-    number = _number_of(mission, part)
-    return Edit(number, "lower_need", asked, text, now, -1, nobody) if asked > 0 else None
-
-
-def _looser_limit(mission: Mission, part: Occurrence, was: str) -> Edit | None:
-    """More agents allowed by a limit or a count; of a percentage, more hundredths."""
-    count = _count_at(mission, part)
-    if count is None or count.relation not in _ALLOWING:
-        return None
-    now, who = count.bound, count.capability
-    if isinstance(now, Percent):
-        most, more = ceil(100 - now.value), "{agents}"
-    else:
-        now += _ALLOWING[count.relation]
-        most = mission.size - max(now, 0)
-        more = "{agents}" + _literal(f" with {who}" if who else "")
-    text = f"loosen the limit at '{_literal(count.label)}' from {now} to {more} in {was}"
-    number = _number_of(mission, part)
-    return Edit(number, "loosen_limit", most, text, now) if most > 0 else None
-
-
-def _count_at(mission: Mission, part: Occurrence) -> Count | None:
-    """The count that a part of the formula means, if it is an atom or one of an atom's needs."""
-    counts = counts_of(node_at(mission.formula, part.way))
-    return counts[part.need or 0] if counts else None
-
-
-def _number_of(mission: Mission, part: Occurrence) -> Number:
-    """The number that a count compares with, where it is written."""
+def _counted(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+    """Fewer agents asked for, or more allowed; of a percentage, hundredths."""
     node = node_at(mission.formula, part.way)
-    return Number("formula", (part.way, "bound" if isinstance(node, Count) else part.need or 0))
+    counts = counts_of(node)
+    if not counts or counts[part.need or 0].relation not in _BEYOND:
+        return None
+    count = counts[part.need or 0]
+    asks, label, who = count.relation in (">=", ">"), _literal(count.label), count.capability
+    number = Number("formula", (part.way, "bound" if node is count else part.need or 0))
+    now: Value
+    if isinstance(count.bound, Percent):
+        now, who_words = count.bound, ""
+        most = ceil(now.value if asks else 100 - now.value)
+    else:
+        now = count.bound + _BEYOND[count.relation]
+        who_words = _literal(f" with {who}" if who else "")
+        most = now if asks else mission.size - max(now, 0)
+    if most <= 0:
+        return None
+    change = f"at '{label}' from {now} to {{agents}}{who_words} in {was}"
+    if not asks:
+        return Edit(number, "loosen_limit", most, f"loosen the limit {change}", now)
+    nobody = f"ask for no {_literal(who or 'agents')} at '{label}' in {was}"
+    return Edit(number, "lower_need", most, f"lower the need {change}", now, -1, nobody)
 
 
 def _literal(text: str) -> str:
@@ -261,11 +233,8 @@ def _more_capacity(mission: Mission, ends: tuple[str, ...]) -> Edit:
     """More room at a state, or on an edge (in both its directions where they share it)."""
     number = Number("capacity", ends)
     now = number.get(mission)
-    names = [_literal(name) for name in ends]
-    alone = len(ends) == 1
-    where = f"state '{names[0]}'" if alone else f"the edge from '{names[0]}' to '{names[1]}'"
-    text = f"raise the capacity of {where} from {now} to {{new}}"
-    return Edit(number, "loosen_limit" if alone else "edge", mission.size, text, now)
+    text = f"raise the capacity of {_literal(ends_words(ends))} from {now} to {{new}}"
+    return Edit(number, "loosen_limit" if len(ends) == 1 else "edge", mission.size, text, now)
 
 
 def _quicker_edges(
@@ -286,9 +255,8 @@ def _quicker_edges(
         longest = number.get(mission)
         if longest > 1:
             alike = isinstance(mission.system.edges[pair].duration, int)
-            source, target = map(_literal, pair)
             was = f" (now {longest})" if alike else ""
-            text = f"cross the edge from '{source}' to '{target}'{was} in {{steps}} less"
+            text = f"cross {_literal(ends_words(pair))}{was} in {{steps}} less"
             edit = Edit(number, "edge", longest - 1, text, longest, -1)
             yield Candidate(edit, frozenset())
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import Fact, SoftConstraint
 from tsplan.explanation.part_words import agents, counted, swarm_words
+from tsplan.explanation.whynot.context import able
 from tsplan.explanation.whynot.mission_numbers import TOGETHER
 from tsplan.explanation.whynot.supply import instants, moments
 
@@ -83,9 +84,8 @@ def _all_swarms(context: Context) -> Iterator[Fact]:
 def _swarm_of(mission: Mission, needs: Sequence[Demand]) -> str | None:
     """The one swarm that must meet the needs, which are all for one capability."""
     assert mission.swarm is not None
-    who = needs[0].capability
-    able = [group.class_name for group in mission.team if who is None or who in group.capabilities]
-    return able[0] if len(able) == 1 and able[0] in mission.swarm.each else None
+    names = [group.class_name for _, group in able(mission, needs[0].capability)]
+    return names[0] if len(names) == 1 and names[0] in mission.swarm.each else None
 
 
 def _apart(needs: Sequence[Demand]) -> list[tuple[Demand, str]]:

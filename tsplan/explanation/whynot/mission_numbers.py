@@ -6,7 +6,7 @@ its swarms, so that what searches for a smallest change knows numbers alone.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from types import MappingProxyType
@@ -116,42 +116,49 @@ def _put_agents(mission: Mission, value: int, entry: int, state: str) -> Mission
 # --- the map -----------------------------------------------------------------------------------
 
 
-def both_directions(system: TransitionSystem, pair: Pair) -> frozenset[Pair]:
-    """An edge, and its other direction where both were written as one."""
-    return frozenset({pair, pair[::-1]} if system.edges[pair].both_ways else {pair})
-
-
 def remapped(
-    system: TransitionSystem,
-    names: Collection[str | Pair],
-    change: Callable[[Any], Any],
+    system: TransitionSystem, names: Iterable[str | Pair], change: Callable[[Any], Any]
 ) -> TransitionSystem:
-    """The map with some of its states, by name, and edges, by their ends, changed."""
-    states = [change(item) if item.name in names else item for item in system.states.values()]
-    edges = [change(item) if item.pair in names else item for item in system.edges.values()]
+    """The map with states, by name, and edges, by their ends, changed.
+
+    Where both directions of an edge were written as one, both are changed.
+    """
+    chosen = set(names)
+    shared = {pair for pair, edge in system.edges.items() if pair in chosen and edge.both_ways}
+    chosen |= {pair[::-1] for pair in shared}
+    states = [change(item) if item.name in chosen else item for item in system.states.values()]
+    edges = [change(item) if item.pair in chosen else item for item in system.edges.values()]
     return TransitionSystem.build(states, edges, system.name)
 
 
-def _capacity(mission: Mission, *ends: str) -> int | None:
+def _on_map(mission: Mission, *ends: str) -> Any:
+    """A state by its name, or an edge by its ends."""
     system = mission.system
-    return (system.states[ends[0]] if len(ends) == 1 else system.edges[ends]).capacity  # type: ignore[index]  # two ends
+    return system.states[ends[0]] if len(ends) == 1 else system.edges[ends[0], ends[1]]
 
 
-def _put_capacity(mission: Mission, value: int | None, *ends: Any) -> Mission:
-    names = set(ends) if len(ends) == 1 else both_directions(mission.system, ends)
-    system = remapped(mission.system, names, lambda item: replace(item, capacity=value))
+def _put_on_map(mission: Mission, ends: Any, change: Callable[[Any], Any]) -> Mission:
+    system = remapped(mission.system, [ends[0] if len(ends) == 1 else ends], change)
     return replace(mission, system=system, warnings=())
 
 
-def _duration(mission: Mission, *pair: str) -> int:
+def _capacity(mission: Mission, *ends: str) -> Any:
+    return _on_map(mission, *ends).capacity
+
+
+def _put_capacity(mission: Mission, value: int, *ends: str) -> Mission:
+    return _put_on_map(mission, ends, lambda item: replace(item, capacity=value))
+
+
+def _duration(mission: Mission, *ends: str) -> Any:
     """Steps that an edge takes, of its slowest class."""
-    duration = mission.system.edges[pair].duration  # type: ignore[index]  # two ends
+    duration = _on_map(mission, *ends).duration
     return max(duration.values()) if isinstance(duration, Mapping) else duration
 
 
-def _put_duration(mission: Mission, value: int, *pair: Any) -> Mission:
+def _put_duration(mission: Mission, value: int, *ends: str) -> Mission:
     """The edge by as many steps quicker for all classes, but takes one at least."""
-    less = _duration(mission, *pair) - value
+    less = _duration(mission, *ends) - value
 
     def quicker(edge: Edge) -> Edge:
         if isinstance(edge.duration, Mapping):
@@ -159,32 +166,28 @@ def _put_duration(mission: Mission, value: int, *pair: Any) -> Mission:
             return replace(edge, duration=each)
         return replace(edge, duration=max(edge.duration - less, 1))
 
-    system = remapped(mission.system, both_directions(mission.system, pair), quicker)
-    return replace(mission, system=system, warnings=())
+    return _put_on_map(mission, ends, quicker)
 
 
 def _waits(mission: Mission, *state: str) -> int:
-    missing = without_wait(mission.system)
-    return int(state[0] not in missing if state else not missing)
+    return int(not {*without_wait(mission.system)} & {*(state or mission.system.states)})
 
 
 def _put_waits(mission: Mission, value: int, *state: str) -> Mission:
     """Edges from states to themselves where there are none yet; none is ever taken away."""
-    missing = [
-        name for name in without_wait(mission.system) if value and name in (state or (name,))
-    ]
+    wanted = state or tuple(mission.system.states)
+    missing = [name for name in without_wait(mission.system) if value and name in wanted]
     return replace(mission, system=with_waits(mission.system, missing), warnings=())
 
 
 # --- bounds of swarms --------------------------------------------------------------------------
 
 
-def bound_of(rules: SwarmRules, name: str, which: str) -> Value | None:
-    """What the rules say of a bound; None where there is none."""
-    if not name:
-        return rules.margin if which == "margin" else rules.together
-    bound: int | None = getattr(rules.each[name], which)
-    return bound
+def _bound(mission: Mission, name: str, which: str) -> Any:
+    rules = mission.swarm
+    if rules is None or not name:
+        return rules and (rules.margin if which == "margin" else rules.together)
+    return getattr(rules.each[name], which)
 
 
 def with_bound(rules: SwarmRules, value: Any, name: str, which: str) -> SwarmRules:
@@ -195,14 +198,9 @@ def with_bound(rules: SwarmRules, value: Any, name: str, which: str) -> SwarmRul
     return replace(rules, each={**rules.each, name: bounds})
 
 
-def _bound(mission: Mission, name: str, which: str) -> Value | None:
-    assert mission.swarm is not None
-    return bound_of(mission.swarm, name, which)
-
-
 def _put_bound(mission: Mission, value: Any, name: str, which: str) -> Mission:
-    assert mission.swarm is not None
-    return replace(mission, swarm=with_bound(mission.swarm, value, name, which), warnings=())
+    rules = mission.swarm and with_bound(mission.swarm, value, name, which)
+    return replace(mission, swarm=rules, warnings=())
 
 
 _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = MappingProxyType(

@@ -9,12 +9,12 @@ number is open may stay in their depot; there are as many as any plan could use.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.explanation import PartKind, SoftConstraint
-from tsplan.explanation.whynot.mission_numbers import both_directions, remapped, with_bound
+from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.whynot.mission_numbers import remapped, with_bound
 from tsplan.explanation.whynot.occurrences import without
 from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, robot_entries
 from tsplan.limits import MOST_ROBOTS
@@ -59,7 +59,7 @@ def relaxed(
         swarm=rules,
     )
     if any(item.kind in ("team", "start") for item in gone):
-        return _Depots(left, gone).problem(tuning)
+        return _from_depots(left, gone, tuning)
     return Problem(left, tuning) if robot_entries(mission) else left
 
 
@@ -68,11 +68,8 @@ def _roomier(system: TransitionSystem, gone: Dropped) -> TransitionSystem:
     if WAITING in gone:
         system = with_waits(system, without_wait(system))
     keys = [item.key for item in gone if item.kind == "capacity"]
-    states = [key[0] for key in keys if len(key) == 1]
-    edges = [pair for key in keys if len(key) > 1 for pair in both_directions(system, key)]
-    if not keys:
-        return system
-    return remapped(system, {*states, *edges}, lambda item: replace(item, capacity=None))
+    names = [key[0] if len(key) == 1 else key for key in keys]
+    return remapped(system, names, lambda item: replace(item, capacity=None)) if keys else system
 
 
 def bounded_above(mission: Mission) -> bool:
@@ -118,87 +115,61 @@ def useful_number(mission: Mission) -> int:
     return max(1, min(total * steps, MOST_ROBOTS // (2 * len(mission.team))))
 
 
-@dataclass(frozen=True)
-class _Depots:
-    """Makes the problem in which the agents come from depots; those of swarms as many as before."""
-
-    mission: Mission
-    gone: Dropped
-
-    def problem(self, tuning: Tuning) -> Problem:
-        """The mission one step later, begun from depots."""
-        mission = self.mission
-        system = mission.system
-        states, edges, team = [*system.states.values()], [*system.edges.values()], []
-        open_: list[str] = []
-        all_: list[str] = []
-        for number, group in enumerate(mission.team):
-            starts = []
-            for name, count, targets in self._depots(number, group):
-                states.append(State(name))
-                edges.append(Edge(name, name))
-                edges += [Edge(name, target) for target in targets]
-                starts.append((name, count))
-                (open_ if self._without("team", number) else all_).append(name)
-            team.append(Group(group.class_name, group.capabilities, tuple(starts)))
-        formula = Always(1, 1, mission.formula)
-        problem = Problem(
-            replace(
-                mission,
-                system=TransitionSystem.build(states, edges, system.name),
-                team=tuple(team),
-                formula=formula,
-                text=str(formula),
-                horizon=mission.horizon + 1,
-            ),
-            tuning,
-        )
-        if not self._late_is_harmless:
-            self._hurry(problem, open_, all_)
-        return problem
-
-    def _without(self, kind: PartKind, number: int) -> bool:
-        return SoftConstraint(kind, (number,)) in self.gone
-
-    def _depots(self, number: int, group: Group) -> Iterator[tuple[str, int, list[str]]]:
-        """Name, robots and first states of the depots of one entry of the team."""
-        many = useful_number(self.mission) if self._without("team", number) else None
-        if self._without("start", number):
-            yield self._name(number, 0), many or group.count, self._anywhere(group)
-            return
-        for place, (state, count) in enumerate(group.starts):
-            yield self._name(number, place), many or count, [state]
-
-    def _name(self, number: int, place: int) -> str:
-        name = f"depot {number}.{place}"
-        while name in self.mission.system.states:
-            name += "'"
-        return name
-
-    def _anywhere(self, group: Group) -> list[str]:
-        """Where robots may start: at any state; where waiting is free, at those that count."""
-        system = self.mission.system
-        allowed = [state for state in system.states.values() if state.needs <= group.capabilities]
-        if self._late_is_harmless:
-            named = {node.label for node in walk(self.mission.goal) if isinstance(node, Count)}
-            starts = {state for state, _ in group.starts}
-            allowed = [s for s in allowed if s.labels & named or s.name in starts]
-        return [state.name for state in allowed]
-
-    @property
-    def _late_is_harmless(self) -> bool:
-        """Whether leaving the depot later is as good as waiting where the robot starts.
-
-        It is not where swarms are bounded, since whoever is in a depot is a sub-swarm there.
-        """
-        mission = self.mission
-        return mission.swarm is None and waits_everywhere(mission) and not bounded_above(mission)
-
-    def _hurry(self, problem: Problem, open_: list[str], all_: list[str]) -> None:
-        """Robots leave their depot before the mission begins or, where they may, never."""
-        last = problem.mission.horizon
+def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
+    """The mission one step later, begun from depots; of swarms come as many as there are."""
+    # leaving a depot late may be as good as waiting where a robot starts; but bounded swarms are
+    # sub-swarms in their depots, too
+    harmless = mission.swarm is None and waits_everywhere(mission) and not bounded_above(mission)
+    system = mission.system
+    states, edges, team = [*system.states.values()], [*system.edges.values()], []
+    open_: list[str] = []
+    all_: list[str] = []
+    for number, group in enumerate(mission.team):
+        sized = SoftConstraint("team", (number,)) not in gone
+        starts = []
+        for place, (count, targets) in enumerate(_starts(mission, gone, number, near=harmless)):
+            name = f"depot {number}.{place}"
+            while name in system.states:
+                name += "'"
+            states.append(State(name))
+            edges += [Edge(name, name), *(Edge(name, target) for target in targets)]
+            starts.append((name, count if sized else useful_number(mission)))
+            (all_ if sized else open_).append(name)
+        team.append(Group(group.class_name, group.capabilities, tuple(starts)))
+    formula = Always(1, 1, mission.formula)
+    later = replace(
+        mission,
+        system=TransitionSystem.build(states, edges, system.name),
+        team=tuple(team),
+        formula=formula,
+        text=str(formula),
+        horizon=mission.horizon + 1,
+    )
+    problem = Problem(later, tuning)
+    if not harmless:  # robots leave before the mission begins or, where they may, never
         for name in all_:
             problem.add(problem.count(name, step=1) <= 0, "everybody starts")
         for name in open_:
-            left = problem.count(name, step=1) - problem.count(name, step=last)
+            left = problem.count(name, step=1) - problem.count(name, step=later.horizon)
             problem.add(left <= 0, "nobody starts late")
+    return problem
+
+
+def _starts(
+    mission: Mission, gone: Dropped, number: int, *, near: bool
+) -> Iterator[tuple[int, list[str]]]:
+    """How many robots of one entry of the team start where: any of some states.
+
+    If the start is taken out, that is everywhere, or where they count if that is `near` enough.
+    """
+    group = mission.team[number]
+    if SoftConstraint("start", (number,)) not in gone:
+        yield from ((count, [state]) for state, count in group.starts)
+        return
+    states = mission.system.states.values()
+    allowed = [state for state in states if state.needs <= group.capabilities]
+    if near:
+        named = {node.label for node in walk(mission.goal) if isinstance(node, Count)}
+        own = {state for state, _ in group.starts}
+        allowed = [state for state in allowed if state.labels & named or state.name in own]
+    yield group.count, [state.name for state in allowed]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.part_words import agents
+from tsplan.explanation.whynot.context import able
 
 if TYPE_CHECKING:
     from tsplan.explanation.explanation import Fact
@@ -24,43 +25,33 @@ def crowding(context: Context) -> Iterator[Fact]:
     states = context.mission.system.states
     for need in context.needs:
         context.pause()
-        room = {name: states[name].capacity for name in need.states}
-        bounded = {name: most for name, most in room.items() if most is not None}
+        room = {name: most for name in need.states if (most := states[name].capacity) is not None}
         if need.reach == "each":
-            full = [name for name, most in bounded.items() if most < need.amount][:1]
-        elif len(bounded) < len(room):
-            continue
-        elif need.reach == "one":
-            full = list(bounded) if max(bounded.values()) < need.amount else []
+            full = [name for name, most in room.items() if most < need.amount][:1]
         else:
-            full = list(bounded) if sum(bounded.values()) < need.amount else []
+            most = sum(room.values()) if need.reach == "together" else max(room.values(), default=0)
+            full = list(room) if len(room) == len(need.states) and most < need.amount else []
         if full:
-            holds = ", ".join(f"'{name}' holds {bounded[name]}" for name in full)
+            holds = ", ".join(f"'{name}' holds {room[name]}" for name in full)
             text = f"{agents(need.amount, need.capability)} must be at '{need.label}', and {holds}"
-            yield context.fact(
-                "capacity", text, [need], *(SoftConstraint("capacity", (name,)) for name in full)
-            )
+            names = (SoftConstraint("capacity", (name,)) for name in full)
+            yield context.fact("capacity", text, [need], *names)
 
 
 def contradictions(context: Context) -> Iterator[Fact]:
     """Needs that a limit forbids at every step at which they may begin."""
     for need, limits in _opposed(context):
         context.pause()
-        free = _free_steps(need, limits, need.span.first)
-        if free is None:
-            limit = limits[0]
-            text = f"{_asked(need)}, and {_allowed(limit)} {_during(limit)}"
+        if _free_steps(need, limits, need.span.first) is None:
+            text = f"{_asked(need)}, and {_allowed(limits[0])}"
             yield context.fact("contradiction", text, [need, *limits])
             continue
         ready = context.ready(need)
         if ready <= need.span.last and _free_steps(need, limits, int(ready)) is None:
-            limit = limits[0]
-            text = (
-                f"{_asked(need)}, nobody can see to it before step {int(ready)}, "
-                f"and {_allowed(limit)} {_during(limit)}"
-            )
-            able = context.team(need.capability, "start", "team")
-            yield context.fact("room", text, [need, *limits], *able)
+            late = f"nobody can see to it before step {int(ready)}"
+            text = f"{_asked(need)}, {late}, and {_allowed(limits[0])}"
+            robots = context.team(need.capability, "start", "team")
+            yield context.fact("room", text, [need, *limits], *robots)
 
 
 def _opposed(context: Context) -> Iterator[tuple[Demand, list[Demand]]]:
@@ -112,8 +103,8 @@ def timing(context: Context) -> Iterator[Fact]:
             continue  # one alone is too much: that is scarcity
         late = _too_late(context, one, two)
         if late is not None:
-            able = context.team(one.capability, "start", "team")
-            yield context.fact("timing", late, [one, two], *able)
+            robots = context.team(one.capability, "start", "team")
+            yield context.fact("timing", late, [one, two], *robots)
 
 
 def _too_late(context: Context, one: Demand, two: Demand) -> str | None:
@@ -141,16 +132,13 @@ def _too_late(context: Context, one: Demand, two: Demand) -> str | None:
 
 def _between(context: Context, one: Demand, two: Demand) -> float:
     """Fewest steps from a state of one need to a state of the other, for anybody able."""
-    return min(
-        (
-            context.arrivals.between(group, source, target)
-            for group in context.mission.team
-            if one.capability is None or one.capability in group.capabilities
-            for source in one.states
-            for target in two.states
-        ),
-        default=inf,
+    ways = (
+        context.arrivals.between(group, source, target)
+        for _, group in able(context.mission, one.capability)
+        for source in one.states
+        for target in two.states
     )
+    return min(ways, default=inf)
 
 
 def _asked(need: Demand) -> str:
@@ -166,11 +154,9 @@ def _asked(need: Demand) -> str:
 
 
 def _allowed(limit: Demand) -> str:
-    most = agents(limit.amount, limit.capability) if limit.amount else "nobody"
-    who = f" with {limit.capability}" if limit.capability and not limit.amount else ""
-    return f"at most {most} may be there" if limit.amount else f"nobody{who} may be there"
-
-
-def _during(limit: Demand) -> str:
+    """What a limit allows, and when."""
     first, _, lasts = limit.span
-    return f"during the steps {first}..{first + lasts}" if lasts else f"at step {first}"
+    who = f" with {limit.capability}" if limit.capability else ""
+    most = f"at most {agents(limit.amount, limit.capability)}" if limit.amount else f"nobody{who}"
+    when = f"during the steps {first}..{first + lasts}" if lasts else f"at step {first}"
+    return f"{most} may be there {when}"
