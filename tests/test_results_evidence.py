@@ -16,9 +16,10 @@ from tsplan.explanation.why.requirements import requirements, runs
 from tsplan.explanation.why.witness_tree import Presence, explain
 from tsplan.logic import horizon, parse, robustness
 from tsplan.logic.atoms import Count
-from tsplan.logic.causes import cause, settled, spans, windows
+from tsplan.logic.causes import cause, spans
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, Release, Until
+from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.mission import Group
 from tsplan.plans.plan import AgentPlan, MissionRef, Plan
 from tsplan.plans.presence import counted
@@ -328,8 +329,9 @@ def test_random_requirements_stay_in_their_windows_and_settle_the_goal(seed):
     found = requirements(plan, mission)
     trace = everything(mission, plan)
     value = float(robustness(mission.goal, trace)[0])
-    wheres = windows(mission.goal)
-    used = settled(mission.goal, np.zeros(1, dtype=np.int64), margins(mission.goal, trace))
+    owed = obligations(mission.goal, JUDGED, margins(mission.goal, trace))
+    wheres = {node: tuple(sorted(one.windows)) for (node, _), one in owed.items()}
+    used = {node: one.steps for (node, _), one in owed.items()}
     assert {r.atom for r in found} == {node for node in wheres if isinstance(node, Count)}
     for r in found:
         assert r.margins.tolist() == robustness(r.atom, trace).tolist()

@@ -33,7 +33,6 @@ from tsplan.logic.nodes import (
     Release,
     Until,
 )
-from tsplan.logic.traversal import walk
 
 Steps: TypeAlias = npt.NDArray[np.int64]
 Values: TypeAlias = npt.NDArray[Any]
@@ -64,41 +63,6 @@ class Judged(NamedTuple):
     steps: Steps
     own: Values
     below: tuple[Values, ...]
-
-
-def settled(
-    formula: Formula, steps: Steps, margins: Mapping[Formula, Values]
-) -> Mapping[Formula, Steps]:
-    """The steps at which each sub-formula settles a formula at the given steps.
-
-    A sub-formula that stands at several places is listed once, with the steps of all of them.
-    The formula is without tasks and limits; `margins` is `tsplan.logic.evaluation.margins` of it.
-    """
-    asked = {node: [NO_STEPS] for node in walk(formula)}
-    asked[formula].append(steps)
-    found: dict[Formula, Steps] = {}
-    for node in reversed(tuple(asked)):
-        found[node] = np.unique(np.concatenate(asked[node]))
-        for child, wanted in zip(
-            node.children, cause_of(node, found[node], margins).below, strict=True
-        ):
-            asked[child].append(wanted)
-    return found
-
-
-def windows(formula: Formula) -> Mapping[Formula, tuple[Span, ...]]:
-    """The steps at which each sub-formula can matter when the formula is judged at step 0.
-
-    They are windows `(first, last)`, one for each different place in the formula.
-    """
-    asked: dict[Formula, dict[Span, None]] = {node: {} for node in walk(formula)}
-    asked[formula][0, 0] = None
-    for node in reversed(tuple(asked)):
-        for span in asked[node]:
-            for child, below in zip(node.children, spans(node, span), strict=True):
-                if below[0] <= below[1]:
-                    asked[child][below] = None
-    return {node: tuple(sorted(found)) for node, found in asked.items()}
 
 
 def cause_of(node: Formula, steps: Steps, margins: Mapping[Formula, Values]) -> Cause:

@@ -27,11 +27,11 @@ from tsplan.logic.nodes import (
     Release,
     Until,
 )
+from tsplan.logic.obligations import START, Obligation, below, obligations
 from tsplan.logic.text import text_of
-from tsplan.viewer.obligations import START, Ask, Early, atoms, below
 
 if TYPE_CHECKING:
-    from tsplan.logic.traces import CountTrace
+    from tsplan.logic.traces import CountTrace, Floats
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
 
@@ -103,7 +103,7 @@ class _Judged:
     mission: Mission
     trace: CountTrace
     meaning: Mapping[Formula, Formula]
-    early: Early
+    early: Mapping[Formula, Floats]
 
 
 def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
@@ -126,11 +126,11 @@ def _rows(judged: _Judged, whole: Formula) -> list[Part]:
     rows: list[Part] = []
     waiting = [(whole, START, 0)]
     while waiting:
-        formula, ask, depth = waiting.pop()
+        formula, owed, depth = waiting.pop()
         opened = len(rows) < MOST_PARTS and _opens(formula)
-        rows.append(_row(judged, (formula, ask), depth, opened=opened))
+        rows.append(_row(judged, (formula, owed), depth, opened=opened))
         if opened:
-            found = reversed(_below(judged, formula, ask))
+            found = reversed(_below(judged, formula, owed))
             waiting += [(child, more, depth + 1) for child, more in found]
     return rows
 
@@ -154,19 +154,20 @@ def _joint(formula: Formula) -> Formula:
     return formula
 
 
-def _below(judged: _Judged, formula: Formula, ask: Ask) -> list[tuple[Formula, Ask]]:
+def _below(judged: _Judged, formula: Formula, owed: Obligation) -> list[tuple[Formula, Obligation]]:
     """The parts that a row joins with what it asks of them, in the order of the text."""
     while len(formula.children) == 1:
-        (ask,) = below(judged.meaning[formula], ask, judged.early)
+        (owed,) = below(judged.meaning[formula], owed, judged.early)
         formula = formula.children[0]
-    asked = below(judged.meaning[formula], ask, judged.early)
+    asked = below(judged.meaning[formula], owed, judged.early)
     return list(zip(formula.children, asked, strict=True))
 
 
-def _row(judged: _Judged, asked: tuple[Formula, Ask], depth: int, *, opened: bool) -> Part:
-    formula, ask = asked
+def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, opened: bool) -> Part:
+    formula, owed = asked
     meaning = judged.meaning[formula]
-    every = atoms(meaning, ask, judged.early)
+    parts = obligations(meaning, owed, judged.early)
+    every = {(node, holds): o for (node, holds), o in parts.items() if isinstance(node, Count)}
     counts = {key: one for key, one in every.items() if one.steps.size}
     charts = [_chart(judged, key, one) for key, one in list(counts.items())[:MOST_CHARTS]]
     settled = Counter(step for one in counts.values() for step in one.steps.tolist())
@@ -177,7 +178,7 @@ def _row(judged: _Judged, asked: tuple[Formula, Ask], depth: int, *, opened: boo
         heading=heading(formula) if opened else text,
         depth=depth,
         settled=tuple(sorted(settled.items())),
-        failed=_failed(judged, meaning, ask),
+        failed=_failed(judged, meaning, owed),
         needed=runs(np.array(sorted(settled), dtype=np.int64)),
         states=tuple(state for label in labels for state in judged.mission.system.labels[label]),
         charts=tuple(charts),
@@ -214,7 +215,7 @@ def heading(formula: Formula) -> str:
     return " ".join(words)
 
 
-def _chart(judged: _Judged, key: tuple[Count, bool | None], ask: Ask) -> Chart:
+def _chart(judged: _Judged, key: tuple[Count, bool | None], owed: Obligation) -> Chart:
     count, holds = key
     shown = replace(count, relation=OPPOSITE[count.relation]) if holds is False else count
     values = measured(count, judged.trace)
@@ -224,17 +225,17 @@ def _chart(judged: _Judged, key: tuple[Count, bool | None], ask: Ask) -> Chart:
         relation=shown.relation,
         bound=cast("int", count.bound),  # a meaning has no percentages
         counts=tuple((int(step), int(values[step])) for step in changes),
-        needed=runs(ask.steps),
-        possible=tuple(sorted(ask.windows)),
+        needed=runs(owed.steps),
+        possible=tuple(sorted(owed.windows)),
     )
 
 
-def _failed(judged: _Judged, meaning: Formula, ask: Ask) -> int | None:
+def _failed(judged: _Judged, meaning: Formula, owed: Obligation) -> int | None:
     """The first step at which it is certain that a part is not what it has to be."""
-    if ask.holds is None:
+    if owed.holds is None:
         return None
-    early = judged.early[meaning][ask.steps]
-    wrong = early[(early >= 0) != ask.holds]
+    early = judged.early[meaning][owed.steps]
+    wrong = early[(early >= 0) != owed.holds]
     if not wrong.size:
         return None
     return int(decided_at(wrong, judged.trace.steps - 1).min())

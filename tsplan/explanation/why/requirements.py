@@ -15,10 +15,10 @@ import numpy.typing as npt
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.logic.atoms import Count
-from tsplan.logic.causes import Span, Steps, settled, windows
+from tsplan.logic.causes import Span, Steps
 from tsplan.logic.evaluation import margins
+from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.logic.symbols import capabilities
-from tsplan.logic.traversal import walk
 from tsplan.plans.presence import counted
 
 if TYPE_CHECKING:
@@ -122,17 +122,15 @@ def _rows(plan: Plan, mission: Mission, goal: Formula, wish: str | None) -> Iter
     """The requirements of one formula."""
     trace = trace_of(plan, mission, goal)
     values = margins(goal, trace)
-    where = windows(goal)
-    used = settled(goal, np.zeros(1, dtype=np.int64), values)
-    for atom in walk(goal):
+    for (atom, _), owed in obligations(goal, JUDGED, values).items():
         if isinstance(atom, Count):
             yield Requirement(
                 atom=atom,
                 places=len(trace.labels[atom.label]),
                 counts=_frozen(measured(atom, trace)),
                 margins=_frozen(values[atom]),
-                windows=where[atom],
-                chosen=runs(used[atom]),
+                windows=tuple(sorted(owed.windows)),
+                chosen=runs(owed.steps),
                 wish=wish,
             )
 

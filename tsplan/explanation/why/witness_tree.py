@@ -18,9 +18,10 @@ from tsplan.explanation.why.requirements import measured, trace_of
 from tsplan.explanation.why.witness_text import tree_text
 from tsplan.logic.atoms import Count, Limit, Task
 from tsplan.logic.catl import resolve_percent, translate
-from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of, settled
+from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import And, Formula, Implies, Or
+from tsplan.logic.obligations import Obligation, obligations
 from tsplan.logic.traversal import walk
 
 if TYPE_CHECKING:
@@ -152,9 +153,11 @@ class _Builder:
         """The places below a place."""
         node, steps = place.formula, np.array(place.steps, dtype=np.int64)
         if isinstance(node, Task | Limit):
-            used = settled(self._meaning[node], steps, self._margins)
-            atoms = [part for part in walk(self._meaning[node]) if isinstance(part, Count)]
-            return tuple(_Place(a, tuple(used[a].tolist()), place.needed) for a in atoms)
+            owed = obligations(self._meaning[node], Obligation(None, steps), self._margins)
+            counts = (
+                (part, one.steps) for (part, _), one in owed.items() if isinstance(part, Count)
+            )
+            return tuple(_Place(atom, tuple(at.tolist()), place.needed) for atom, at in counts)
         # where nobody asks for a node, nothing below it settles anything
         wanted = [NO_STEPS] * len(node.children)
         if node.children and steps.size:
