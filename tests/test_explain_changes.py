@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import inf
 
 import pytest
 
@@ -222,6 +223,6 @@ def test_deadlines_that_must_move_far_do() -> None:
     repairs = Repairs(asked, finder.everything, [core.constraints])
     several = JointRepair(Context.of(mission), asked, repairs)
     assert several._gathered(core.constraints, ["extend_deadline"], 8) == []
-    far = several._gathered(core.constraints, ["extend_deadline"], None)
+    far = several._gathered(core.constraints, ["extend_deadline"], inf)
     assert [edit.kind for edit, _ in far] == ["extend_deadline", "extend_deadline"]
     assert several._ways(core.constraints)

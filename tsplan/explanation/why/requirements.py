@@ -15,9 +15,13 @@ import numpy.typing as npt
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.logic.atoms import Count
+from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import Span, Steps
 from tsplan.logic.evaluation import margins
+from tsplan.logic.nodes import And
+from tsplan.logic.normal_form import positive
 from tsplan.logic.obligations import JUDGED, obligations
+from tsplan.logic.simplification import simplify
 from tsplan.logic.symbols import capabilities
 from tsplan.plans.presence import counted
 
@@ -100,31 +104,12 @@ def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
     PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    return tuple(
-        row for wish, formula in _demands(mission) for row in _rows(plan, mission, formula, wish)
-    )
-
-
-def _demands(mission: Mission) -> Iterator[tuple[str | None, Formula]]:
-    """The formulas that are charted: what has to hold, and what is preferred by its name."""
-    from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-
-    goal = mission.goal
-    apart = mission.partial and isinstance(goal, logic.And)
-    yield from ((None, part) for part in (goal.children if apart else (goal,)))
-    for wish in mission.prefer:
-        plain = logic.translate(wish.formula, interval=mission.task_interval)
-        counted = logic.resolve_percent(plain, mission.having)
-        yield wish.name, logic.simplify(logic.positive(counted))
-
-
-def _rows(plan: Plan, mission: Mission, goal: Formula, wish: str | None) -> Iterator[Requirement]:
-    """The requirements of one formula."""
-    trace = trace_of(plan, mission, goal)
-    values = margins(goal, trace)
-    for (atom, _), owed in obligations(goal, JUDGED, values).items():
-        if isinstance(atom, Count):
-            yield Requirement(
+    made = []
+    for wish, formula in _demands(mission):
+        trace = trace_of(plan, mission, formula)
+        values = margins(formula, trace)
+        made += [
+            Requirement(
                 atom=atom,
                 places=len(trace.labels[atom.label]),
                 counts=_frozen(measured(atom, trace)),
@@ -133,6 +118,20 @@ def _rows(plan: Plan, mission: Mission, goal: Formula, wish: str | None) -> Iter
                 chosen=runs(owed.steps),
                 wish=wish,
             )
+            for (atom, _), owed in obligations(formula, JUDGED, values).items()
+            if isinstance(atom, Count)
+        ]
+    return tuple(made)
+
+
+def _demands(mission: Mission) -> Iterator[tuple[str | None, Formula]]:
+    """The formulas that are charted: what has to hold, and what is preferred by its name."""
+    goal = mission.goal
+    apart = mission.partial and isinstance(goal, And)
+    yield from ((None, part) for part in (goal.children if apart else (goal,)))
+    for soft in mission.prefer:
+        plain = translate(soft.formula, interval=mission.task_interval)
+        yield soft.name, simplify(positive(resolve_percent(plain, mission.having)))
 
 
 def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:

@@ -104,7 +104,7 @@ class Repairs:
         if candidate.within and self.oracle.without(candidate.within) is False:
             return None
         found = least(lambda amount: self.possible([(edit, amount)]), edit.most)
-        return None if found is None else self._change([(edit, found.amount)], proven=found.proven)
+        return None if found is None else self.made([(edit, found.amount)])
 
     def changed(self, steps: Sequence[Step]) -> Mission | None:
         """The mission after several changes; None where they do not fit together."""
@@ -136,11 +136,19 @@ class Repairs:
 
     def made(self, steps: Sequence[Step]) -> Change:
         """The change by some steps; it is proven if no step can be shorter beside the others."""
-        sure = self.possible(steps) is True
-        for place, (edit, amount) in enumerate(steps):
-            less = [*steps[:place], (edit, amount - 1), *steps[place + 1 :]]
-            sure = sure and (amount == 0 or self.possible(less) is False)
-        return self._change(steps, proven=sure)
+        used = tuple(step for step in steps if step[1])
+        sure = self.possible(used) is True
+        for place, (edit, amount) in enumerate(used):
+            less = [*used[:place], (edit, amount - 1), *used[place + 1 :]]
+            sure = sure and self.possible(less) is False
+        return Change(
+            kind=max(used, key=lambda step: step[1])[0].kind,
+            text="; and ".join(edit.words(amount) for edit, amount in used),
+            amount=sum(amount for _, amount in used),
+            proven=sure,
+            mission=applied(self.oracle.mission, used),
+            steps=used,
+        )
 
     def _spread(self, edits: Sequence[Edit], total: int, chosen: list[Step]) -> list[Step] | None:
         """Amounts that sum to `total` and do; None if there are none."""
@@ -184,13 +192,6 @@ class Repairs:
     def _factual(self, changed: Mission) -> bool:
         """Whether a fact forbids every plan of a changed mission."""
         return next(facts_of(Context.of(changed, self.oracle.pause)), None) is not None
-
-    def _change(self, steps: Sequence[Step], *, proven: bool) -> Change:
-        used = tuple(step for step in steps if step[1])
-        largest = max(used, key=lambda step: step[1])[0]
-        text = "; and ".join(edit.words(amount) for edit, amount in used)
-        total = sum(amount for _, amount in used)
-        return Change(largest.kind, text, total, proven, applied(self.oracle.mission, used), used)
 
 
 def applied(mission: Mission, steps: Sequence[Step]) -> Mission:

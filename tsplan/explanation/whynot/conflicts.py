@@ -23,7 +23,7 @@ Set = frozenset["SoftConstraint"]
 
 
 class Core(NamedTuple):
-    """SoftConstraints that cannot hold together; `minimal` if no proof of that is missing."""
+    """Soft constraints that cannot hold together; `minimal` if no proof of that is missing."""
 
     constraints: Set
     minimal: bool
@@ -33,7 +33,7 @@ class Core(NamedTuple):
 class Finder:
     """Finds conflicts of one mission.
 
-    `groups` are the leaves of each conjunct, `facts` all other constraints, those first that are
+    `groups` are the parts of each conjunct, `facts` all other constraints, those first that are
     rather to be named.
     """
 
@@ -47,8 +47,20 @@ class Finder:
         self._sure = True
 
     def within(self, constraints: Set) -> Core | None:
-        """A conflict among some constraints; None where it is not proven that there is one."""
-        return self._reduced(constraints) if self._impossible(constraints) else None
+        """An irreducible conflict among some constraints; None where none is proven to be there.
+
+        It is found over whole conjuncts first, then over their parts and the facts.
+        """
+        if not self._impossible(constraints):
+            return None
+        self._sure = True
+        facts = [fact for fact in self.facts if fact <= constraints]
+        conjuncts = [group & constraints for group in self.groups if group & constraints]
+        kept = self._least(frozenset().union(*facts), conjuncts)
+        fine = [frozenset({part}) for group in kept for part in sorted(group, key=repr)]
+        # whole formula parts, then the facts: most of them go at once
+        left = self._least(frozenset(), [*fine, *facts])
+        return Core(frozenset().union(*left), self._sure)
 
     def others(self, core: Core, most: int) -> Iterator[Core]:
         """Up to `most` conflicts that differ from `core` and from each other."""
@@ -71,21 +83,6 @@ class Finder:
                     cores.append(new)
                     yield new
                     open_.insert(0, hit)
-
-    def _reduced(self, constraints: Set) -> Core:
-        """An irreducible conflict within constraints that cannot hold together.
-
-        First over whole conjuncts, then over their leaves and the facts.
-        """
-        self._sure = True
-        facts = [fact for fact in self.facts if fact <= constraints]
-        background: Set = frozenset().union(*facts)
-        conjuncts = [group & constraints for group in self.groups if group & constraints]
-        kept = self._least(background, conjuncts)
-        fine = [frozenset({leaf}) for group in kept for leaf in sorted(group, key=repr)]
-        # whole formula parts, then the facts: most of them go at once
-        left = self._least(frozenset(), [*fine, *facts])
-        return Core(frozenset().union(*left), self._sure)
 
     def _least(self, background: Set, parts: Sequence[Set]) -> list[Set]:
         """As few parts as are impossible together with the background; early ones preferred."""

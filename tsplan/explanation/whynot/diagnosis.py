@@ -121,25 +121,21 @@ class _Run:
         if self.clock.limit is not None:
             seconds = max(_SHARE * self.clock.limit, _FOR_FACTS)
             self.oracle.clock = replace(self.clock, limit=seconds)
-        for fact in facts_of(self.context):
+        for fact in facts_of(self.context):  # one by one: what is found before a stop stays
             self.facts.append(fact)
 
     def _find_conflict(self, finder: Finder) -> None:
         """Look for a conflict, and whether there is one at all."""
         core = self._seeded(finder)
-        self.possible = False if core is not None else self._asked_whole()
-        if self.possible is False:
-            core = core or finder.within(finder.everything)
-        if core is not None:
-            self.cores.append(core)
-
-    def _asked_whole(self) -> bool | None:
-        """Whether there is a plan; questions about parts may then take as long, or some seconds."""
-        self.oracle.clock, self.oracle.patience = self.clock, None
-        began = time.perf_counter()
-        answer = self.oracle.without(())
-        self._limit_questions(time.perf_counter() - began)
-        return answer
+        self.possible = False
+        if core is None:
+            # questions about parts may take as long as the whole, or some seconds
+            self.oracle.clock, self.oracle.patience = self.clock, None
+            began = time.perf_counter()
+            self.possible = self.oracle.without(())
+            self._limit_questions(time.perf_counter() - began)
+            core = finder.within(finder.everything) if self.possible is False else None
+        self.cores += [] if core is None else [core]
 
     def _limit_questions(self, least: float) -> None:
         """Leave a share of the time to the changes."""
@@ -187,17 +183,19 @@ class _Run:
         return None
 
     def _made(self) -> Explanation:
-        status = Status.EXPLAINED if self.facts or self.cores else Status.NO_ANSWER
-        if self.possible:
-            status = Status.FEASIBLE
-        conflicts = tuple(
-            Conflict(self.context.wording.parts(core.constraints), core.minimal)
-            for core in self.cores
-        )
+        """What is known so far."""
+        known = Status.EXPLAINED if self.facts or self.cores else Status.NO_ANSWER
+        parts = self.context.wording.parts
         timings = {**self.seconds, "solve": self.oracle.seconds, "total": self.clock.elapsed}
-        rounded = {name: round(value, 6) for name, value in timings.items()}
-        facts, changes = tuple(self.facts), ranked(self.changes)
-        return Explanation(status, self.mission.name, facts, conflicts, changes, rounded, self.cut)
+        return Explanation(
+            status=Status.FEASIBLE if self.possible else known,
+            name=self.mission.name,
+            facts=tuple(self.facts),
+            conflicts=tuple(Conflict(parts(c.constraints), c.minimal) for c in self.cores),
+            changes=ranked(self.changes),
+            timings={name: round(value, 6) for name, value in timings.items()},
+            cut=self.cut,
+        )
 
     def _feasible(self, *, slack: bool) -> None:
         """What is tight about a mission that can be met."""

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.whynot.changes import ORDER, Repairs, Step, least
@@ -65,28 +66,26 @@ class JointRepair:
         """Ways that together lead to a plan: first with near deadlines, which are proven sooner."""
         fewer = [kind for kind in ORDER if kind != "add_agents"]
         near = max(_NEAR, self.context.mission.horizon)
-        for farthest in (near, None):
+        for farthest in (near, inf) if near < MOST_STEPS else (near,):
             for kinds in (ORDER, fewer):
                 ways = self._gathered(conflict, kinds, farthest)
                 if ways or self.oracle.refuses():
                     return ways
-            if near >= MOST_STEPS:
-                break  # no deadline goes any farther
         return []
 
     def _gathered(
-        self, conflict: frozenset[SoftConstraint], kinds: Sequence[ChangeKind], farthest: int | None
+        self, core: frozenset[SoftConstraint], kinds: Sequence[ChangeKind], farthest: float
     ) -> list[Step]:
-        """Ways of some kinds that together lead to a plan; nothing if none are found."""
+        """Ways of some kinds that together lead to a plan; nothing if none are found.
+
+        Deadlines are moved by so many steps at most.
+        """
         chosen: list[Step] = []
-        core = conflict
         while len(chosen) < MOST_WAYS and not self.oracle.refuses():
-            new = self._resolving(core, chosen, (kinds, farthest))
-            if not new:
-                return []
+            new = self._resolving(core, chosen, kinds, farthest)
             chosen += new
             changed = self.repairs.changed(chosen)
-            if changed is None:
+            if not new or changed is None:
                 return []
             finder = Finder(self.oracle.about(changed))
             found = finder.within(finder.everything)
@@ -99,54 +98,44 @@ class JointRepair:
         self,
         core: frozenset[SoftConstraint],
         chosen: Sequence[Step],
-        which: tuple[Sequence[ChangeKind], int | None],
+        kinds: Sequence[ChangeKind],
+        farthest: float,
     ) -> list[Step]:
-        """One or two further ways, of different kinds, each of which resolves a conflict.
-
-        They are of some kinds, with deadlines moved by so many steps at most.
-        """
-        kinds, farthest = which
-        entries = len(self.context.mission.team)
-        known = {item for item in core if item.kind not in ("team", "start")}
-        known |= {item for item in core - known if item.key[0] < entries}
-        every = [
-            item for item in candidates(self.context, frozenset(known)) if item.edit.kind in kinds
-        ]
+        """One or two further ways, of different kinds, each of which resolves a conflict."""
+        entries = len(self.context.mission.team)  # others were added
+        known = (c for c in core if c.kind not in ("team", "start") or c.key[0] < entries)
+        every = candidates(self.context, frozenset(known))
         every.sort(key=lambda item: (item.rank, ORDER.index(item.edit.kind)))
         taken = {edit for edit, _ in chosen}
         found: list[Step] = []
-        for candidate in every:
-            edit = candidate.edit
-            if edit in taken or edit.kind in {item.kind for item, _ in found}:
+        for edit in (item.edit for item in every if item.edit.kind in kinds):
+            if edit in taken or edit.kind in {other.kind for other, _ in found}:
                 continue
-            step = self._step(edit, core, chosen, farthest)
-            if step is not None:
-                found.append(step)
+            amount = self._enough(edit, core, chosen, farthest)
+            if amount:
+                found.append((edit, amount))
                 if len(found) == _PER_CONFLICT:
                     break
         return found
 
-    def _step(
+    def _enough(
         self,
         edit: Edit,
         core: frozenset[SoftConstraint],
         chosen: Sequence[Step],
-        farthest: int | None,
-    ) -> Step | None:
-        """A step of one edit that resolves a conflict."""
+        farthest: float,
+    ) -> int:
+        """How far an edit may go at first to resolve a conflict; 0 where it does not."""
         if edit.kind == "add_agents":
-            few = least(
-                lambda amount: self._resolves(core, [*chosen, (edit, amount)]),
-                min(edit.most, _MOST_ADDED),
-            )
-            return None if few is None else (edit, few.amount)
+            most = min(edit.most, _MOST_ADDED)
+            few = least(lambda amount: self._resolves(core, [*chosen, (edit, amount)]), most)
+            return 0 if few is None else few.amount
         amount = edit.most
-        if edit.kind == "extend_deadline" and farthest is not None:
-            amount = min(amount, farthest)
+        if edit.kind == "extend_deadline":
+            amount = int(min(amount, farthest))
         while amount and self.repairs.changed([*chosen, (edit, amount)]) is None:
             amount //= 2  # less may fit together
-        step = (edit, amount)
-        return step if amount and self._resolves(core, [*chosen, step]) else None
+        return amount if amount and self._resolves(core, [*chosen, (edit, amount)]) else 0
 
     def _resolves(self, core: frozenset[SoftConstraint], steps: Sequence[Step]) -> bool:
         """Whether a conflict can be met after some changes."""
@@ -171,12 +160,13 @@ class JointRepair:
         if not self.repairs.possible(steps):
             return None
         for place, (edit, amount) in enumerate(steps):
-
-            def enough(less: int, place: int = place, edit: Edit = edit) -> bool:
-                own = [*steps[:place], (edit, less), *steps[place + 1 :]]
-                return self.repairs.possible(own) is True
-
-            found = least(enough, amount)
+            before, after = steps[:place], steps[place + 1 :]
+            found = least(
+                lambda less, edit=edit, before=before, after=after: (  # type: ignore[misc]  # bound now
+                    self.repairs.possible([*before, (edit, less), *after]) is True
+                ),
+                amount,
+            )
             if found is not None:
                 steps[place] = (edit, found.amount)
         return steps
