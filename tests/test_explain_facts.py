@@ -16,7 +16,7 @@ from tests.test_explain_conflicts import ROW, row
 from tests.test_swarm_brute import random_swarms
 from tsplan.explanation import Fact
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.facts import find_facts
+from tsplan.explanation.whynot.facts import facts_of
 from tsplan.mission import Group, Mission
 from tsplan.ts import TransitionSystem
 
@@ -24,7 +24,7 @@ SWARM = {"size": 10, "at": {"q": 10}}
 
 
 def facts(mission: Mission) -> list[Fact]:
-    return list(find_facts(Context.of(mission)))
+    return list(facts_of(Context.of(mission)))
 
 
 def only(mission: Mission) -> Fact:

@@ -13,7 +13,7 @@ from tests.random_missions import random_mission
 from tsplan.cli import main
 from tsplan.explanation import explain
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.facts import find_facts
+from tsplan.explanation.whynot.facts import facts_of
 from tsplan.mission import Group, Mission
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.map_lint import lint
@@ -53,7 +53,7 @@ def test_whoever_cannot_go_on_is_a_fact_of_its_own() -> None:
 
 def test_a_short_mission_may_end_where_nobody_can_wait() -> None:
     assert tsplan.plan(mission(CHAIN, "F[0,3] R")).status == "optimal"
-    assert not find_facts(Context.of(mission(CHAIN, "F[0,3] R")))
+    assert not list(facts_of(Context.of(mission(CHAIN, "F[0,3] R"))))
 
 
 def test_staying_where_nobody_can_wait_is_a_fact_unless_others_take_turns() -> None:

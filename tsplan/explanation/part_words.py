@@ -23,7 +23,7 @@ from tsplan.ts.map_lint import listed
 from tsplan.ts.waits import without_wait
 
 if TYPE_CHECKING:
-    from tsplan.mission import Group, Mission
+    from tsplan.mission import Mission
 
 _KINDS = ("formula", "team", "start", "waiting", "capacity", "swarm")
 """The order in which parts of a conflict are said."""
@@ -132,7 +132,9 @@ class Wording:
         group = self.mission.team[key[0]]
         if kind == "team":
             return f"the team has {counted(group.count, 'agent')} of class {group.class_name}"
-        return f"the agents of class {group.class_name} start at {starts_of(group)}"
+        where = ", ".join(f"'{state}' ({count})" for state, count in group.starts)
+        where = where if len(group.starts) > 1 else f"'{group.starts[0][0]}'"
+        return f"the agents of class {group.class_name} start at {where}"
 
     def _group_bound(self, name: str, which: str) -> str:
         bound = Number("bound", (name, which)).get(self.mission)
@@ -148,13 +150,6 @@ class Wording:
 def ends_words(ends: tuple[str, ...]) -> str:
     """A state, or an edge by its two ends."""
     return f"state '{ends[0]}'" if len(ends) == 1 else f"the edge from '{ends[0]}' to '{ends[1]}'"
-
-
-def starts_of(group: Group) -> str:
-    """Where a group starts, in words."""
-    if len(group.starts) == 1:
-        return f"'{group.starts[0][0]}'"
-    return ", ".join(f"'{state}' ({count})" for state, count in group.starts)
 
 
 def _order(constraint: SoftConstraint) -> tuple[int, tuple[str, ...]]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -75,12 +76,15 @@ def verdict(node: WitnessNode) -> str:
     """What is said about a node: whether it holds, where, how well, and what it rests on."""
     if not node.steps:
         return "not needed"
-    words = [_held(node), f"availability {_number(node.worst)}"]
+    worst = node.worst or 0.0
+    level = ("unbounded" if worst > 0 else "impossible") if math.isinf(worst) else number(worst)
+    words = [_held(node), f"availability {level}"]
     if node.chosen:
         words.append(_choice(node))
     if node.counts:
-        words += [_counted(node.counts), *_who(node)]
-    text = ", ".join(word for word in words if word)
+        least, most = min(node.counts), max(node.counts)
+        words += [f"count {least}" if least == most else f"count {least}..{most}", *_who(node)]
+    text = ", ".join(words)
     return text if node.needed else f"(not needed: {text})"
 
 
@@ -114,23 +118,19 @@ def _choice(node: WitnessNode) -> str:
     steps = [step for step in node.chosen if step is not None]
     if not steps:
         return "held all through" if isinstance(node.formula, Release) else "never given up"
-    where = _at(steps)
-    good = bool(node.holds)
-    match node.formula:
-        case Eventually():
-            return f"met at {where}" if good else f"closest at {where}"
-        case Always():
-            return f"tightest at {where}"
-        case Until():
-            return f"right side at {where}" if good else f"left side ends at {where}"
-        case Release():
-            return f"released at {where}" if good else f"right side fails at {where}"
-    return f"step {where}"
+    words = _RESTS.get(type(node.formula), ("step", "step"))
+    return f"{words[0 if node.holds else 1]} {_at(steps)}"
 
 
-def _counted(counts: tuple[int, ...]) -> str:
-    least, most = min(counts), max(counts)
-    return f"count {least}" if least == most else f"count {least}..{most}"
+_RESTS: Mapping[type[Formula], tuple[str, str]] = MappingProxyType(
+    {
+        Eventually: ("met at", "closest at"),
+        Always: ("tightest at", "tightest at"),
+        Until: ("right side at", "left side ends at"),
+        Release: ("released at", "right side fails at"),
+    }
+)
+"""What the chosen steps are, where an operator holds and where it fails."""
 
 
 def _who(node: WitnessNode) -> list[str]:
@@ -151,9 +151,3 @@ def _presence(presence: Presence) -> str:
     more = presence.count - len(presence.ids)
     rest = f" and {more:,} more" if more else ""
     return f"{names(presence.ids)}{rest} at {presence.state}"
-
-
-def _number(value: float | None) -> str:
-    if value is None or math.isinf(value):
-        return "unbounded" if value is None or value > 0 else "impossible"
-    return number(value)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.explanation.explanation import Fact, PartKind, SoftConstraint
 from tsplan.explanation.part_words import Wording
-from tsplan.explanation.whynot.soft_constraints import of_occurrence, robot_entries
+from tsplan.explanation.whynot.soft_constraints import of_occurrence
 from tsplan.explanation.whynot.unconditional_demands import Demand, demands
 from tsplan.ts.reachability import shortest_durations, usable
 
@@ -167,7 +167,7 @@ class Context:
 
     def entry(self, number: int, *kinds: PartKind) -> list[SoftConstraint]:
         """The constraints of one entry of the team, its size and its start; swarms have none."""
-        robots = number in robot_entries(self.mission)
+        robots = self.mission.group_bounds(self.mission.team[number].class_name) is None
         return [SoftConstraint(kind, (number,)) for kind in kinds or ("team", "start") if robots]
 
     def having(self, capability: str | None) -> str:

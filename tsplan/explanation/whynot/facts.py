@@ -29,17 +29,10 @@ if TYPE_CHECKING:
 MOST_FACTS = 20
 """Facts that are listed; the rest would only repeat them."""
 
-Finder = Callable[[Context], Iterator[Fact]]
-
-
-def find_facts(context: Context) -> tuple[Fact, ...]:
-    """All facts that forbid every plan, those of the simplest kinds first."""
-    return tuple(facts_of(context))
-
 
 def facts_of(context: Context) -> Iterator[Fact]:
-    """The same one by one, as they are found."""
-    finders: tuple[Finder, ...] = (
+    """All facts that forbid every plan, as they are found, those of the simplest kinds first."""
+    finders: tuple[Callable[[Context], Iterator[Fact]], ...] = (
         stuck,
         scarcity,
         divided,

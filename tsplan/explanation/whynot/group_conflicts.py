@@ -9,7 +9,7 @@ from tsplan.explanation.explanation import Fact, SoftConstraint
 from tsplan.explanation.part_words import agents, counted, swarm_words
 from tsplan.explanation.whynot.context import able
 from tsplan.explanation.whynot.mission_numbers import TOGETHER
-from tsplan.explanation.whynot.supply import instants, moments
+from tsplan.explanation.whynot.supply import apart, instants, moments
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.context import Context
@@ -26,7 +26,7 @@ def divided(context: Context) -> Iterator[Fact]:
     for together in moments(context):
         name = _swarm_of(context.mission, together)
         if name is not None:
-            yield from _too_many(context, name, _apart(together))
+            yield from _too_many(context, name, _places(together))
 
 
 def _begun(context: Context) -> Iterator[Fact]:
@@ -67,11 +67,11 @@ def _all_swarms(context: Context) -> Iterator[Fact]:
         words, number = [], 0
         for name in rules.each:
             own = [item for item in now if _swarm_of(context.mission, [item]) == name]
-            apart = _apart(own)
-            needs += [need for need, _ in apart]
-            number += max(len(apart), 1)  # every swarm is somewhere
-            places = ", ".join(place for _, place in apart) or "anywhere"
-            words.append(f"{name} at {max(len(apart), 1)} ({places})")
+            sites = _places(own)
+            needs += [need for need, _ in sites]
+            number += max(len(sites), 1)  # every swarm is somewhere
+            places = ", ".join(place for _, place in sites) or "anywhere"
+            words.append(f"{name} at {max(len(sites), 1)} ({places})")
         if needs and number > rules.together:
             text = (
                 f"at one step there must be {counted(number, 'sub-swarm')}: {', '.join(words)}; "
@@ -88,31 +88,20 @@ def _swarm_of(mission: Mission, needs: Sequence[Demand]) -> str | None:
     return names[0] if len(names) == 1 and names[0] in mission.swarm.each else None
 
 
-def _apart(needs: Sequence[Demand]) -> list[tuple[Demand, str]]:
-    """Needs for agents at places that no other one of them shares, with how it is called."""
-    taken: set[str] = set()
-    found = []
-    for need in sorted(needs, key=lambda item: len(item.states)):
-        each = need.states if need.reach == "each" else ()
-        for state in each:
-            if state not in taken:
-                found.append((need, f"'{state}'"))
-                taken.add(state)
-        if not each and not taken & set(need.states):
-            found.append((need, f"'{need.label}'"))
-            taken |= set(need.states)
-    return found
+def _places(needs: Sequence[Demand]) -> list[tuple[Demand, str]]:
+    """Places at which agents must be at once, with the needs; those of few states first."""
+    return apart(needs, lambda need: len(need.states))
 
 
-def _too_many(context: Context, name: str, apart: list[tuple[Demand, str]]) -> Iterator[Fact]:
+def _too_many(context: Context, name: str, sites: list[tuple[Demand, str]]) -> Iterator[Fact]:
     """What forbids agents at so many places at once."""
     rules = context.mission.swarm
     assert rules is not None
     bounds = rules.each[name]
-    needs = [need for need, _ in apart]
-    where = f"at one step agents must be at {len(apart)} places ({', '.join(p for _, p in apart)})"
+    needs = [need for need, _ in sites]
+    where = f"at one step agents must be at {len(sites)} places ({', '.join(p for _, p in sites)})"
     whose = swarm_words(context.mission, name)
-    if bounds.most is not None and bounds.most < len(apart):
+    if bounds.most is not None and bounds.most < len(sites):
         most = counted(bounds.most, "sub-swarm")
         text = f"{where}; {whose} may be divided into {most} at most"
         yield context.fact("swarm", text, needs, SoftConstraint("swarm", (name, "most")))

@@ -66,8 +66,11 @@ def waiting_constraints(mission: Mission) -> tuple[SoftConstraint, ...]:
 
 def robot_entries(mission: Mission) -> tuple[int, ...]:
     """The numbers of the team's entries that are no swarms."""
-    swarms = mission.swarm.each if mission.swarm is not None else {}
-    return tuple(n for n, group in enumerate(mission.team) if group.class_name not in swarms)
+    return tuple(
+        number
+        for number, group in enumerate(mission.team)
+        if mission.group_bounds(group.class_name) is None
+    )
 
 
 def group_bounds(mission: Mission) -> tuple[SoftConstraint, ...]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any
 
 from tsplan.explanation.part_words import agents
 from tsplan.explanation.whynot.occurrences import Way
@@ -78,17 +78,26 @@ def _anchors(root: Formula) -> Iterator[tuple[Way, Formula]]:
             open_ += [((*way, n), child) for n, child in enumerate(node.children)]
 
 
+def apart(needs: Sequence[Demand], order: Callable[[Demand], Any]) -> list[tuple[Demand, str]]:
+    """Needs for agents at places that no other one of them shares, with how the place is called.
+
+    Of needs that share a place, the first in some order counts.
+    """
+    taken: set[str] = set()
+    found = []
+    for need in sorted(needs, key=order):
+        each = need.states if need.reach == "each" else ()
+        for state in each:
+            if state not in taken:
+                found.append((need, f"'{state}'"))
+                taken.add(state)
+        if not each and not taken & set(need.states):
+            found.append((need, f"'{need.label}'"))
+            taken |= set(need.states)
+    return found
+
+
 def _at_once(needs: Sequence[Demand]) -> int:
     """Different agents that the needs ask for together, at least: those of disjoint places."""
-    each: dict[str, int] = {}
-    for need in needs:
-        if need.reach == "each":
-            for state in need.states:
-                each[state] = max(each.get(state, 0), need.amount)
-    total = sum(each.values())
-    taken = set(each)
-    for need in sorted(needs, key=lambda item: -item.amount):
-        if need.reach != "each" and not taken & set(need.states):
-            total += need.amount
-            taken |= set(need.states)
-    return max(total, *(need.total for need in needs))
+    disjoint = apart(needs, lambda need: (need.reach != "each", -need.amount))
+    return max(sum(need.amount for need, _ in disjoint), *(need.total for need in needs))
