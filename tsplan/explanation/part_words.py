@@ -137,7 +137,7 @@ class Wording:
         return f"the agents of class {group.class_name} start at {where}"
 
     def _group_bound(self, name: str, which: str) -> str:
-        bound = Number("bound", (name, which)).get(self.mission)
+        bound = Number("swarm", (name, which)).get(self.mission)
         if (name, which) == MARGIN:
             return f"every demand is met with {room_of(bound)} to spare (margin)"
         whose = "all swarms together" if not name else swarm_words(self.mission, name)

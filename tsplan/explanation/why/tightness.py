@@ -210,7 +210,7 @@ def _deadline_slack(context: Context, oracle: Oracle, way: Way) -> Fact:
 def _bound_slack(context: Context, oracle: Oracle, bound: SoftConstraint) -> Fact:
     """How much tighter a bound of a swarm could be."""
     name, which = bound.key
-    number = Number("bound", bound.key)
+    number = Number("swarm", bound.key)
     now = number.get(context.mission)
     larger = which == "least"
     sense = 1 if larger else -1

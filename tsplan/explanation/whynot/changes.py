@@ -15,13 +15,12 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 from tsplan.errors import MissionError
 from tsplan.explanation.explanation import Change, ChangeKind, SoftConstraint
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import Edit
+from tsplan.explanation.whynot.edits import Edit, touched
 from tsplan.explanation.whynot.facts import facts_of
 from tsplan.explanation.whynot.oracle import EnoughError
 from tsplan.explanation.whynot.relaxing import relaxed
 
 if TYPE_CHECKING:
-    from tsplan.explanation.whynot.edits import Candidate
     from tsplan.explanation.whynot.oracle import Oracle
     from tsplan.mission import Mission
 
@@ -94,14 +93,14 @@ class Repairs:
     _last: int = field(default=0, init=False)
     _until: float = field(default=0.0, init=False)
 
-    def single(self, candidate: Candidate) -> Change | None:
+    def single(self, edit: Edit) -> Change | None:
         """The least change by one edit; None if it does not help or the time is up."""
-        edit = candidate.edit
         # even the largest change may leave a fact, or the rest be impossible anyway
         changed = self.changed([(edit, edit.most)])  # a smaller change may fit if this does not
         if changed is not None and self._factual(changed):
             return None
-        if candidate.within and self.oracle.without(candidate.within) is False:
+        weakened = touched(self.oracle.mission, edit.number)
+        if weakened and self.oracle.without(weakened) is False:
             return None
         found = least(lambda amount: self.possible([(edit, amount)]), edit.most)
         return None if found is None else self.made([(edit, found.amount)])

@@ -12,7 +12,7 @@ from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, F
 from tsplan.explanation.whynot.changes import ORDER, Repairs, ranked
 from tsplan.explanation.whynot.conflicts import Core, Finder
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import Candidate, candidates
+from tsplan.explanation.whynot.edits import Edit, candidates, rank
 from tsplan.explanation.whynot.facts import facts_of
 from tsplan.explanation.whynot.joint_repair import JointRepair
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
@@ -216,7 +216,7 @@ class _Run:
         """Single changes that help; several together where none does."""
         repairs = Repairs(self.oracle, finder.everything, [core.constraints for core in self.cores])
         every = candidates(self.context, self.cores[0].constraints)
-        every.sort(key=lambda item: (ORDER.index(item.edit.kind), item.rank))
+        every.sort(key=lambda e: (ORDER.index(e.kind), rank(self.mission, e.number)))
         self.oracle.patience = _PATIENCE
         if self.clock.left is not None:
             self.oracle.patience = min(_PATIENCE, self.clock.left / 4)
@@ -226,21 +226,24 @@ class _Run:
             together = several.change(self.cores[0].constraints)
             self.changes += [together] if together is not None else []
 
-    def _singles(self, repairs: Repairs, every: list[Candidate]) -> None:
+    def _singles(self, repairs: Repairs, every: list[Edit]) -> None:
         began = time.perf_counter()
-        helped: dict[tuple[str, int] | None, int] = {}
-        quick = [(item.edit, item.edit.most) for item in every if item.edit.number.kind == "edge"]
-        for candidate in every:
+        helped: dict[int, int] = {}  # least rank at which more agents of an entry do
+        quick = [(edit, edit.most) for edit in every if edit.number.kind == "edge"]
+        for edit in every:
             enough = len(self.changes) >= _ENOUGH and time.perf_counter() - began > _LONG
             if enough and self.clock.limit is None:
                 self.oracle.unanswered.add("patience")
                 return
-            if candidate.family and candidate.rank > helped.get(candidate.family, candidate.rank):
+            kind, key = edit.number
+            place = rank(self.mission, edit.number)
+            if kind == "agents" and place > helped.get(key[0], place):
                 continue
-            if candidate.edit.number.kind == "edge" and not repairs.possible(quick):
+            if kind == "edge" and not repairs.possible(quick):
                 continue  # not even all edges as quick as can be would do
-            change = repairs.single(candidate)
+            change = repairs.single(edit)
             if change is not None:
                 self.changes.append(change)
                 self._hand_over()
-                helped.setdefault(candidate.family, candidate.rank)
+                if kind == "agents":
+                    helped.setdefault(key[0], place)

@@ -17,6 +17,7 @@ from tsplan.explanation.part_words import counted, ends_words, room_of
 from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number, Value, moved
 from tsplan.explanation.whynot.occurrences import (
     Occurrence,
+    Way,
     counts_of,
     node_at,
     nodes_along,
@@ -29,7 +30,7 @@ from tsplan.logic import labels as labels_of
 from tsplan.ts.waits import without_wait
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import ChangeKind
+    from tsplan.explanation.explanation import ChangeKind, PartKind
     from tsplan.explanation.whynot.context import Context
     from tsplan.mission import Mission
 
@@ -80,121 +81,120 @@ class Edit:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class Candidate:
-    """An edit that may help.
+def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
+    """What an edit of a number weakens at most.
 
-    It weakens nothing but `within`: if the mission cannot be met even without that, it does not
-    help. Of one `family`, larger ranks are only worth trying where smaller ones do not help.
+    If the mission cannot be met even without that, the edit does not help.
     """
+    kind, key = number
+    if kind == "formula":
+        way, field = key
+        parts = occurrences(mission.formula, way)
+        if isinstance(field, int) and len(counts_of(node_at(mission.formula, way))) > 1:
+            parts = (Occurrence(way, field),)
+        return frozenset(map(of_occurrence, parts))
+    if kind == "agents":
+        kinds: tuple[PartKind, ...] = ("team", "start") if number.get(mission) == 0 else ("team",)
+        return frozenset(SoftConstraint(name, key[:1]) for name in kinds)
+    if kind == "wait":
+        return frozenset({WAITING})
+    return frozenset() if kind == "edge" else frozenset({SoftConstraint(kind, key)})
 
-    edit: Edit
-    within: frozenset[SoftConstraint]
-    family: tuple[str, int] | None = None
-    rank: int = 0
+
+def rank(mission: Mission, number: Number) -> int:
+    """More agents of one entry are only tried where those of a smaller rank do not help.
+
+    They are added where it starts (0), where others do (1), or elsewhere (2).
+    """
+    if number.kind != "agents" or number.get(mission):
+        return 0
+    return 1 if any(number.key[1] in dict(group.starts) for group in mission.team) else 2
 
 
-def candidates(context: Context, conflict: frozenset[SoftConstraint]) -> list[Candidate]:
+def candidates(context: Context, conflict: frozenset[SoftConstraint]) -> list[Edit]:
     """Everything that can be tried against one conflict, each once."""
-    found: dict[Edit, Candidate] = {}
+    found: dict[Edit, None] = {}
     for constraint in sorted(conflict, key=repr):
-        for candidate in _against(context, constraint, conflict):
-            found.setdefault(candidate.edit, candidate)
-    return list(found.values())
+        found.update(dict.fromkeys(_against(context, constraint, conflict)))
+    return [edit for edit in found if edit.most > 0]
 
 
 def _against(
     context: Context, constraint: SoftConstraint, conflict: frozenset[SoftConstraint]
-) -> Iterator[Candidate]:
-    match constraint.kind:
+) -> Iterator[Edit]:
+    kind, key = constraint
+    match kind:
         case "formula":
             yield from _in_formula(context, occurrence_of(constraint))
         case "team" | "start":
-            yield from _more_agents(context, constraint.key[0], conflict)
-            if constraint.kind == "start":
-                yield from _quicker_edges(context, constraint.key[0], conflict)
+            yield from _more_agents(context, key[0], conflict)
+            if kind == "start":
+                yield from _quicker_edges(context, key[0], conflict)
         case "waiting":
             yield from _waits(context, conflict)
         case "swarm":
-            edit = _looser_bound(context.mission, constraint.key)
-            yield from [Candidate(edit, frozenset({constraint}))] if edit.most > 0 else []
+            yield _looser_bound(context.mission, key)
         case "capacity":
-            edit = _more_capacity(context.mission, constraint.key)
-            yield Candidate(edit, frozenset({constraint}))
+            yield _more_capacity(context.mission, key)
 
 
 # --- the formula -------------------------------------------------------------------------------
 
 
-def _in_formula(context: Context, part: Occurrence) -> Iterator[Candidate]:
+def _in_formula(context: Context, part: Occurrence) -> Iterator[Edit]:
     """Edits of a part of the formula, the least intrusive first, and of the deadlines above it."""
     mission = context.mission
-    was = _literal(context.wording.text(Occurrence(context.wording.conjunct(part.way))))
-    whole = Occurrence(part.way)
-    for edit, inside in (
-        (_deadline(mission, whole, was), whole),
-        (_counted(mission, part, was), part),
-        (_shorter_task(mission, whole, was), whole),
-        *(
-            (_deadline(mission, Occurrence(way), was), Occurrence(way))
-            for way, _ in nodes_along(mission.formula, part.way[:-1])
-        ),
-    ):
-        if edit is not None:
-            yield Candidate(edit, _below(mission, inside))
+    was = _literal(context.wording.whole(part.way))
+    above = [way for way, _ in nodes_along(mission.formula, part.way[:-1])]
+    yield from _deadline(mission, part.way, was)
+    yield from _counted(mission, part, was)
+    yield from _shorter_task(mission, part.way, was)
+    for way in above:
+        yield from _deadline(mission, way, was)
 
 
-def _below(mission: Mission, part: Occurrence) -> frozenset[SoftConstraint]:
-    """One need, or all parts of a sub-formula."""
-    parts = [part] if part.need is not None else occurrences(mission.formula, part.way)
-    return frozenset(map(of_occurrence, parts))
-
-
-def _deadline(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+def _deadline(mission: Mission, way: Way, was: str) -> Iterator[Edit]:
     """The end of the window of an eventuality or an until, moved later."""
-    node = node_at(mission.formula, part.way)
-    if not isinstance(node, Eventually | Until):
-        return None
-    most = max(mission.horizon, MOST_STEPS)
-    text = f"extend the deadline {node.high} to {{new}} ({{steps}} later) in {was}"
-    return Edit(Number("formula", (part.way, "high")), "extend_deadline", most, text, node.high)
+    node = node_at(mission.formula, way)
+    if isinstance(node, Eventually | Until):
+        most = max(mission.horizon, MOST_STEPS)
+        text = f"extend the deadline {node.high} to {{new}} ({{steps}} later) in {was}"
+        yield Edit(Number("formula", (way, "high")), "extend_deadline", most, text, node.high)
 
 
-def _shorter_task(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+def _shorter_task(mission: Mission, way: Way, was: str) -> Iterator[Edit]:
     """A task that lasts less long."""
-    node = node_at(mission.formula, part.way)
-    least = int(mission.task_interval == "half-open")
-    if not isinstance(node, Task) or node.duration <= least:
-        return None
-    now, number = node.duration, Number("formula", (part.way, "duration"))
-    text = f"shorten the task from {now} to {{new}} steps in {was}"
-    return Edit(number, "shorten_task", now - least, text, now, -1)
+    node = node_at(mission.formula, way)
+    if isinstance(node, Task):
+        most = node.duration - (mission.task_interval == "half-open")
+        text = f"shorten the task from {node.duration} to {{new}} steps in {was}"
+        number = Number("formula", (way, "duration"))
+        yield Edit(number, "shorten_task", most, text, node.duration, -1)
 
 
-def _counted(mission: Mission, part: Occurrence, was: str) -> Edit | None:
+def _counted(mission: Mission, part: Occurrence, was: str) -> Iterator[Edit]:
     """Fewer agents asked for, or more allowed; of a percentage, hundredths."""
     node = node_at(mission.formula, part.way)
     counts = counts_of(node)
     if not counts or counts[part.need or 0].relation not in _BEYOND:
-        return None
+        return
     count = counts[part.need or 0]
     asks, label, who = count.relation in (">=", ">"), _literal(count.label), count.capability
     number = Number("formula", (part.way, "bound" if node is count else part.need or 0))
     now: Value
     if isinstance(count.bound, Percent):
-        now, who_words = count.bound, ""
+        now, counted_for = count.bound, ""
         most = ceil(now.value if asks else 100 - now.value)
     else:
         now = count.bound + _BEYOND[count.relation]
-        who_words = _literal(f" with {who}" if who else "")
+        counted_for = _literal(f" with {who}" if who else "")
         most = now if asks else mission.size - max(now, 0)
-    if most <= 0:
-        return None
-    change = f"at '{label}' from {now} to {{agents}}{who_words} in {was}"
-    if not asks:
-        return Edit(number, "loosen_limit", most, f"loosen the limit {change}", now)
-    nobody = f"ask for no {_literal(who or 'agents')} at '{label}' in {was}"
-    return Edit(number, "lower_need", most, f"lower the need {change}", now, -1, nobody)
+    change = f"at '{label}' from {now} to {{agents}}{counted_for} in {was}"
+    if asks:
+        nobody = f"ask for no {_literal(who or 'agents')} at '{label}' in {was}"
+        yield Edit(number, "lower_need", most, f"lower the need {change}", now, -1, nobody)
+    else:
+        yield Edit(number, "loosen_limit", most, f"loosen the limit {change}", now)
 
 
 def _literal(text: str) -> str:
@@ -207,7 +207,7 @@ def _literal(text: str) -> str:
 
 def _more_agents(
     context: Context, entry: int, conflict: frozenset[SoftConstraint]
-) -> Iterator[Candidate]:
+) -> Iterator[Edit]:
     """More robots like those of one entry of the team, where it starts or elsewhere."""
     mission = context.mission
     group = mission.team[entry]
@@ -220,13 +220,8 @@ def _more_agents(
         if mission.system.states[state].needs <= group.capabilities
     ]
     for state in open_[:MOST_PLACES]:
-        within = {SoftConstraint("team", (entry,))}
-        if state not in own:
-            within.add(SoftConstraint("start", (entry,)))
-        rank = 0 if state in own else 1 if state in others else 2
         text = f"add {{added}} of class {_literal(group.class_name)} at '{_literal(state)}'"
-        edit = Edit(Number("agents", (entry, state)), "add_agents", most, text)
-        yield Candidate(edit, frozenset(within), ("agents", entry), rank)
+        yield Edit(Number("agents", (entry, state)), "add_agents", most, text)
 
 
 def _more_capacity(mission: Mission, ends: tuple[str, ...]) -> Edit:
@@ -239,7 +234,7 @@ def _more_capacity(mission: Mission, ends: tuple[str, ...]) -> Edit:
 
 def _quicker_edges(
     context: Context, entry: int, conflict: frozenset[SoftConstraint]
-) -> Iterator[Candidate]:
+) -> Iterator[Edit]:
     """Edges on the quickest ways from where robots start to where the conflict needs them."""
     mission = context.mission
     group = mission.team[entry]
@@ -253,27 +248,24 @@ def _quicker_edges(
     for pair in list(pairs)[:MOST_EDGES]:
         number = Number("edge", pair)
         longest = number.get(mission)
-        if longest > 1:
-            alike = isinstance(mission.system.edges[pair].duration, int)
-            was = f" (now {longest})" if alike else ""
-            text = f"cross {_literal(ends_words(pair))}{was} in {{steps}} less"
-            edit = Edit(number, "edge", longest - 1, text, longest, -1)
-            yield Candidate(edit, frozenset())
+        alike = isinstance(mission.system.edges[pair].duration, int)
+        was = f" (now {longest})" if alike else ""
+        text = f"cross {_literal(ends_words(pair))}{was} in {{steps}} less"
+        yield Edit(number, "edge", longest - 1, text, longest, -1)
 
 
-def _waits(context: Context, conflict: frozenset[SoftConstraint]) -> Iterator[Candidate]:
+def _waits(context: Context, conflict: frozenset[SoftConstraint]) -> Iterator[Edit]:
     """Waits at single states: where the conflict needs somebody, at ends, at starts; and at all."""
     mission = context.mission
     missing = without_wait(mission.system)
     ends = (name for name in missing if not mission.system.leaving(name))
     starts = (state for group in mission.team for state, _ in group.starts)
     ordered = dict.fromkeys([*_states_of(mission, conflict), *ends, *starts, *missing])
-    within = frozenset({WAITING})
     for state in [name for name in ordered if name in set(missing)][:MOST_PLACES]:
         text = _literal(f"let agents wait at '{state}' (an edge from '{state}' to itself)")
-        yield Candidate(Edit(Number("wait", (state,)), "waiting", 1, text), within)
+        yield Edit(Number("wait", (state,)), "waiting", 1, text)
     text = "let agents wait at every state (`waiting: true` in the map)"
-    yield Candidate(Edit(Number("wait", ()), "waiting", 1, text), within)
+    yield Edit(Number("wait", ()), "waiting", 1, text)
 
 
 def _states_of(mission: Mission, conflict: frozenset[SoftConstraint]) -> Iterator[str]:
@@ -292,7 +284,7 @@ def _states_of(mission: Mission, conflict: frozenset[SoftConstraint]) -> Iterato
 def _looser_bound(mission: Mission, key: tuple[str, str]) -> Edit:
     """More sub-swarms, smaller ones, or less head-room (in agents, or hundredths of the swarm)."""
     assert mission.swarm is not None
-    number = Number("bound", key)
+    number = Number("swarm", key)
     now = number.get(mission)
     name, which = key
     if key == MARGIN:

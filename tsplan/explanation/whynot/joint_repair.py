@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from tsplan.explanation.whynot.changes import ORDER, Repairs, Step, least
 from tsplan.explanation.whynot.conflicts import Finder
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import MOST_STEPS, candidates
+from tsplan.explanation.whynot.edits import MOST_STEPS, candidates, rank
 from tsplan.explanation.whynot.relaxing import bounded_above, relaxed
 
 if TYPE_CHECKING:
@@ -105,10 +105,11 @@ class JointRepair:
         entries = len(self.context.mission.team)  # others were added
         known = (c for c in core if c.kind not in ("team", "start") or c.key[0] < entries)
         every = candidates(self.context, frozenset(known))
-        every.sort(key=lambda item: (item.rank, ORDER.index(item.edit.kind)))
+        mission = self.context.mission
+        every.sort(key=lambda edit: (rank(mission, edit.number), ORDER.index(edit.kind)))
         taken = {edit for edit, _ in chosen}
         found: list[Step] = []
-        for edit in (item.edit for item in every if item.edit.kind in kinds):
+        for edit in (edit for edit in every if edit.kind in kinds):
             if edit in taken or edit.kind in {other.kind for other, _ in found}:
                 continue
             amount = self._enough(edit, core, chosen, farthest)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.explanation.whynot.occurrences import Way, exchanged, node_at
 from tsplan.logic import Count, Formula, Percent, horizon, translate
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 Value: TypeAlias = int | Fraction | Percent
 Pair: TypeAlias = tuple[str, str]
 
+NumberKind: TypeAlias = Literal["formula", "agents", "capacity", "edge", "wait", "swarm"]
+
 MARGIN = ("", "margin")
 """The key of the head-room that every demand is kept away from."""
 
@@ -36,12 +38,12 @@ class Number(NamedTuple):
 
     The key says which of its kind: of a `formula`, the way to a sub-formula and its field or the
     place of a need; of `agents`, the entry of the team and a state; of a `capacity`, a state or the
-    two ends of an edge; of an `edge`, whose duration is meant, these ends; of a `bound` of swarms,
-    the swarm's name and which one; of a `wait`, the state where there is one (1) or none (0), or
+    two ends of an edge; of an `edge`, whose duration is meant, these ends; of a bound of a `swarm`,
+    its name and which one; of a `wait`, the state where there is one (1) or none (0), or
     nothing for all states at once.
     """
 
-    kind: str
+    kind: NumberKind
     key: tuple[Any, ...]
 
     def get(self, mission: Mission) -> Any:
@@ -210,6 +212,6 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
         "capacity": (_capacity, _put_capacity),
         "edge": (_duration, _put_duration),
         "wait": (_waits, _put_waits),
-        "bound": (_bound, _put_bound),
+        "swarm": (_bound, _put_bound),
     }
 )

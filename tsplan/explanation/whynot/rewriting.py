@@ -161,7 +161,7 @@ def _team_edits(original: Mission, changed: Mission, document: Document) -> Iter
 def _swarm_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
     """Bounds of swarms."""
     for constraint in group_bounds(original):
-        bound = Number("bound", constraint.key)
+        bound = Number("swarm", constraint.key)
         if bound.get(original) != bound.get(changed):
             path = file_path(original, constraint)
             yield _exchanged(document, path, _bound(bound.get(changed)))
