@@ -78,22 +78,18 @@ def cause(node: Formula, _judged: Judged) -> Cause:
     raise TypeError(f"no cause is registered for {type(node).__name__}")
 
 
-@cause.register(Constant)
-@cause.register(Count)
-@cause.register(Linear)
-def _(_node: Formula, _judged: Judged) -> Cause:
+@cause.register
+def _(_node: Constant | Count | Linear, _judged: Judged) -> Cause:
     return Cause(())
 
 
-@cause.register(Task)
-@cause.register(Limit)
-def _(node: Formula, _judged: Judged) -> Cause:
+@cause.register
+def _(node: Task | Limit, _judged: Judged) -> Cause:
     raise ValueError(f"'{node}' is settled through its translation")
 
 
-@cause.register(Not)
-@cause.register(Iff)
-def _(node: Formula, judged: Judged) -> Cause:
+@cause.register
+def _(node: Not | Iff, judged: Judged) -> Cause:
     return Cause(tuple(judged.steps for _ in node.children))
 
 
@@ -148,28 +144,19 @@ def spans(node: Formula, span: Span) -> tuple[Span, ...]:
     raise TypeError(f"no window is registered for {type(node).__name__}")
 
 
-@spans.register(Constant)
-@spans.register(Count)
-@spans.register(Linear)
-@spans.register(Task)
-@spans.register(Limit)
-@spans.register(Not)
-@spans.register(And)
-@spans.register(Or)
-@spans.register(Implies)
-@spans.register(Iff)
-def _(node: Formula, span: Span) -> tuple[Span, ...]:
+@spans.register
+def _(
+    node: Constant | Count | Linear | Task | Limit | Not | And | Or | Implies | Iff, span: Span
+) -> tuple[Span, ...]:
     return tuple(span for _ in node.children)
 
 
-@spans.register(Eventually)
-@spans.register(Always)
+@spans.register
 def _(node: Eventually | Always, span: Span) -> tuple[Span, ...]:
     return ((span[0] + node.low, span[1] + node.high),)
 
 
-@spans.register(Until)
-@spans.register(Release)
+@spans.register
 def _(node: Until | Release, span: Span) -> tuple[Span, ...]:
     first, last = span
     left = (first, last + node.high - 1) if node.high else (0, NONE)

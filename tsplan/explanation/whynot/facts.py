@@ -14,9 +14,8 @@ from typing import TYPE_CHECKING
 from tsplan.explanation.explanation import Fact
 from tsplan.explanation.part_words import agents, counted
 from tsplan.explanation.whynot.context import Context, able, latest_of
-from tsplan.explanation.whynot.group_conflicts import divided
 from tsplan.explanation.whynot.soft_constraints import WAITING, waiting_constraints
-from tsplan.explanation.whynot.supply import scarcity
+from tsplan.explanation.whynot.supply import divided, scarcity
 from tsplan.explanation.whynot.time_conflicts import contradictions, crowding, timing
 from tsplan.ts.reachability import usable
 from tsplan.ts.waits import longest_ways, without_wait
