@@ -7,15 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tsplan.logic.traces import CountTrace
+
 if TYPE_CHECKING:
-    from tsplan.logic.traces import CountTrace
     from tsplan.ts import TransitionSystem
 
 
 def count_trace(system: TransitionSystem, counts: Mapping[str | None, Any]) -> CountTrace:
     """Counts by capability, arrays (..., states of the map, steps), as a trace of the map."""
-    from tsplan.logic.traces import CountTrace  # noqa: PLC0415  (the parser is slow to import)
-
     row = {state: number for number, state in enumerate(system.states)}
     labels = {
         label: np.array([row[state] for state in members], dtype=np.int64)

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from tsplan.checking.group_check import misnamed
+from tsplan.checking.plan_check import with_moves
+from tsplan.checking.traffic import read_traffic
 from tsplan.errors import Finding, PlanError, nearest
 
 if TYPE_CHECKING:
@@ -38,9 +41,6 @@ def refuse_misfit(plan: Plan, mission: Mission, source: str = "plan") -> None:
 
 def refuse_impossible(plan: Plan, mission: Mission, source: str = "plan") -> None:
     """Raise PlanError as `refuse_misfit`, and for paths and moves that the map does not allow."""
-    from tsplan.checking.group_check import misnamed  # noqa: PLC0415  (commands alone ask this)
-    from tsplan.checking.traffic import read_traffic  # noqa: PLC0415  (as above)
-
     refuse_misfit(plan, mission, source)
     traffic, problems = read_traffic(mission, plan)
     if traffic is not None:
@@ -51,9 +51,6 @@ def refuse_impossible(plan: Plan, mission: Mission, source: str = "plan") -> Non
 
 def with_groups(plan: Plan, mission: Mission) -> Plan:
     """The plan with the sub-swarms of its swarms, where its file leaves them out."""
-    from tsplan.checking.plan_check import with_moves  # noqa: PLC0415  (as above)
-    from tsplan.checking.traffic import read_traffic  # noqa: PLC0415  (as above)
-
     if plan.groups or not plan.moves:
         return plan
     traffic, _ = read_traffic(mission, plan)

@@ -10,25 +10,30 @@ if TYPE_CHECKING:
     from tsplan.plans.subswarms import SubSwarm
 
 
-class Spot(NamedTuple):
+class GroupPlace(NamedTuple):
     """A sub-swarm at one step: whose, where, and how many agents."""
 
     swarm: str
     place: str
     size: int
 
+    @property
+    def words(self) -> str:
+        """The sub-swarm in a sentence."""
+        return f"sub-swarm of {self.size} agents of {self.swarm} {self.place}"
 
-Spots: TypeAlias = "list[list[Spot]]"
+
+Table: TypeAlias = "list[list[GroupPlace]]"
 _Key: TypeAlias = "tuple[str, str, int, int]"
 
 
-def _spots(groups: Iterable[SubSwarm], horizon: int) -> Spots:
+def _table(groups: Iterable[SubSwarm], horizon: int) -> Table:
     """The sub-swarms at every step 0..horizon."""
-    table: Spots = [[] for _ in range(horizon + 1)]
+    table: Table = [[] for _ in range(horizon + 1)]
     for group in groups:
         since = "" if group.edge is None else f" since step {group.first - 1}"
         for step in range(group.first, min(group.last, horizon) + 1):
-            table[step].append(Spot(group.swarm, f"{group.place}{since}", group.size))
+            table[step].append(GroupPlace(group.swarm, f"{group.place}{since}", group.size))
     return [sorted(row) for row in table]
 
 
@@ -37,19 +42,19 @@ def broken_bounds(traffic: Traffic) -> Iterator[str]:
     rules = traffic.mission.swarm
     if rules is None:
         return
-    for step, row in enumerate(_spots(traffic.groups, traffic.horizon)):
+    for step, row in enumerate(_table(traffic.groups, traffic.horizon)):
         for swarm, bounds in rules.each.items():
-            mine = [spot for spot in row if spot.swarm == swarm]
+            mine = [entry for entry in row if entry.swarm == swarm]
             if bounds.most is not None and len(mine) > bounds.most:
-                listed = ", ".join(f"{spot.size} {spot.place}" for spot in mine)
+                listed = ", ".join(f"{entry.size} {entry.place}" for entry in mine)
                 yield (
                     f"{swarm} is in {len(mine)} sub-swarms at step {step}, and max_subswarms is "
                     f"{bounds.most}: {listed}"
                 )
-            for spot in mine:
-                if spot.size < bounds.least:
+            for entry in mine:
+                if entry.size < bounds.least:
                     yield (
-                        f"the sub-swarm of {swarm} {spot.place} has {spot.size} agents at step "
+                        f"the sub-swarm of {swarm} {entry.place} has {entry.size} agents at step "
                         f"{step}, and min_subswarm is {bounds.least}"
                     )
         if rules.together is not None and len(row) > rules.together:
@@ -63,18 +68,12 @@ def misnamed(named: Sequence[SubSwarm], traffic: Traffic) -> Iterator[str]:
     """Steps at which the sub-swarms that a plan names are not those that its moves make."""
     if not named:
         return
-    made = _spots(traffic.groups, traffic.horizon)
-    for step, (row, other) in enumerate(zip(made, _spots(named, traffic.horizon), strict=True)):
-        for spot in sorted(set(other) - set(row)):
-            yield (
-                f"the plan names a sub-swarm of {spot.size} agents of {spot.swarm} {spot.place} at "
-                f"step {step}, which its moves do not make"
-            )
-        for spot in sorted(set(row) - set(other)):
-            yield (
-                f"the plan names no sub-swarm of {spot.size} agents of {spot.swarm} {spot.place} "
-                f"at step {step}, which its moves make"
-            )
+    made = _table(traffic.groups, traffic.horizon)
+    for step, (row, other) in enumerate(zip(made, _table(named, traffic.horizon), strict=True)):
+        for entry in sorted(set(other) - set(row)):
+            yield f"the plan names a {entry.words} at step {step}, which its moves do not make"
+        for entry in sorted(set(row) - set(other)):
+            yield f"the plan names no {entry.words} at step {step}, which its moves make"
 
 
 def unrelated(named: Sequence[SubSwarm], traffic: Traffic) -> Iterator[str]:

@@ -7,11 +7,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from tsplan.logic import Count, Formula, Limit, Percent, Task, fold, walk
+from tsplan.logic.evaluation import robustness
+from tsplan.logic.fraction import shares
+from tsplan.logic.text import text_of
+from tsplan.logic.witness_steps import levels, parts
 from tsplan.plans.plan import Plan, Status
-from tsplan.plans.satisfaction import Depth, Fulfilment, Node, Satisfaction
+from tsplan.plans.satisfaction import Depth, Node, PreferenceSatisfaction, Satisfaction
 
 if TYPE_CHECKING:
-    from tsplan.logic import Formula
     from tsplan.logic.traces import CountTrace
     from tsplan.mission import Mission
 
@@ -21,9 +25,6 @@ MOST_LETTERS = 1000
 
 def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction:
     """How much of the formula holds of a mission that lets it hold in part."""
-    from tsplan.logic.fraction import shares  # noqa: PLC0415  (slow to import)
-    from tsplan.logic.witness_steps import levels  # noqa: PLC0415
-
     tree = mission.tree(mission.formula)
     share = shares(tree, trace)[tree][0]
     by_depth = mission.satisfaction != "weighted"
@@ -42,16 +43,13 @@ def slack_of(mission: Mission, trace: CountTrace, availability: float) -> float:
 
     `availability` is that of the formula as a whole.
     """
-    from tsplan.logic.evaluation import robustness  # noqa: PLC0415  (slow to import)
-    from tsplan.logic.fraction import shares  # noqa: PLC0415
-
     if mission.partial:
         tree = mission.tree(mission.formula)
         return shares(tree, trace)[tree][0].spare
     least = availability
-    for wish in mission.prefer:
-        tree = mission.tree(wish.formula)
-        if wish.partial:
+    for preference in mission.prefer:
+        tree = mission.tree(preference.formula)
+        if preference.partial:
             least = min(least, shares(tree, trace)[tree][0].spare)
         else:
             slack = float(robustness(tree, trace)[..., 0])
@@ -59,27 +57,23 @@ def slack_of(mission: Mission, trace: CountTrace, availability: float) -> float:
     return least
 
 
-def fulfilments_of(mission: Mission, trace: CountTrace) -> tuple[Fulfilment, ...]:
+def preferences_of(mission: Mission, trace: CountTrace) -> tuple[PreferenceSatisfaction, ...]:
     """What became of every preferred formula, in the mission's order."""
-    made = []
-    for wish in mission.prefer:
-        nodes = _nodes(mission, wish.formula, trace)
-        fraction = nodes[0].fraction
-        made.append(Fulfilment(wish.name, wish.weight, wish.level, wish.partial, fraction, nodes))
-    return tuple(made)
+    nodes = [_nodes(mission, preference.formula, trace) for preference in mission.prefer]
+    return tuple(
+        PreferenceSatisfaction(p.name, p.weight, p.level, p.partial, told[0].fraction, told)
+        for p, told in zip(mission.prefer, nodes, strict=True)
+    )
 
 
 def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node, ...]:
-    """The parts of a formula with their texts; tasks and limits as they were written."""
-    from tsplan import logic  # noqa: PLC0415  (slow to import)
-    from tsplan.logic.text import text_of  # noqa: PLC0415
-    from tsplan.logic.witness_steps import parts  # noqa: PLC0415
-
+    """The parts of a formula with their texts; tasks, limits and shares as they are written."""
     tree = mission.tree(formula)
     written: dict[Formula, Formula] = {
         mission.tree(node): node
-        for node in logic.walk(formula)
-        if isinstance(node, logic.Task | logic.Limit) or _is_share(node)
+        for node in walk(formula)
+        if isinstance(node, Task | Limit)
+        or (isinstance(node, Count) and isinstance(node.bound, Percent))
     }
     shown: dict[Formula, Formula] = {}
 
@@ -87,7 +81,7 @@ def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node,
         shown[node] = written[node] if node in written else node.over(below)
         return shown[node]
 
-    logic.fold(tree, show)
+    fold(tree, show)
     return tuple(
         Node(
             text_of(shown[part.node], MOST_LETTERS),
@@ -100,13 +94,6 @@ def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node,
     )
 
 
-def _is_share(node: Formula) -> bool:
-    """Whether an atom asks for a percentage."""
-    from tsplan import logic  # noqa: PLC0415  (slow to import)
-
-    return isinstance(node, logic.Count) and isinstance(node.bound, logic.Percent)
-
-
 def completed(given: Satisfaction | None, actual: Satisfaction | None) -> Satisfaction | None:
     """What was computed, with the bounds that are claimed of the depths."""
     if given is None or actual is None:
@@ -117,7 +104,7 @@ def completed(given: Satisfaction | None, actual: Satisfaction | None) -> Satisf
 
 
 def false_claims(
-    plan: Plan, satisfaction: Satisfaction | None, preferences: tuple[Fulfilment, ...]
+    plan: Plan, satisfaction: Satisfaction | None, preferences: tuple[PreferenceSatisfaction, ...]
 ) -> Iterator[str]:
     """What a plan says about what it satisfies and is not so."""
     claimed = plan.satisfaction

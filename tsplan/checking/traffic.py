@@ -14,18 +14,19 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
-from tsplan.checking.satisfaction_check import fulfilments_of, satisfaction_of
+from tsplan.checking.satisfaction_check import preferences_of, satisfaction_of
+from tsplan.logic import Formula, capabilities
+from tsplan.logic.evaluation import robustness
+from tsplan.logic.traces import CountTrace
 from tsplan.plans.moves import Move
 from tsplan.plans.presence import Presence, of_bundles, state_counts
 from tsplan.plans.subswarms import SubSwarm, subswarms
 
 if TYPE_CHECKING:
-    from tsplan.logic import Formula
-    from tsplan.logic.traces import CountTrace
     from tsplan.milp.model import Ints
     from tsplan.mission import Group, Mission
     from tsplan.plans.plan import Bundle, Plan
-    from tsplan.plans.satisfaction import Fulfilment, Satisfaction
+    from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
     from tsplan.ts import TransitionSystem
 
 
@@ -97,11 +98,9 @@ class Traffic:
     @cached_property
     def trace(self) -> CountTrace:
         """Who is at which label when, of every capability that the mission's formulas name."""
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-
         mission = self.mission
-        formulas = (mission.formula, *(wish.formula for wish in mission.prefer))
-        named = sorted({name for formula in formulas for name in logic.capabilities(formula)})
+        formulas = (mission.formula, *(preference.formula for preference in mission.prefer))
+        named = sorted({name for formula in formulas for name in capabilities(formula)})
         states = tuple(mission.system.states)
         counts = {name: self.counts(states, name) for name in (None, *named)}
         return count_trace(mission.system, counts)
@@ -113,8 +112,6 @@ class Traffic:
 
     def robustness(self, formula: Formula) -> float:
         """Counting robustness at step 0 of a formula."""
-        from tsplan.logic.evaluation import robustness  # noqa: PLC0415  (slow to import)
-
         return float(robustness(formula, self.trace)[0])
 
     @cached_property
@@ -123,9 +120,9 @@ class Traffic:
         return satisfaction_of(self.mission, self.trace) if self.mission.partial else None
 
     @cached_property
-    def preferences(self) -> tuple[Fulfilment, ...]:
+    def preferences(self) -> tuple[PreferenceSatisfaction, ...]:
         """What became of every preferred formula, in the mission's order."""
-        return fulfilments_of(self.mission, self.trace) if self.mission.prefer else ()
+        return preferences_of(self.mission, self.trace) if self.mission.prefer else ()
 
 
 _Walk: TypeAlias = "tuple[Bundle, tuple[Segment, ...]]"
@@ -143,7 +140,6 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
         path = read_path(mission.system, bundle, plan.horizon)
         walks[bundle.class_name].append((bundle, path.segments))
         problems += [f"{_who(plan, bundle)} {problem}" for problem in path.problems]
-    swarms = _swarms(mission)
     if problems:
         return None, problems
     swarms = _swarms(mission)
@@ -164,9 +160,9 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
         elif name not in plan.moves:
             problems.append(f"the plan has no moves of {name}")
             continue
-        made, wrong = _read_moves(mission.system, swarms[name], moves, plan.horizon)
+        traffic, wrong = _read_moves(mission.system, swarms[name], moves, plan.horizon)
         problems += [f"{name} {words}" for words in wrong]
-        classes.append(replace(made, moving=_moving(walks[name])) if name in walks else made)
+        classes.append(replace(traffic, moving=_moving(walks[name])) if name in walks else traffic)
     return (None if problems else Traffic(mission, plan.horizon, tuple(classes))), problems
 
 
@@ -187,7 +183,7 @@ def _who(plan: Plan, bundle: Bundle) -> str:
 
 def _walked(class_name: str, walks: Sequence[_Walk]) -> ClassTraffic:
     """What the agents of a class do by their paths."""
-    segments = tuple(segment for _, made in walks for segment in made)
+    segments = tuple(segment for _, path in walks for segment in path)
     present = tuple(of_bundles(bundle for bundle, _ in walks))
     return ClassTraffic(class_name, segments, present, _moving(walks))
 

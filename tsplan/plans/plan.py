@@ -22,9 +22,9 @@ from tsplan import display
 from tsplan.errors import Finding, PlanError
 from tsplan.limits import MOST_STEPS
 from tsplan.parameters import step_within
-from tsplan.plans.moves import Moves
+from tsplan.plans.moves import Moves, shares
 from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word, shared
-from tsplan.plans.satisfaction import Fulfilment, Satisfaction
+from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
 from tsplan.plans.subswarms import SubSwarm
 from tsplan.stopping import LIMITS, StoppedBy
 
@@ -197,7 +197,7 @@ class Plan(Record, display.Displayed):
     objective: tuple[ObjectiveValue, ...] = ()
     availability: Finite | None = None
     satisfaction: Satisfaction | None = field(default=None, metadata=OPTIONAL)
-    preferences: tuple[Fulfilment, ...] = field(default=(), metadata=OPTIONAL)
+    preferences: tuple[PreferenceSatisfaction, ...] = field(default=(), metadata=OPTIONAL)
     verified: Annotated[bool, Field(strict=True)] = False
     moves: Mapping[Word, Moves] = field(default_factory=dict, hash=False, metadata=OPTIONAL)
     groups: tuple[SubSwarm, ...] = field(default=(), metadata=OPTIONAL)
@@ -274,7 +274,7 @@ class Plan(Record, display.Displayed):
     @cached_property
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""
-        from tsplan.plans.presence import presences  # noqa: PLC0415  (for those who ask)
+        from tsplan.plans.presence import presences  # noqa: PLC0415  (numpy takes 0.1 s)
 
         stays = {stay[2] for bundle in self.bundles for stay in bundle.stays}
         return tuple(sorted(stays.union(presence.state for presence in presences(self))))
@@ -302,8 +302,6 @@ class Plan(Record, display.Displayed):
 
         `shares[swarm][state, step]` has pairs of a target and a fraction; the fractions sum to 1.
         """
-        from tsplan.plans.moves import shares  # noqa: PLC0415  (plans of teams have none)
-
         return {swarm: shares(moves) for swarm, moves in self.moves.items()}
 
     def counts(self, capability: str | None = None, *, states: Iterable[str] | None = None) -> Ints:
@@ -321,7 +319,7 @@ class Plan(Record, display.Displayed):
         >>> made.counts("see", states=["q"]).tolist()
         [[0, 0, 0, 1]]
         """
-        from tsplan.plans.presence import asked_counts  # noqa: PLC0415  (for those who ask)
+        from tsplan.plans.presence import asked_counts  # noqa: PLC0415  (numpy takes 0.1 s)
 
         return asked_counts(self, states, capability)
 

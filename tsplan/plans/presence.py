@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from tsplan.errors import Finding, PlanError
 from tsplan.parameters import known_name, name_list
 
@@ -95,8 +97,6 @@ def interval_counts(
     >>> interval_counts([(0, 0, 1, 2), (0, 1, 9, 1)], 1, 3).tolist()
     [[2, 3, 1, 1]]
     """
-    import numpy as np  # noqa: PLC0415  (plans are read and shown without it)
-
     change = np.zeros((rows, horizon + 2), dtype=np.int64)
     for row, first, last, agents in intervals:
         change[row, min(first, horizon + 1)] += agents

@@ -61,7 +61,7 @@ class Satisfaction(Portion):
 
 
 @dataclass(frozen=True, slots=True)
-class Fulfilment(Portion):
+class PreferenceSatisfaction(Portion):
     """What became of one preferred formula; `fraction` and `nodes` are as in `Satisfaction`."""
 
     name: str

@@ -20,6 +20,7 @@ from tsplan.checking.count_traces import count_trace
 from tsplan.checking.plan_check import check
 from tsplan.checking.traffic import ClassTraffic, Traffic, read_traffic
 from tsplan.errors import Finding, PlanError
+from tsplan.logic import capabilities, holds
 from tsplan.parameters import refuse_options
 from tsplan.plans.presence import state_counts
 
@@ -191,8 +192,6 @@ def _holding(
     traffic: Traffic, samples: Mapping[str, Mapping[Node, Ints]], runs: int
 ) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
     """In which runs the formula holds; robots beside the swarms go as planned."""
-    from tsplan.logic import capabilities, holds  # noqa: PLC0415  (the parser is slow to import)
-
     mission = traffic.mission
     states = tuple(mission.system.states)
     row = {state: number for number, state in enumerate(states)}
