@@ -19,21 +19,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from tsplan import logic
 from tsplan.errors import Finding, MissionError
-from tsplan.logic import (
-    Always,
-    And,
-    Constant,
-    Count,
-    Eventually,
-    Formula,
-    Or,
-    Release,
-    Until,
-    fold,
-    positive,
-    simplify,
-)
+from tsplan.logic import Count, Formula
 from tsplan.mission import Mission
 
 
@@ -50,7 +38,7 @@ def margin_for(mission: Mission, probability: float = 0.95) -> int:
     if mission.swarm is None:
         what = "only the agents of a swarm go by chance, and the mission has a team"
         raise MissionError([Finding(what, "describe a swarm")])
-    formula = simplify(positive(mission.counted))
+    formula = logic.simplify(logic.positive(mission.counted))
     low, high = -1, mission.size  # with all agents to spare nothing is left to chance
     while high - low > 1:
         middle = (low + high) // 2
@@ -68,24 +56,22 @@ def failing(mission: Mission, formula: Formula, margin: int) -> float:
     """
 
     def risk(node: Formula, below: tuple[float, ...]) -> float:
-        return (
-            _at(node, mission, margin)
-            if isinstance(node, Count)
-            else _RISKS[type(node)](node, below)
-        )
+        if isinstance(node, Count):
+            return _at(node, mission, margin)
+        return _RISKS[type(node)](node, below)
 
-    bound: float = fold(formula, risk)
+    bound: float = logic.fold(formula, risk)
     return min(bound, 1.0)
 
 
 _RISKS: Mapping[type[Formula], Callable[[Any, tuple[float, ...]], float]] = {
-    Constant: lambda *_: 0.0,
-    And: lambda _, below: sum(below),
-    Or: lambda _, below: max(below),
-    Eventually: lambda _, below: below[0],
-    Always: lambda node, below: (node.high - node.low + 1) * below[0],
-    Until: lambda node, below: node.high * below[0] + below[1],
-    Release: lambda node, below: below[0] + (node.high - node.low + 1) * below[1],
+    logic.Constant: lambda *_: 0.0,
+    logic.And: lambda _, below: sum(below),
+    logic.Or: lambda _, below: max(below),
+    logic.Eventually: lambda _, below: below[0],
+    logic.Always: lambda node, below: (node.high - node.low + 1) * below[0],
+    logic.Until: lambda node, below: node.high * below[0] + below[1],
+    logic.Release: lambda node, below: below[0] + (node.high - node.low + 1) * below[1],
 }
 """The bound of a node of positive normal form from those of its children."""
 
