@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import tsplan
-from tests.test_swarm_brute import best
+from tests.joint_plans import best
 from tsplan import Mission
 from tsplan.errors import MissionError
 from tsplan.explanation import Change, Conflict, Explanation, SoftConstraint, explain

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 import tsplan
-from tests.random_missions import random_mission
 from tsplan.encode.options import Idea
 from tsplan.plans.plan import Plan
+from tsplan.testing import random_mission
 
 SHORT = range(60)
 LONG = range(60, 2060)

@@ -13,14 +13,14 @@ from random import Random
 import pytest
 
 import tsplan
-from tests.random_missions import random_mission
-from tests.test_swarm_brute import random_swarms
+from tests.joint_plans import small_enough
 from tsplan import Mission
 from tsplan.checking.plan_check import check
 from tsplan.errors import MissionError
 from tsplan.mission import Group
 from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import Plan
+from tsplan.testing import random_mission, random_swarm_mission
 from tsplan.ts import TransitionSystem
 
 TEAM = ("availability", "travel", "cost", "makespan", "agents")
@@ -118,9 +118,7 @@ def compare(seed: int) -> str:
     """One mission, judged; where it is small, with both encodings."""
     random = Random(seed)
     if seed % 5 == 4:
-        mission = random_swarms(seed)
-        if mission is None:
-            return "none"
+        mission = random_swarm_mission(seed, fits=small_enough)
         mission = replace(mission, objective=random.choice(orders(SWARM)))
         return judge(mission, tsplan.plan(mission))
     try:

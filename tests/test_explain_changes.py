@@ -9,7 +9,6 @@ import pytest
 
 import tsplan
 from tests.explaining import check_change, check_explanation, plain
-from tests.random_tasks import random_tasks
 from tests.test_explain_conflicts import ROW, row
 from tsplan.explanation import Change, explain
 from tsplan.explanation.whynot import oracle
@@ -21,6 +20,7 @@ from tsplan.mission import Group, Mission
 from tsplan.plans.plan import Plan
 from tsplan.run.problem import Problem
 from tsplan.search.clock import Clock
+from tsplan.testing import random_task_mission
 from tsplan.ts import Edge, State, TransitionSystem
 
 
@@ -153,7 +153,7 @@ def test_the_least_total_of_several_changes() -> None:
 )
 def test_there_is_always_a_way_out(seed: int) -> None:
     """These needed ways to go that were not gathered, or agents that were in the way of limits."""
-    made = check_explanation(random_tasks(seed))
+    made = check_explanation(random_task_mission(seed))
     assert made.changes
 
 

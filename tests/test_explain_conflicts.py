@@ -8,12 +8,12 @@ import pytest
 
 import tsplan
 from tests.explaining import check_conflict, check_explanation, elements, plain
-from tests.random_missions import random_mission
-from tests.random_tasks import random_tasks
-from tests.test_swarm_brute import random_swarms
+from tests.joint_plans import small_enough
+from tests.seeds import seed_blocks
 from tsplan.explanation import SoftConstraint, explain
 from tsplan.explanation.whynot.relaxing import relaxed
 from tsplan.mission import Group, Mission
+from tsplan.testing import random_mission, random_swarm_mission, random_task_mission
 from tsplan.ts import Edge, State, TransitionSystem
 
 ROW = TransitionSystem.build(
@@ -39,7 +39,7 @@ def texts(mission: Mission) -> list[list[str]]:
 
 @pytest.mark.parametrize("seed", range(3))
 def test_tasks(seed: int) -> None:
-    check_explanation(random_tasks(seed + 200), conflicts=2)
+    check_explanation(random_task_mission(seed + 200), conflicts=2)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -47,18 +47,19 @@ def test_counts(seed: int) -> None:
     check_explanation(random_mission(seed + 500, states=4, most_agents=4, steps=6))
 
 
-def test_swarms() -> None:
-    for seed in range(60_000, 60_012):
-        mission = random_swarms(seed)
-        if mission is not None:
-            check_explanation(mission)
+@pytest.mark.parametrize(
+    "seeds", seed_blocks(range(60_000, 60_006), [*range(60_006, 60_012), *range(61_000, 61_400)], 6)
+)
+def test_swarms(seeds: list[int]) -> None:
+    for seed in seeds:
+        check_explanation(random_swarm_mission(seed, fits=small_enough), conflicts=2)
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("block", range(40))
 def test_many_tasks(block: int) -> None:
     found = [
-        check_explanation(random_tasks(seed), conflicts=2)
+        check_explanation(random_task_mission(seed), conflicts=2)
         for seed in range(1000 + 10 * block, 1010 + 10 * block)
     ]
     assert sum(made.status == "explained" for made in found) >= 5
@@ -71,19 +72,10 @@ def test_many_counts(block: int) -> None:
         check_explanation(random_mission(seed, states=4, most_agents=4, steps=8), conflicts=2)
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("block", range(20))
-def test_many_swarms(block: int) -> None:
-    for seed in range(61_000 + 20 * block, 61_020 + 20 * block):
-        mission = random_swarms(seed)
-        if mission is not None:
-            check_explanation(mission, conflicts=2)
-
-
 @pytest.mark.parametrize("seed", [200, pytest.param(1389, marks=pytest.mark.long)])
 def test_tasks_that_went_wrong(seed: int) -> None:
     """A robot that cannot wait needs others in its place; a program that HiGHS cannot solve."""
-    check_explanation(random_tasks(seed), conflicts=2)
+    check_explanation(random_task_mission(seed), conflicts=2)
 
 
 @pytest.mark.parametrize("seed", [7088])
@@ -137,7 +129,7 @@ def test_parts_stand_where_they_were_written() -> None:
 def test_a_team_without_a_number_is_one_with_any_number() -> None:
     """Leaving out how many there are is as good as the best number of them."""
     for seed in range(12):
-        mission = plain(random_tasks(300 + seed))
+        mission = plain(random_task_mission(300 + seed))
         entry = mission.team[0]
         room = mission.system.states[entry.starts[0][0]].capacity
         most = 7 if room is None else room - sum(n for g in mission.team for s, n in g.starts) + 1
@@ -156,7 +148,7 @@ def _grown(group: Group, more: int) -> Group:
 
 
 def test_time_that_is_too_short_is_admitted() -> None:
-    mission = random_tasks(7)
+    mission = random_task_mission(7)
     made = explain(mission, time_limit=0.001)
     assert made.status in ("explained", "no_answer")
     assert all(not conflict.minimal or conflict.parts for conflict in made.conflicts)

@@ -10,14 +10,13 @@ from hypothesis import strategies as st
 
 import tsplan
 from tests.explaining import plain
-from tests.random_missions import random_mission
-from tests.random_tasks import random_tasks
+from tests.joint_plans import small_enough
 from tests.test_explain_conflicts import ROW, row
-from tests.test_swarm_brute import random_swarms
 from tsplan.explanation import Fact
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.facts import facts_of
 from tsplan.mission import Group, Mission
+from tsplan.testing import random_mission, random_swarm_mission, random_task_mission
 from tsplan.ts import TransitionSystem
 
 SWARM = {"size": 10, "at": {"q": 10}}
@@ -184,7 +183,7 @@ def test_no_facts_of_swarms_that_can_divide() -> None:
 @settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_facts_are_proofs_for_tasks(seed: int) -> None:
-    mission = random_tasks(seed)
+    mission = random_task_mission(seed)
     if facts(mission):
         assert tsplan.plan(plain(mission)).status == "infeasible"
 
@@ -200,14 +199,14 @@ def test_facts_are_proofs_for_counts(seed: int) -> None:
 @settings(max_examples=25, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_facts_are_proofs_for_swarms(seed: int) -> None:
-    mission = random_swarms(seed)
-    if mission is not None and facts(mission):
+    mission = random_swarm_mission(seed, fits=small_enough)
+    if facts(mission):
         assert tsplan.plan(plain(mission)).status == "infeasible"
 
 
 @pytest.mark.long
 @settings(max_examples=3000, deadline=None)
-@given(seed=st.integers(0, 10**9), kind=st.sampled_from([random_tasks, random_mission]))
+@given(seed=st.integers(0, 10**9), kind=st.sampled_from([random_task_mission, random_mission]))
 def test_facts_are_proofs_for_many(seed: int, kind) -> None:
     mission = kind(seed)
     if facts(mission):

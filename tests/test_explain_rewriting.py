@@ -9,11 +9,11 @@ import pytest
 
 import tsplan
 from tests.explaining import plain
-from tests.random_tasks import random_tasks
 from tsplan.explanation import explain
 from tsplan.explanation.whynot.rewriting import rewritten
 from tsplan.mission import Mission, SwarmBounds, load_mission, mission_from_text
 from tsplan.plans.plan import Plan
+from tsplan.testing import random_task_mission
 
 FOLDER = Path(__file__).parents[1] / "environments"
 INFEASIBLE = (
@@ -150,7 +150,7 @@ def test_a_bound_of_a_swarm_is_exchanged_in_place():
 
 def test_missions_that_come_from_python_are_written_whole():
     for seed in range(200, 203):
-        original = random_tasks(seed)
+        original = random_task_mission(seed)
         for change in explain(original).changes:
             text, lost = rewritten(original, change.mission, Path(), Path())
             assert not lost

@@ -8,12 +8,12 @@ import pytest
 
 import tsplan
 from tests.explaining import plain
-from tests.random_tasks import random_tasks
 from tests.test_explain_conflicts import ROW, row
 from tsplan.explanation import explain
 from tsplan.explanation.why.tightness import tightened
 from tsplan.logic import Eventually
 from tsplan.mission import Mission
+from tsplan.testing import random_task_mission
 
 
 def said(mission: Mission, kind: str, *, slack: bool = True) -> list[str]:
@@ -60,7 +60,7 @@ def test_what_holds_availability_down_is_named_with_place_and_step() -> None:
 def test_the_most_robust_plan_has_no_more_to_spare() -> None:
     met = 0
     for seed in range(25):
-        mission = random_tasks(seed + 900)
+        mission = random_task_mission(seed + 900)
         if not tsplan.plan(plain(mission)).has_paths:
             continue
         made = explain(mission)

@@ -9,12 +9,12 @@ import pytest
 
 import tsplan
 from tests.explaining import check_explanation
-from tests.random_missions import random_mission
 from tsplan.cli import main
 from tsplan.explanation import explain
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.facts import facts_of
 from tsplan.mission import Group, Mission
+from tsplan.testing import random_mission
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.map_lint import lint
 from tsplan.ts.waits import longest_ways

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from formulas import count_trace, formulas, judged, quick, seeds
 from hypothesis import given
 
+from tests.seeds import quick, seeds
 from tsplan.logic import TRUE, And, Count, CountTrace, holds, horizon, parse, walk
 from tsplan.logic.decision_time import decided_at, earliness
 from tsplan.logic.obligations import START, obligations
+from tsplan.testing.formula_strategies import count_trace, formulas, judged
 
 
 def counts_owed(formula, values):

@@ -3,10 +3,10 @@
 import contextlib
 
 import pytest
-from formulas import quick
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tsplan.errors import FormulaError
 from tsplan.logic import LANGUAGES, parse
 

@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.formulas import judged
 from tsplan import logic
 from tsplan.logic import CountTrace, SignalTrace, parse
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.fraction import Share, denominator, fraction, shares, tree_of
 from tsplan.logic.witness_steps import demanded, levels, parts, satisfied
+from tsplan.testing.formula_strategies import judged
 
 X = SignalTrace({"x": np.array([1.0, 4, 2, 0, 5]), "y": np.array([0.0, 0, 3, 3, 0])})
 

@@ -5,18 +5,10 @@ import math
 
 import numpy as np
 import pytest
-from formulas import (
-    formulas,
-    judged,
-    languages,
-    quick,
-    seeds,
-    signal_trace,
-    trace_for,
-)
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.seeds import languages, quick, seeds
 from tsplan import logic
 from tsplan.logic import (
     Always,
@@ -42,6 +34,7 @@ from tsplan.logic import (
     simplify,
     translate,
 )
+from tsplan.testing.formula_strategies import ANYTHING, formulas, judged, signal_trace, trace_for
 
 RELATIONS = {
     ">=": lambda value, bound: value >= bound,
@@ -147,7 +140,7 @@ class Truth(Textbook):
 @given(st.data())
 def test_a_printed_formula_parses_back_to_itself(data):
     language = data.draw(languages)
-    formula = data.draw(formulas(language, plain=False))
+    formula = data.draw(formulas(language, words=ANYTHING))
     assert parse(str(formula), language) is formula
 
 
@@ -318,7 +311,7 @@ def test_substituting_a_part_by_itself_changes_nothing(data):
 @quick
 @given(st.data(), st.integers(0, 12))
 def test_resolved_percentages_mean_the_exact_share(data, total):
-    formula = data.draw(formulas("mtl", plain=False, leaves=3))
+    formula = data.draw(formulas("mtl", words=ANYTHING, leaves=3))
     resolved = logic.resolve_percent(formula, lambda _: total)
     for node in logic.walk(resolved):
         assert not (isinstance(node, Count) and isinstance(node.bound, logic.Percent))

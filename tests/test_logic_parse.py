@@ -1,13 +1,14 @@
 """What texts mean: synonyms, names, numbers, binding, places."""
 
 import pytest
-from formulas import formulas, languages, quick
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import languages, quick
 from tsplan import logic
 from tsplan.logic import TRUE, Count, Eventually, Limit, Task, parse, parse_with_places
 from tsplan.logic.parser import token_streams as streams
+from tsplan.testing.formula_strategies import ANYTHING, formulas
 
 SYNONYMS = [
     ("a & b", "a && b"),
@@ -209,7 +210,7 @@ def test_places_below_parentheses_that_were_cut_out():
 @given(st.data())
 def test_every_part_of_a_printed_formula_has_a_place(data):
     language = data.draw(languages)
-    formula = data.draw(formulas(language, plain=False, leaves=5))
+    formula = data.draw(formulas(language, words=ANYTHING, leaves=5))
     text = str(formula)
     parsed, places = parse_with_places(text, language)
     assert parsed is formula
@@ -226,7 +227,7 @@ def test_every_part_of_a_printed_formula_has_a_place(data):
 @given(st.data(), st.integers(1, 4))
 def test_where_a_text_is_cut_makes_no_difference(data, depth):
     language = data.draw(languages)
-    formula = data.draw(formulas(language, plain=False))
+    formula = data.draw(formulas(language, words=ANYTHING))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(streams, "DEPTH", depth)
         assert parse(str(formula), language) is formula

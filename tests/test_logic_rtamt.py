@@ -11,11 +11,12 @@ import io
 from functools import reduce
 
 import pytest
-from formulas import seeds, trace_for
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.seeds import seeds
 from tsplan import logic
+from tsplan.testing.formula_strategies import trace_for
 
 pytestmark = pytest.mark.rtamt
 

@@ -13,7 +13,6 @@ import pytest
 from scipy import sparse
 
 import tsplan
-from tests.random_missions import random_mission
 from tsplan.encode.assemble import prepare, tight
 from tsplan.encode.objectives import Travel
 from tsplan.errors import SolverError
@@ -28,6 +27,7 @@ from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.target import Target
 from tsplan.stopping import StoppedBy
+from tsplan.testing import random_mission
 
 ONCE_WRONG = sorted((Path(__file__).parent / "models").glob("*.json"))
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import tsplan
-from tests.test_brute_force import Path, paths, within_capacity
+from tests.joint_plans import Path, paths, within_capacity
 from tsplan.encode.expressions import Constraint, Expression
 from tsplan.errors import InputError, MissionError, SolverError
 from tsplan.exact import digits

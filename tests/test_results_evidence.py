@@ -7,7 +7,6 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.random_missions import LABELS, random_map, random_text
 from tests.test_logic_registrations import node_classes
 from tsplan import Mission
 from tsplan.checking.count_traces import count_trace
@@ -23,6 +22,7 @@ from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.mission import Group
 from tsplan.plans.plan import AgentPlan, MissionRef, Plan
 from tsplan.plans.presence import counted
+from tsplan.testing.random_missions import LABELS, random_formula, random_map
 from tsplan.ts import Edge, State, TransitionSystem
 
 NAMES = ("home", "east", "west", "hill")
@@ -223,9 +223,9 @@ def random_case(seed):
     """A random mission of any formula, and random walks that need not satisfy it."""
     random = Random(seed)
     system = random_map(random, 4, strange=False)
-    text = random_text(random, random.randint(1, 3))
+    text = random_formula(random, random.randint(1, 3))
     if random.random() < 0.3:
-        other = random_text(random, 1)
+        other = random_formula(random, 1)
         text = random.choice([f"({text}) <=> ({other})", f"!({text})"])
     formula = parse(text, language="mtl")
     steps = horizon(formula) + random.randint(0, 2)

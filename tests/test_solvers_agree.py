@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 import tsplan
-from tests.random_missions import random_mission
 from tsplan.errors import SolverUnavailableError
 from tsplan.milp.solver import solver
+from tsplan.testing import random_mission
 
 NAMES = ["highs", "gurobi", "pulp:PULP_CBC_CMD"]
 

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 import tsplan
-from tests.random_missions import random_mission
 from tsplan import Mission
 from tsplan.checking.plan_check import check, objective_values
 from tsplan.mission import load_mission
 from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import Plan
 from tsplan.run.events import Event, Incumbent, Stage
+from tsplan.testing import random_mission
 
 FOLDER = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(path.stem for path in FOLDER.glob("*_*.yaml"))

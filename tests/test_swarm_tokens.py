@@ -7,7 +7,8 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.test_swarm_brute import best, solved
+import tsplan
+from tests.joint_plans import best
 from tsplan import Mission
 from tsplan.encode.assemble import prepare, tight
 from tsplan.encode.groups.token_flow import tokens
@@ -71,11 +72,11 @@ def test_bounds_are_met_and_infinite_often() -> None:
     for seed in range(40_000, 40_050):
         mission = splitting(seed)
         bound = fewest(tokens(prepare(mission)), Clock(20.0)).bound
-        outcome = solved(mission)
-        if outcome.infeasible:
+        plan = tsplan.plan(mission)
+        if plan.status == "infeasible":
             infinite += np.isinf(bound)
         else:
-            value = outcome.reached[0].value
+            value = plan.objective[0].value
             assert value is not None
             met += bound > value - 1 + 1e-6 and value >= 1
     assert met >= 10
@@ -90,7 +91,7 @@ def test_where_merging_costs_a_split_the_whole_problem_decides() -> None:
         objective=["splits"],
     )
     assert fewest(tokens(prepare(mission)), Clock(20.0)).bound == pytest.approx(1)
-    assert solved(mission).reached[0].value == 2
+    assert tsplan.plan(mission).objective[0].value == 2
     assert best(mission) == (2.0,)
 
 

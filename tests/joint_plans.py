@@ -1,0 +1,247 @@
+"""All joint plans of a tiny mission, enumerated one by one, and the best of them.
+
+Nothing here knows the encoding: agents walk over the map as its edges say, sub-swarms are what is
+together at a state or on an edge since the same step, and formulas are judged by their robustness.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations_with_replacement, product
+from math import comb, prod
+
+import numpy as np
+
+from tsplan import Mission
+from tsplan.logic.evaluation import CountTrace, robustness
+from tsplan.mission import Agent
+
+MOST_JOINT_PLANS = 3000
+SENSE = {
+    "availability": -1,
+    "travel": 1,
+    "cost": 1,
+    "makespan": 1,
+    "agents": 1,
+    "splits": 1,
+    "moves": 1,
+    "balance": -1,
+}
+
+
+@dataclass(frozen=True)
+class Path:
+    """One agent's way: its state at each step (None on the way), and what it costs."""
+
+    states: tuple[str | None, ...]
+    entered: tuple[tuple[str, str, int, int], ...]  # edge, step, duration
+    travel: int
+    cost: float
+    makespan: int
+
+
+@dataclass(frozen=True)
+class Groups:
+    """What the paths of one swarm come to."""
+
+    sizes: tuple[tuple[int, ...], ...]  # of the sub-swarms at each step
+    splits: int
+    moves: int
+
+
+@dataclass(frozen=True)
+class JointPlan:
+    """A path for every agent, in the order of the team, and the sub-swarms of every swarm."""
+
+    mission: Mission
+    paths: tuple[Path, ...]
+    swarms: dict[str, Groups]
+
+    def trace(self) -> CountTrace:
+        return trace(self.mission, self.paths)
+
+    def worth(self, name: str) -> float:
+        """The value of one objective, but for those that a formula has to be judged for."""
+        groups = self.swarms.values()
+        return {
+            "travel": lambda: sum(path.travel for path in self.paths),
+            "cost": lambda: sum(path.cost for path in self.paths),
+            "makespan": lambda: max(path.makespan for path in self.paths),
+            "agents": lambda: sum(path.travel > 0 for path in self.paths),
+            "splits": lambda: sum(item.splits for item in groups),
+            "moves": lambda: sum(item.moves for item in groups),
+            "balance": lambda: min(min(sizes) for item in groups for sizes in item.sizes),
+        }[name]()
+
+
+def paths(mission: Mission, agent: Agent) -> list[Path]:
+    """Every way of one agent up to the horizon."""
+    system = mission.system
+    found = []
+
+    def go(state: str, step: int, moves: tuple[tuple[str, str, int, int], ...]) -> None:
+        if step >= mission.horizon:
+            found.append(moves)
+            return
+        for edge in system.leaving(state):
+            duration = edge.duration_for(agent.class_name)
+            needs = edge.needs | system.states[edge.target].needs | system.states[state].needs
+            if duration is not None and needs <= agent.capabilities:
+                entered = (edge.source, edge.target, step, duration)
+                go(edge.target, step + duration, (*moves, entered))
+
+    go(agent.start, 0, ())
+    return [walked(mission, agent, moves) for moves in found]
+
+
+def walked(mission: Mission, agent: Agent, moves: tuple[tuple[str, str, int, int], ...]) -> Path:
+    states: list[str | None] = [None] * (mission.horizon + 1)
+    states[0] = agent.start
+    travel, cost, makespan = 0, 0.0, 0
+    for source, target, step, duration in moves:
+        if step + duration <= mission.horizon:
+            states[step + duration] = target
+        edge = mission.system.edges[source, target]
+        cost += edge.cost_for(agent.class_name)
+        if source != target:
+            travel += duration
+            makespan = max(makespan, step + duration)
+    return Path(tuple(states), moves, travel, cost, makespan)
+
+
+def within_capacity(mission: Mission, joint: tuple[Path, ...]) -> bool:
+    for name, state in mission.system.states.items():
+        if state.capacity is not None:
+            for step in range(mission.horizon + 1):
+                if sum(path.states[step] == name for path in joint) > state.capacity:
+                    return False
+    for capacity, pairs in mission.system.capacity_groups:
+        load: Counter[int] = Counter()
+        for path in joint:
+            for source, target, step, duration in path.entered:
+                if (source, target) in pairs:
+                    load.update(range(step, min(step + duration, mission.horizon)))
+        if any(count > capacity for count in load.values()):
+            return False
+    return True
+
+
+def trace(mission: Mission, joint: tuple[Path, ...]) -> CountTrace:
+    names = list(mission.system.states)
+    counts = {None: np.zeros((len(names), mission.horizon + 1))}
+    for agent, path in zip(mission.agents, joint, strict=True):
+        for step, state in enumerate(path.states):
+            for capability in (None, *agent.capabilities):
+                table = counts.setdefault(capability, np.zeros_like(counts[None]))
+                if state is not None:
+                    table[names.index(state), step] += 1
+    labels = {
+        label: np.array([names.index(name) for name in carriers])
+        for label, carriers in mission.system.labels.items()
+    }
+    return CountTrace(counts, labels)
+
+
+def groups(mission: Mission, joint: tuple[Path, ...]) -> Groups:
+    """Sub-swarms at each step, by definition: at one state, or on one edge since the same step."""
+    sizes = []
+    for step in range(mission.horizon + 1):
+        there: Counter[object] = Counter()
+        for path in joint:
+            state = path.states[step]
+            inside = [e for e in path.entered if e[2] < step < e[2] + e[3]]
+            there[state if state is not None else inside[0]] += 1
+        sizes.append(tuple(there.values()))
+    entered = {edge for path in joint for edge in path.entered}
+    left = {(source, step) for source, _, step, _ in entered}
+    moves = sum(source != target for source, target, _, _ in entered)
+    return Groups(tuple(sizes), len(entered) - len(left), moves)
+
+
+def within_bounds(mission: Mission, swarms: dict[str, Groups]) -> bool:
+    rules = mission.swarm
+    if rules is None:
+        return True
+    for name, found in swarms.items():
+        bounds = rules.each[name]
+        for sizes in found.sizes:
+            if bounds.most is not None and len(sizes) > bounds.most:
+                return False
+            if min(sizes) < bounds.least:
+                return False
+    if rules.together is None:
+        return True
+    steps = zip(*(found.sizes for found in swarms.values()), strict=True)
+    return all(sum(map(len, sizes)) <= rules.together for sizes in steps)
+
+
+def alike(mission: Mission) -> list[list[int]]:
+    """The numbers of agents that can be exchanged for one another."""
+    found: dict[tuple[str, str, frozenset[str]], list[int]] = {}
+    for number, agent in enumerate(mission.agents):
+        key = agent.class_name, agent.start, agent.capabilities
+        found.setdefault(key, []).append(number)
+    return list(found.values())
+
+
+def how_many(mission: Mission) -> int:
+    """How many joint plans there are, agents that are alike not told apart."""
+    counts = []
+    for numbers in alike(mission):
+        ways = len(paths(mission, mission.agents[numbers[0]]))
+        counts.append(comb(ways + len(numbers) - 1, len(numbers)))
+    return prod(counts)
+
+
+def small_enough(mission: Mission) -> bool:
+    return how_many(mission) <= MOST_JOINT_PLANS
+
+
+def joint_plans(mission: Mission) -> Iterator[JointPlan]:
+    """Every joint plan that keeps bounds and capacities, whatever becomes of the formula."""
+    kinds = alike(mission)
+    ways = [
+        combinations_with_replacement(paths(mission, mission.agents[numbers[0]]), len(numbers))
+        for numbers in kinds
+    ]
+    swarms = [] if mission.swarm is None else list(mission.swarm.each)
+    for choice in product(*ways):
+        chosen = {
+            number: path
+            for numbers, part in zip(kinds, choice, strict=True)
+            for number, path in zip(numbers, part, strict=True)
+        }
+        joint = tuple(chosen[number] for number in range(mission.size))
+        of = {name: groups(mission, _of_class(mission, joint, name)) for name in swarms}
+        if within_bounds(mission, of) and within_capacity(mission, joint):
+            yield JointPlan(mission, joint, of)
+
+
+def _of_class(mission: Mission, joint: tuple[Path, ...], name: str) -> tuple[Path, ...]:
+    pairs = zip(joint, mission.agents, strict=True)
+    return tuple(path for path, agent in pairs if agent.class_name == name)
+
+
+def best(mission: Mission) -> tuple[float, ...] | None:
+    """The best objective values, signed to be minimised; None if there is no plan."""
+    found = None
+    for plan in joint_plans(mission):
+        judged = "availability" in mission.objective
+        spare = float(robustness(mission.counted, plan.trace())[0]) if judged else 0.0
+        value = tuple(
+            float(SENSE[name] * (spare if name == "availability" else plan.worth(name)))
+            for name in mission.objective
+        )
+        if (found is None or value < found) and holds(mission, plan):
+            found = value
+    return found
+
+
+def holds(mission: Mission, plan: JointPlan) -> bool:
+    """Whether the formula holds, as it was written and with its margin."""
+    counts = plan.trace()
+    if float(robustness(mission.counted, counts)[0]) < 0:
+        return False
+    return mission.swarm is None or float(robustness(mission.goal, counts)[0]) >= 0

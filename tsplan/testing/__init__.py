@@ -1,0 +1,96 @@
+"""What to test planners with, this one or one's own: formulas, missions, and a corpus of answers.
+
+- `random_missions`: small missions by their seed, of teams, tasks, swarms, and both.
+- `corpus`: missions whose answers are known, planned and compared with what is expected.
+- `formula_strategies`, `mission_strategies`: hypothesis strategies, for which the extra `test` or
+  hypothesis itself has to be installed.
+
+>>> from tsplan.testing import random_mission
+>>> random_mission(1).name
+'random 1'
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from tsplan.errors import TsplanError
+
+if TYPE_CHECKING:
+    from tsplan.testing.corpus import Expectation, expectations, run_corpus
+    from tsplan.testing.formula_strategies import (
+        ANYTHING,
+        KNOWN,
+        Vocabulary,
+        atoms,
+        formulas,
+        judged,
+        trace_for,
+    )
+    from tsplan.testing.mission_strategies import maps, missions, swarms, teams
+    from tsplan.testing.random_missions import (
+        random_map,
+        random_mission,
+        random_swarm_mission,
+        random_task_mission,
+    )
+
+_HOMES = {
+    "corpus": ("Expectation", "expectations", "run_corpus"),
+    "formula_strategies": (
+        "ANYTHING",
+        "KNOWN",
+        "Vocabulary",
+        "atoms",
+        "formulas",
+        "judged",
+        "trace_for",
+    ),
+    "mission_strategies": ("maps", "missions", "swarms", "teams"),
+    "random_missions": (
+        "random_map",
+        "random_mission",
+        "random_swarm_mission",
+        "random_task_mission",
+    ),
+}
+__all__ = [
+    "ANYTHING",
+    "KNOWN",
+    "Expectation",
+    "HypothesisMissingError",
+    "Vocabulary",
+    "atoms",
+    "expectations",
+    "formulas",
+    "judged",
+    "maps",
+    "missions",
+    "random_map",
+    "random_mission",
+    "random_swarm_mission",
+    "random_task_mission",
+    "run_corpus",
+    "swarms",
+    "teams",
+    "trace_for",
+]
+
+
+class HypothesisMissingError(TsplanError, ImportError):
+    """Strategies need hypothesis, which is not installed."""
+
+
+def __getattr__(name: str) -> object:
+    """Load a name from its module on first use: most need more than who asks for one of them."""
+    for module, names in _HOMES.items():
+        if name in names:
+            try:
+                return getattr(import_module(f"{__name__}.{module}"), name)
+            except ModuleNotFoundError as error:
+                if error.name != "hypothesis":
+                    raise
+                what = f"'{name}' needs hypothesis, which is not installed"
+                raise HypothesisMissingError(f"{what}; pip install 'tsplan[test]'") from None
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")

@@ -1,0 +1,139 @@
+"""A corpus: missions whose answers are known, in a folder with one table of them.
+
+The table is a file `expected.yaml` of the format `tsplan-corpus/1`. It names mission files by
+their paths from the folder, the status that planning ends with, and the value of each objective:
+
+    format: tsplan-corpus/1
+    missions:
+      there.yaml: {status: optimal, values: {travel: 2}}
+      large.yaml: {status: optimal, values: {splits: 1, travel: 40}, long: true}
+      nowhere.yaml: {status: infeasible}
+
+An entry that says `long: true` is only planned where that is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from tsplan.document import read_document
+from tsplan.document.fields import Number, Truth
+from tsplan.document.validation import validated
+from tsplan.errors import Finding, InputError, nearest
+from tsplan.mission import Mission, load_mission
+from tsplan.plans.plan import Plan
+from tsplan.run.planner import plan
+
+TABLE = "expected.yaml"
+TOLERANCE = 1e-6
+"""How far a value may be from what is expected: values are exact, but the floats that say them."""
+
+
+class _Entry(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+    status: Literal["optimal", "infeasible"]
+    values: Mapping[str, Number] = {}
+    long: Truth = False
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+    format: Literal["tsplan-corpus/1"]
+    missions: Annotated[Mapping[str, _Entry], Field(min_length=1)]
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """What planning one mission is to answer: its status, and the value of each objective."""
+
+    path: Path
+    status: str
+    values: Mapping[str, float]
+    long: bool = False
+    """Whether planning it takes so long that it is only done where that is asked for."""
+
+    @property
+    def name(self) -> str:
+        """The name of the mission's file without its ending."""
+        return self.path.stem
+
+    def differences(self, made: Plan) -> list[Finding]:
+        """Everything in which a plan is not what was expected."""
+        said = {item.name: item.value for item in made.objective}
+        found = []
+        if made.status != self.status:
+            found.append(f"planning ended with '{made.status}' instead of '{self.status}'")
+        elif made.has_paths and not made.verified:
+            found.append("the plan is not verified")
+        elif list(said) != list(self.values):
+            found.append(f"its objectives are {list(said)} instead of {list(self.values)}")
+        for name, value in self.values.items():
+            known = said.get(name)
+            if name in said and (known is None or abs(known - value) > TOLERANCE):
+                found.append(f"'{name}' is {known} instead of {value}")
+        return [Finding(words, "", str(self.path)) for words in found]
+
+
+def expectations(folder: str | Path) -> tuple[Expectation, ...]:
+    """The table of a corpus, in its order. Raises InputError with everything wrong with it."""
+    document = read_document(Path(folder) / TABLE)
+    table, findings = validated(document, _Table)
+    if table is None:
+        raise InputError(findings)
+    made = [
+        Expectation(Path(folder) / path, entry.status, entry.values, entry.long)
+        for path, entry in table.missions.items()
+    ]
+    missing = [
+        document.key_finding(("missions", path), f"there is no file '{path}'", "check the path")
+        for path, item in zip(table.missions, made, strict=True)
+        if not item.path.is_file()
+    ]
+    if missing:
+        raise InputError(missing)
+    return tuple(made)
+
+
+def run_corpus(
+    folder: str | Path,
+    *,
+    names: Iterable[str] | None = None,
+    long: bool = False,
+    planner: Callable[[Mission], Plan] = plan,
+) -> tuple[Finding, ...]:
+    r"""Plan the missions of a corpus: everything in which their plans are not what is expected.
+
+    `names` chooses some by the names of their files, otherwise `long` says whether those that take
+    long are planned as well. A `planner` gives the plan of a mission. Raises InputError for names
+    that the table has not, and for whatever cannot be read.
+
+    >>> entry = "mission.yaml: {status: optimal, values: {%s}}"
+    >>> table = "format: tsplan-corpus/1\nmissions:\n  " + entry
+    >>> _ = Path("expected.yaml").write_text(table % "travel: 2")
+    >>> run_corpus(".")
+    ()
+    >>> _ = Path("expected.yaml").write_text(table % "travel: 1")
+    >>> print(*run_corpus("."))
+    mission.yaml: 'travel' is 2.0 instead of 1.0
+    """
+    known = {item.name: item for item in expectations(folder)}
+    if names is None:
+        chosen = [item for item in known.values() if long or not item.long]
+    else:
+        wanted = list(names)
+        unknown = [name for name in wanted if name not in known]
+        if unknown:
+            source = str(Path(folder) / TABLE)
+            raise InputError(
+                Finding(f"there is no mission '{name}'", nearest(name, known), source)
+                for name in unknown
+            )
+        chosen = [known[name] for name in wanted]
+    return tuple(
+        finding for item in chosen for finding in item.differences(planner(load_mission(item.path)))
+    )
