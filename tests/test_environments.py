@@ -1,15 +1,12 @@
 """The project's own maps and missions: they are what they say, and plans for them are right."""
 
-import contextlib
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 import tsplan
+from tests.command_line import command
 from tsplan.mission import load_mission
 from tsplan.ts.io.map_files import load_map
 from tsplan.ts.map_lint import lint
@@ -18,50 +15,12 @@ from tsplan.ts.reachability import reachable
 FOLDER = Path(__file__).parents[1] / "environments"
 MAPS = sorted(path.stem for path in FOLDER.glob("*.yaml") if "_" not in path.stem)
 MISSIONS = sorted(path.stem for path in FOLDER.glob("*_*.yaml"))
-# the best values of each mission's objectives, in their order; None where there is no plan
-BEST = {
-    "farm_harvest": [1, 93],
-    "farm_overbooked": None,
-    "farm_patrol": [7, 3],
-    "farm_shortage": [0.75],
-    "office_cleaning": [20, 11],
-    "office_closed": None,
-    "office_delivery": [1, 16, 80],
-    "office_double": None,
-    "office_lift": None,
-    "office_wishes": [5.2],
-    "reef_drift": [1],
-    "reef_regroup": [0, 7],
-    "reef_relay": [2],
-    "reef_survey": [2, 8],
-    "reef_thin": None,
-    "reef_watch": [5 / 6, 1],
-    "rescue_evacuation": [117, 30],
-    "rescue_late": None,
-    "rescue_search": [88],
-    "warehouse_orders": [11, 56],
-    "warehouse_stocktaking": [1, 114],
-}
-QUICK = (
-    "farm_overbooked",
-    "farm_shortage",
-    "office_closed",
-    "office_delivery",
-    "office_double",
-    "office_lift",
-    "office_wishes",
-    "reef_thin",
-    "reef_watch",
-    "rescue_evacuation",
-    "rescue_late",
-)
 
 
 def test_there_are_enough():
     assert len(MAPS) >= 4
     assert len(MISSIONS) >= 8
     assert {name.split("_")[0] for name in MISSIONS} == set(MAPS)
-    assert set(BEST) == set(MISSIONS)
 
 
 @pytest.mark.parametrize("name", [*MAPS, *MISSIONS])
@@ -101,80 +60,10 @@ def test_missions_are_modest_and_raise_no_warnings(name):
     assert mission.size <= (40 if mission.swarm is None else 1000)
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(m, marks=() if m in QUICK else pytest.mark.long) for m in MISSIONS]
-)
-def test_plans(name):
-    plan = tsplan.plan(load_mission(FOLDER / f"{name}.yaml"))
-    if BEST[name] is None:
-        assert plan.status == "infeasible"
-        return
-    assert plan.status == "optimal"
-    assert plan.verified
-    assert [goal.value for goal in plan.objective] == pytest.approx(BEST[name])
-
-
-# what the command line is to give for each mission, whatever its stderr is
-EXIT = {name: 3 if best is None else 0 for name, best in BEST.items()}
-SLICE = {
-    ("office_delivery", "pipe"),
-    ("office_delivery", "terminal"),
-    ("farm_shortage", "terminal"),
-}
-
-
-def run(arguments, folder, stderr):
-    """The exit code, stdout and stderr of the command line; stderr is a pipe or a terminal."""
-    command = [sys.executable, "-m", "tsplan", *arguments]
-    environment = {**os.environ, "PYTHONPATH": str(Path(tsplan.__file__).parents[1])}
-    if stderr == "pipe":
-        done = subprocess.run(
-            command, capture_output=True, text=True, check=False, cwd=folder, env=environment
-        )
-        return done.returncode, done.stdout, done.stderr
-    ours, theirs = os.openpty()
-    seen = b""
-    place = folder / "stdout"  # a pipe would fill while only the terminal is read
-    with (
-        place.open("wb") as stdout,
-        subprocess.Popen(
-            command, stdout=stdout, stderr=theirs, cwd=folder, env=environment
-        ) as process,
-    ):
-        os.close(theirs)
-        with contextlib.suppress(OSError):  # raised where the other end is gone
-            while part := os.read(ours, 65536):
-                seen += part
-    os.close(ours)
-    return process.returncode, place.read_text(encoding="utf-8"), seen.decode()
-
-
-@pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs terminals made by programs")
-@pytest.mark.parametrize(
-    ("name", "stderr"),
-    [
-        pytest.param(m, kind, marks=() if (m, kind) in SLICE else pytest.mark.long)
-        for m in MISSIONS
-        for kind in ("pipe", "terminal")
-    ],
-)
-def test_the_command_line_gives_the_same(name, stderr, tmp_path):
-    place = tmp_path / "plan.json"
-    code, out, err = run(
-        ["plan", str(FOLDER / f"{name}.yaml"), "-o", str(place), "--json"], tmp_path, stderr
-    )
-    assert code == EXIT[name], err
-    assert "internal error" not in err
-    plan = json.loads(out, parse_constant=pytest.fail)
-    assert json.loads(place.read_text(encoding="utf-8")) == plan
-    if BEST[name] is not None:
-        assert [goal["value"] for goal in plan["objective"]] == pytest.approx(BEST[name])
-
-
 @pytest.mark.parametrize("limit", ["0.6"])
 def test_a_short_limit_gives_a_verified_plan_or_none(limit, tmp_path):
     arguments = ["plan", str(FOLDER / "office_wishes.yaml"), "--json", "--time-limit", limit]
-    code, out, err = run(arguments, tmp_path, "pipe")
+    code, out, err = command(*arguments, folder=tmp_path)
     assert code in (0, 4), err
     plan = json.loads(out, parse_constant=pytest.fail)
     assert (plan["status"], plan["verified"]) in (

@@ -9,7 +9,8 @@ their paths from the folder, the status that planning ends with, and the value o
       large.yaml: {status: optimal, values: {splits: 1, travel: 40}, long: true}
       nowhere.yaml: {status: infeasible}
 
-An entry that says `long: true` is only planned where that is asked for.
+`null` is the value of an availability without an end. An entry that says `long: true` is only
+planned where that is asked for.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from tsplan.errors import Finding, InputError, nearest
 from tsplan.mission import Mission, load_mission
 from tsplan.plans.plan import Plan
 from tsplan.run.planner import plan
+from tsplan.words import number
 
 TABLE = "expected.yaml"
 TOLERANCE = 1e-6
@@ -37,7 +39,7 @@ TOLERANCE = 1e-6
 class _Entry(BaseModel):
     model_config = ConfigDict(extra="forbid")
     status: Literal["optimal", "infeasible"]
-    values: Mapping[str, Number] = {}
+    values: Mapping[str, Number | None] = {}
     long: Truth = False
 
 
@@ -53,7 +55,7 @@ class Expectation:
 
     path: Path
     status: str
-    values: Mapping[str, float]
+    values: Mapping[str, float | None]
     long: bool = False
     """Whether planning it takes so long that it is only done where that is asked for."""
 
@@ -62,21 +64,27 @@ class Expectation:
         """The name of the mission's file without its ending."""
         return self.path.stem
 
-    def differences(self, made: Plan) -> list[Finding]:
+    def differences(self, made: Plan) -> tuple[Finding, ...]:
         """Everything in which a plan is not what was expected."""
         said = {item.name: item.value for item in made.objective}
-        found = []
         if made.status != self.status:
-            found.append(f"planning ended with '{made.status}' instead of '{self.status}'")
-        elif made.has_paths and not made.verified:
-            found.append("the plan is not verified")
+            wrong = [f"planning ended with '{made.status}' instead of '{self.status}'"]
         elif list(said) != list(self.values):
-            found.append(f"its objectives are {list(said)} instead of {list(self.values)}")
-        for name, value in self.values.items():
-            known = said.get(name)
-            if name in said and (known is None or abs(known - value) > TOLERANCE):
-                found.append(f"'{name}' is {known} instead of {value}")
-        return [Finding(words, "", str(self.path)) for words in found]
+            wrong = [f"its objectives are {list(said)} instead of {list(self.values)}"]
+        else:
+            wrong = ["the plan is not verified"] if made.has_paths and not made.verified else []
+            wrong += [
+                f"'{name}' is {number(said[name])} instead of {number(value)}"
+                for name, value in self.values.items()
+                if not _same(said[name], value)
+            ]
+        return tuple(Finding(words, "", str(self.path)) for words in wrong)
+
+
+def _same(value: float | None, expected: float | None) -> bool:
+    if value is None or expected is None:
+        return value is expected
+    return abs(value - expected) <= TOLERANCE
 
 
 def expectations(folder: str | Path) -> tuple[Expectation, ...]:
@@ -119,7 +127,7 @@ def run_corpus(
     ()
     >>> _ = Path("expected.yaml").write_text(table % "travel: 1")
     >>> print(*run_corpus("."))
-    mission.yaml: 'travel' is 2.0 instead of 1.0
+    mission.yaml: 'travel' is 2 instead of 1
     """
     known = {item.name: item for item in expectations(folder)}
     if names is None:
