@@ -1,0 +1,341 @@
+"""The rooms stand on floors: no import goes up, files import each other in no circle.
+
+All imports are read, those inside functions and those for type checkers too.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import networkx as nx
+import pytest
+
+import tsplan
+
+PACKAGE = Path(tsplan.__file__).parent
+FLOORS = (
+    ("base",),  # the modules beside the rooms: errors, names, words, limits, ...
+    ("document", "logic", "milp"),
+    ("ts",),
+    ("mission",),
+    ("plans",),
+    ("checking", "encode"),
+    ("search",),
+    ("run",),
+    ("protocol", "explanation"),
+    ("draw",),
+    ("viewer",),
+    ("cli", "testing"),
+    ("top",),  # `tsplan` itself and `python -m tsplan`
+)
+FLOOR = {room: height for height, rooms in enumerate(FLOORS) for room in rooms}
+
+# files whose imports inside functions are meant: for `--help` to be quick, for a package to be
+# imported without all that it offers, and for a solver that was not asked for to stay unloaded
+BOUNDARIES = (
+    "cli.",
+    "document.__init__",
+    "explanation.__init__",
+    "logic.__init__",
+    "logic.parsing",
+    "milp.solver",
+)
+# what other packages are imported inside functions: those that may be missing or are slow to load
+LATE = frozenset(
+    {"PIL", "ctypes", "difflib", "gurobipy", "networkx", "pulp", "pydantic", "resource", "rich"}
+    | {"scipy"}
+)
+
+KNOWN: frozenset[str] = frozenset(
+    """
+circle: checking.plan_check
+circle: checking.swarm_check
+circle: checking.swarm_judge
+circle: document.compose
+circle: document.document
+circle: document.files
+circle: document.kinds
+circle: document.mishaps
+circle: draw.map
+circle: draw.starts
+circle: explanation.explanation
+circle: explanation.explanation_json
+circle: explanation.part_words
+circle: explanation.why.witness_text
+circle: explanation.why.witness_tree
+circle: explanation.whynot.elements
+circle: explanation.whynot.facts
+circle: explanation.whynot.formula_edits
+circle: explanation.whynot.supply
+circle: explanation.whynot.swarm_edits
+circle: explanation.whynot.time_conflicts
+circle: explanation.whynot.waiting
+circle: logic.atoms
+circle: logic.nodes
+circle: logic.text
+circle: logic.traversal
+circle: milp.gurobi
+circle: milp.highs
+circle: milp.pulp
+circle: milp.solver
+circle: mission.costs
+circle: mission.formulas
+circle: mission.magnitudes
+circle: mission.mission
+circle: mission.mission_checks
+circle: mission.mission_schema
+circle: mission.read
+circle: mission.swarm_rules
+circle: mission.values
+circle: plans.bundles
+circle: plans.plan
+circle: plans.plan_file
+circle: plans.plan_schema
+circle: plans.plan_text
+circle: plans.swarm_fields
+late: checking.count_traces
+late: checking.fitting
+late: checking.plan_check
+late: checking.satisfaction_check
+late: draw.canvas
+late: draw.map
+late: explanation.explanation
+late: explanation.why.requirements
+late: explanation.why.witness_tree
+late: explanation.whynot.explaining
+late: explanation.whynot.facts
+late: limits
+late: logic.nodes
+late: milp.pulp
+late: mission.formulas
+late: mission.mission
+late: mission.mission_checks
+late: mission.named_states
+late: mission.read
+late: mission.values
+late: plans.plan
+late: plans.plan_file
+late: plans.plan_text
+late: protocol.simulation
+late: run.isolate
+late: run.planner
+late: ts.system
+up: cli.arguments -> top
+up: encode.assemble -> search
+up: encode.groups.group_objectives -> search
+up: encode.groups.guided_restriction -> search
+up: encode.groups.swarm_model -> search
+up: encode.groups.swarm_problem -> search
+up: encode.groups.swarm_stages -> search
+up: encode.groups.token_flow -> search
+up: encode.map_reduction -> search
+up: encode.memory -> search
+up: encode.partial.conflict_graph -> search
+up: encode.partial.maximise -> search
+up: encode.partial.neighbourhood -> search
+up: encode.partial.partial_stages -> search
+up: encode.partial.partial_swarms -> search
+up: encode.partial.scaling -> search
+up: encode.read_back -> search
+up: encode.shortcuts -> search
+up: logic.nodes -> draw
+up: mission.mission -> draw
+up: plans.assignment -> checking
+up: plans.plan -> checking
+up: plans.plan -> draw
+up: plans.plan -> explanation
+up: plans.plan -> protocol
+up: plans.plan -> viewer
+up: run.isolate -> cli
+up: ts.system -> draw
+""".splitlines()[1:]
+)
+"""Arrows up, circles and late imports that are still there; the list may only shrink."""
+
+
+@dataclass(frozen=True)
+class Import:
+    """One import of a module: who imports what, and whether inside a function."""
+
+    importer: str
+    imported: str
+    late: bool
+
+    def __str__(self) -> str:
+        return f"{self.importer} -> {self.imported}"
+
+
+def sources() -> dict[str, ast.Module]:
+    """The package's own modules by their names without `tsplan.`, but for what is generated."""
+    return {
+        ".".join(path.relative_to(PACKAGE).with_suffix("").parts): ast.parse(
+            path.read_text(encoding="utf-8")
+        )
+        for path in sorted(PACKAGE.rglob("*.py"))
+        if "generated" not in path.parts
+    }
+
+
+def imports(modules: dict[str, ast.Module]) -> Iterator[Import]:
+    """Every import statement of a module of the package, or of another package."""
+    for name, tree in modules.items():
+        late = {
+            id(node)
+            for function in ast.walk(tree)
+            if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+            for node in ast.walk(function)
+        }
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                for imported in named(node, modules):
+                    if imported != name:
+                        yield Import(name, imported, id(node) in late)
+
+
+def named(node: ast.Import | ast.ImportFrom, modules: dict[str, ast.Module]) -> set[str]:
+    """The modules that a statement imports; those of the package by their names here."""
+    if isinstance(node, ast.Import):
+        return {resolved(alias.name, modules) for alias in node.names}
+    assert node.level == 0, "relative imports hide where they go"
+    base = node.module or ""
+    inner = {alias.name for alias in node.names}
+    below = {name for name in inner if resolved(f"{base}.{name}", modules) in modules}
+    found = {resolved(f"{base}.{name}", modules) for name in below}
+    return found | ({resolved(base, modules)} if inner - below else set())
+
+
+def resolved(full: str, modules: dict[str, ast.Module]) -> str:
+    """The name of a module or package here; another package's first name as it is."""
+    own = full.removeprefix("tsplan").removeprefix(".")
+    if full != "tsplan" and not full.startswith("tsplan."):
+        return f"({full.split('.', maxsplit=1)[0]})"
+    return own if own in modules else f"{own}.__init__".removeprefix(".")
+
+
+def room(module: str) -> str:
+    if module in ("__init__", "__main__"):
+        return "top"
+    return module.split(".", maxsplit=1)[0] if "." in module else "base"
+
+
+def own(found: list[Import]) -> list[Import]:
+    return [item for item in found if not item.imported.startswith("(")]
+
+
+def arrows_up(found: list[Import]) -> set[str]:
+    """Imports of a room on a higher floor, and of one on the same floor that imports back."""
+    arrows = {(item.importer, room(item.importer), room(item.imported)) for item in own(found)}
+    pairs = {(one, other) for _, one, other in arrows}
+    return {
+        f"up: {importer} -> {other}"
+        for importer, one, other in arrows
+        if FLOOR[other] > FLOOR[one]
+        or (one != other and FLOOR[other] == FLOOR[one] and (other, one) in pairs)
+    }
+
+
+def circles(found: list[Import]) -> set[str]:
+    """The files of one room from which imports lead back to them.
+
+    Circles through several rooms have an arrow up, or two between rooms of one floor.
+    """
+    graph = nx.DiGraph(
+        (item.importer, item.imported)
+        for item in own(found)
+        if room(item.importer) == room(item.imported)
+    )
+    knots = [knot for knot in nx.strongly_connected_components(graph) if len(knot) > 1]
+    return {f"circle: {module}" for knot in knots for module in knot}
+
+
+def late_imports(found: list[Import]) -> set[str]:
+    """Files with imports inside functions that are no boundary, unless of optional packages."""
+    return {
+        f"late: {item.importer}"
+        for item in found
+        if item.late
+        and not item.importer.startswith(BOUNDARIES)
+        and item.imported.strip("()") not in LATE
+    }
+
+
+def same_names(modules: dict[str, ast.Module]) -> set[str]:
+    """Modules of one base name, which nobody can tell apart in a list of files."""
+    bases = Counter(module.split(".")[-1] for module in modules)
+    return {
+        f"name: {module}"
+        for module in modules
+        for base in [module.split(".")[-1]]
+        if bases[base] > 1 and base != "__init__"
+    }
+
+
+def violations(modules: dict[str, ast.Module]) -> set[str]:
+    found = list(imports(modules))
+    return arrows_up(found) | circles(found) | late_imports(found) | same_names(modules)
+
+
+def package(**texts: str) -> dict[str, ast.Module]:
+    """Modules from their texts; `__` in their names stands for a dot."""
+    return {name.replace("__", ".", 1): ast.parse(text) for name, text in texts.items()}
+
+
+def test_what_stands_on_its_floor_is_accepted():
+    modules = package(
+        errors="",
+        logic__nodes="import numpy\nfrom tsplan.errors import TsplanError",
+        mission__read="from tsplan.logic.nodes import Formula\nfrom tsplan.logic import nodes",
+        cli__main="def run():\n    from tsplan.mission import read",
+        mission____init__="",
+        logic____init__="",
+    )
+    assert violations(modules) == set()
+
+
+@pytest.mark.parametrize(
+    ("text", "violation"),
+    [
+        ("from tsplan.run.planner import plan", "up: plans.plan -> run"),
+        ("from tsplan.run import planner", "up: plans.plan -> run"),
+        ("import tsplan.run.planner", "up: plans.plan -> run"),
+        ("from tsplan import Mission", "up: plans.plan -> top"),
+        ("if TYPE_CHECKING:\n    from tsplan.run.planner import plan", "up: plans.plan -> run"),
+        ("from tsplan.plans.moves import Move", "circle: plans.moves"),
+        ("def f():\n    from tsplan.errors import Finding", "late: plans.plan"),
+        ("class A:\n    def f(self):\n        import json", "late: plans.plan"),
+    ],
+)
+def test_each_violation_is_found(text, violation):
+    others = {"errors": "", "run__planner": "", "plans__moves": "import tsplan.plans.plan"}
+    assert violation in violations(package(plans__plan=text, __init__="", **others))
+
+
+def test_two_rooms_of_one_floor_do_not_import_each_other():
+    up = violations(package(encode__a="import tsplan.checking.b", checking__b=""))
+    assert up == set()
+    both = package(encode__a="import tsplan.checking.b", checking__b="import tsplan.encode.a")
+    assert violations(both) == {"up: encode.a -> checking", "up: checking.b -> encode"}
+
+
+def test_two_files_of_one_name_are_found():
+    modules = package(logic__text="", plans__text="", plans__moves="")
+    assert violations(modules) == {"name: logic.text", "name: plans.text"}
+
+
+def test_every_room_has_a_floor():
+    assert {room(module) for module in sources()} <= set(FLOOR)
+
+
+def test_no_import_goes_up_or_round():
+    found = violations(sources())
+    assert found - KNOWN == set(), "new: let what is needed above be given from above"
+    assert KNOWN - found == set(), "no longer there: take it out of KNOWN"
+
+
+if __name__ == "__main__":
+    sys.stdout.write("\n".join(sorted(violations(sources()))) + "\n")  # what KNOWN has to list
