@@ -7,7 +7,6 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.test_logic_registrations import node_classes
 from tsplan import Mission
 from tsplan.checking.count_traces import count_trace
 from tsplan.errors import PlanError
@@ -15,7 +14,6 @@ from tsplan.explanation.why.requirements import requirements, runs
 from tsplan.explanation.why.witness_tree import Presence, explain
 from tsplan.logic import horizon, parse, robustness
 from tsplan.logic.atoms import Count
-from tsplan.logic.causes import cause, spans
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, Release, Until
 from tsplan.logic.obligations import JUDGED, obligations
@@ -211,12 +209,6 @@ def test_runs():
     assert runs(np.array([], dtype=np.int64)) == ()
     assert runs(np.array([4])) == ((4, 4),)
     assert runs(np.array([0, 1, 3, 4, 5, 9])) == ((0, 1), (3, 5), (9, 9))
-
-
-@pytest.mark.parametrize("kind", node_classes(), ids=lambda kind: kind.__name__)
-def test_every_class_of_nodes_is_registered(kind):
-    for operation in (cause, spans):
-        assert operation.dispatch(kind) is not operation.dispatch(object)
 
 
 def random_case(seed):
