@@ -40,6 +40,7 @@ ROOT = Path(__file__).resolve().parent.parent
 EXTRA = "test"  # what the tests need; the rest of `dev` looks at the code without running it
 SHORT = (
     "cli_plan",
+    "corpus",
     "document",
     "draw",
     "encode",
@@ -47,9 +48,9 @@ SHORT = (
     "logic_parse",
     "milp",
     "mission",
+    "plans",
     "problem",
     "readme",
-    "results_plan",
     "solvers",
     "ts",
     "viewer_animation",

@@ -54,6 +54,13 @@ def command(*arguments: str, folder: Path | None = None, **variables: str) -> Do
     return python("-m", "tsplan", *arguments, folder=folder, **variables)
 
 
+def printed(code: str, *arguments: str, **variables: str) -> str:
+    """What Python prints when it runs some code, which has to end well."""
+    done = python("-c", code, *arguments, **variables)
+    assert done.code == 0, done.err
+    return done.out
+
+
 def on_terminal(*arguments: str, folder: Path) -> Done:
     """Run the command line with a terminal for its stderr; stdout is a file in the folder."""
     ours, theirs = os.openpty()
@@ -86,6 +93,7 @@ def started(code: str, *arguments: str) -> Iterator[subprocess.Popen[str]]:
         stderr=subprocess.PIPE,
         text=True,
         env=surroundings({}),
+        start_new_session=True,
     )
     with process:
         try:

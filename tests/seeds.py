@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 import pytest
 from hypothesis import settings
@@ -13,6 +13,13 @@ from tsplan.logic import LANGUAGES
 quick = settings(max_examples=50, deadline=None)
 seeds = st.integers(0, 2**32 - 1)
 languages = st.sampled_from(LANGUAGES)
+
+
+def sampled(every: Iterable[object], default: Collection[object]) -> list[object]:
+    """Parameters for tests of single values; those that are not in `default` are marked `long`."""
+    return [
+        pytest.param(value, marks=() if value in default else pytest.mark.long) for value in every
+    ]
 
 
 def seed_blocks(default: Iterable[int], rest: Iterable[int], size: int) -> list[object]:

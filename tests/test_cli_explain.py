@@ -5,14 +5,13 @@ from __future__ import annotations
 import json
 import os
 import signal
-import subprocess
-import sys
 import time
 from pathlib import Path
 
 import pytest
 
 import tsplan
+from tests.command_line import linux, started
 from tsplan.cli import main
 from tsplan.mission import load_mission
 
@@ -50,12 +49,7 @@ KINDS = {
 }
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (tmp_path / "map.yaml").write_text(MAP)
-    (tmp_path / "mission.yaml").write_text(MISSION)
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+FILES = {"map.yaml": MAP, "mission.yaml": MISSION}
 
 
 def asked(capsys, *words: str) -> tuple[int, str, str]:
@@ -271,20 +265,14 @@ def test_plans_that_fail_point_here(folder, capsys):
     assert "tsplan explain mission.yaml" in capsys.readouterr().err
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="needs signals")
+@linux
 def test_interruption_keeps_what_is_known():
     # stages are told where a person watches, so it is known when the search has begun
     code = (
         "import sys; from tsplan.cli import main, output; output.Stream.isatty = lambda _: True; "
         f"sys.exit(main(['explain', {str(FOLDER / 'warehouse_orders.yaml')!r}]))"
     )
-    with subprocess.Popen(
-        [sys.executable, "-c", code],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    ) as child:
+    with started(code) as child:
         assert child.stderr.readline().endswith("...\n")
         os.killpg(child.pid, signal.SIGINT)
         out, err = child.communicate(timeout=60)

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import os
 import signal
-import sys
 import time
 
 import pytest
 
+from tests.command_line import linux
 from tsplan.cli import explain_command as explain
 from tsplan.cli import main
 from tsplan.explanation.explanation import Explanation, Fact, Status
 from tsplan.process import child_process
 from tsplan.process.grace_period import GracePeriod
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs forks and signals")
+pytestmark = linux
 
 TEXT = """format: tsplan-mission/1
 name: far away

@@ -7,8 +7,6 @@ import json
 import multiprocessing
 import os
 import signal
-import subprocess
-import sys
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -16,12 +14,12 @@ from pathlib import Path
 import pytest
 
 import tsplan
+from tests.command_line import linux, posix, python, started
 from tsplan.cli import main
 from tsplan.process.grace_period import GracePeriod
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.run.isolate import Forward
 
-ROOT = str(Path(tsplan.__file__).parents[1])
 MISSION = """\
 format: tsplan-mission/1
 name: there and back
@@ -30,17 +28,14 @@ team: [{class: a, count: 2, at: p}]
 spec: {language: mtl, formula: "F[0,3] sum(B) >= 2 && F[4,6] sum(A) >= 2"}
 objective: [travel]
 """
-linux = pytest.mark.skipif(sys.platform != "linux", reason="needs processes made by fork")
+FILES = {"mission.yaml": MISSION}
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (tmp_path / "mission.yaml").write_text(MISSION)
-    monkeypatch.chdir(tmp_path)
-    # tests need not wait as long as people
+@pytest.fixture(autouse=True)
+def _impatient(monkeypatch):
+    """Tests need not wait as long as people."""
     short = GracePeriod(0.2, 0.2, finishing=0.5, settling=0.2, poll=0.02)
     monkeypatch.setattr("tsplan.process.child_process.CHILD", short)
-    return tmp_path
 
 
 def planning(monkeypatch, then):
@@ -251,16 +246,9 @@ sys.exit(main(["plan", "mission.yaml", "-o", "plan.json"]))
 @linux
 @pytest.mark.parametrize("names", [["SIGHUP"], ["SIGINT"], ["SIGHUP", "SIGINT"]])
 def test_what_is_ignored_stays_ignored(folder, names):
-    done = subprocess.run(
-        [sys.executable, "-c", BACKGROUND, *names],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-        env={**os.environ, "PYTHONPATH": ROOT},
-    )
-    assert done.returncode == 0, done.stderr
-    assert "stopping" not in done.stderr
+    done = python("-c", BACKGROUND, *names)
+    assert done.code == 0, done.err
+    assert "stopping" not in done.err
     assert json.loads(Path("plan.json").read_text())["status"] == "optimal"
 
 
@@ -278,16 +266,10 @@ sys.exit(main(["plan", "mission.yaml"]))
 """
 
 
-@pytest.mark.skipif(os.name != "posix", reason="needs signals between processes")
+@posix
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, -15), (signal.SIGINT, 130)])
 def test_signals_end_the_reading(folder, number, code):
-    with subprocess.Popen(
-        [sys.executable, "-c", READING],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": ROOT},
-    ) as process:
+    with started(READING) as process:
         assert process.stdout.readline() == "reading\n"
         process.send_signal(number)
         _, err = process.communicate(timeout=20)

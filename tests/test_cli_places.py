@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-import tsplan
+from tests.command_line import command as command_line
+from tests.missions import MAP
 from tsplan.cli import main
 
-ROOT = str(Path(tsplan.__file__).parents[1])
-MAP = "waiting: true\nstates: {p: {labels: [A]}, q: {labels: [B]}}\nedges: [[p, q, 1], [q, p, 1]]\n"
 MISSION = """\
 format: tsplan-mission/1
 name: there and back
@@ -91,15 +88,8 @@ def test_an_output_may_be_written_again(folder):
 def test_the_backend_of_a_notebook_does_not_matter(folder, backend, command):
     pytest.importorskip("matplotlib")
     more = ["--mission", "mission.svg"] if command.startswith("animate") else []
-    done = subprocess.run(
-        [sys.executable, "-m", "tsplan", *command.split(), *more],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-        env={**os.environ, "PYTHONPATH": ROOT, "MPLBACKEND": backend},
-    )
-    assert done.returncode == 0, done.stderr
+    done = command_line(*command.split(), *more, MPLBACKEND=backend)
+    assert done.code == 0, done.err
     assert Path(command.split()[-1]).stat().st_size > 500
 
 

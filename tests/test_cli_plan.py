@@ -6,37 +6,17 @@ import faulthandler
 import json
 import os
 import signal
-import subprocess
-import sys
 import time
-from pathlib import Path
 
 import pytest
 
 import tsplan
+from tests.command_line import linux, started
+from tests.missions import MISSION
 from tsplan.cli import main
 from tsplan.cli.progress import Progress
 from tsplan.plans.plan import MissionRef
 from tsplan.run.events import Bound, Incumbent, Stage
-
-MAP = "waiting: true\nstates: {p: {labels: [A]}, q: {labels: [B]}}\nedges: [[p, q, 1], [q, p, 1]]\n"
-MISSION = """\
-format: tsplan-mission/1
-name: there and back
-map: map.yaml
-team: [{class: a, count: 2, at: p, capabilities: [see]}]
-spec: {language: mtl, formula: "F[0,3] sum(B, see) >= 2 && F[4,6] sum(A) >= 2"}
-objective: [travel]
-"""
-linux = pytest.mark.skipif(sys.platform != "linux", reason="needs processes made by fork")
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (tmp_path / "map.yaml").write_text(MAP)
-    (tmp_path / "mission.yaml").write_text(MISSION)
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 def test_a_plan_is_printed_written_and_checked(folder, capsys):
@@ -200,15 +180,7 @@ sys.exit(main(["plan", "mission.yaml"]))
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("stubborn", [False, True])
 def test_a_signal_stops_the_search_in_order(folder, number, stubborn):
-    environment = {**os.environ, "PYTHONPATH": str(Path(tsplan.__file__).parents[1])}
-    process = subprocess.Popen(
-        [sys.executable, "-c", f"STUBBORN = {stubborn}\n{SLOW}"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env=environment,
-    )
-    try:
+    with started(f"STUBBORN = {stubborn}\n{SLOW}") as process:
         assert "sleeping" in process.stderr.readline()
         process.send_signal(number)
         assert process.stderr.readline() == "\n"
@@ -218,8 +190,6 @@ def test_a_signal_stops_the_search_in_order(folder, number, stubborn):
             time.sleep(0.7)
             process.send_signal(number)
         out, err = process.communicate(timeout=20)
-    finally:
-        process.kill()
     assert process.returncode == 4
     if stubborn:
         assert "interrupted; there is no plan" in err

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -11,11 +10,11 @@ from pathlib import Path
 import pytest
 
 import tsplan
+from tests.command_line import MISTAKES, PATIENCE, posix, surroundings
 from tsplan.cli import main
 from tsplan.cli.progress import Progress
 from tsplan.run.events import Bound, Incumbent, Stage
 
-ROOT = str(Path(tsplan.__file__).parents[1])
 MISSION = """\
 format: tsplan-mission/1
 name: "仓库 :car: \\x1b[31m"
@@ -27,28 +26,21 @@ team: [{class: "é😀", count: 2, at: ":key:"}]
 spec: {language: mtl, formula: 'F[0,3] "[b]" && F[4,6] sum("入口") >= 2'}
 objective: [travel]
 """
-MISTAKES = ("Traceback", "internal error", "Exception ignored")
-posix = pytest.mark.skipif(os.name != "posix", reason="needs a shell and devices")
 full = pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is full")
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (tmp_path / "mission.yaml").write_text(MISSION, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+FILES = {"mission.yaml": MISSION}
 
 
 def shell(line, **variables):
     """Run a line of shell in which `tsplan` is the command line; buffered, as users have it."""
-    environment = {k: v for k, v in os.environ.items() if k != "PYTHONUNBUFFERED"}
     tool = f'tsplan() {{ "{sys.executable}" -m tsplan "$@"; }}; set -o pipefail; '
     return subprocess.run(
         ["bash", "-c", tool + line],
         capture_output=True,
         check=False,
-        timeout=120,
-        env={**environment, "PYTHONPATH": ROOT, **variables},
+        timeout=PATIENCE,
+        env=surroundings({"PYTHONUNBUFFERED": "", **variables}),
     )
 
 

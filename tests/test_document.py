@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
+from tests.missions import findings
 from tsplan.document import parse_document, read_document, validated
 from tsplan.document.compose import DEEPEST
 from tsplan.document.document import LARGEST_FILE
@@ -16,10 +17,8 @@ from tsplan.document.fields import Positive, Word, Words
 from tsplan.errors import InputError
 
 
-def findings(text):
-    with pytest.raises(InputError) as caught:
-        parse_document(text, "f.yaml")
-    return [str(finding) for finding in caught.value.findings]
+def wrong(text):
+    return findings(parse_document, text, "f.yaml")
 
 
 @pytest.mark.parametrize(
@@ -85,7 +84,7 @@ def test_digest_is_that_of_the_text():
 
 
 def test_every_duplicate_key_is_found():
-    assert findings("a: 1\nb: {c: 1, c: 2}\na: 3\n") == [
+    assert wrong("a: 1\nb: {c: 1, c: 2}\na: 3\n") == [
         "f.yaml:2:11: the key 'c' appears twice, first in line 2; keep one of them",
         "f.yaml:3:1: the key 'a' appears twice, first in line 1; keep one of them",
     ]
@@ -95,7 +94,7 @@ def test_every_duplicate_key_is_found():
     "tag", ["!!python/object/apply:os.system", "!!python/name:os.system", "!!binary", "!Mine"]
 )
 def test_tags_never_run_code(tag):
-    [finding] = findings(f"a: {tag} [x]")
+    [finding] = wrong(f"a: {tag} [x]")
     assert finding.startswith("f.yaml:1:4: the tag '")
 
 
@@ -103,28 +102,28 @@ def test_nesting_is_bounded():
     depth = DEEPEST - 1
     assert parse_document("[" * depth + "]" * depth, "f").data
     for text in ("[" * 100 + "]" * 100, "{a: " * 100 + "1" + "}" * 100, "[" * 100_000):
-        [finding] = findings(text)
+        [finding] = wrong(text)
         assert "nested deeper than 50 levels" in finding
 
 
 def test_aliases_are_bounded():
     lines = ["a0: &a0 [x, x, x, x, x, x, x, x, x, x]"]
     lines += [f"a{n + 1}: &a{n + 1} [{', '.join([f'*a{n}'] * 10)}]" for n in range(9)]
-    [finding] = findings("\n".join(lines))
+    [finding] = wrong("\n".join(lines))
     assert "aliases multiply" in finding
     assert parse_document("a: &x [1]\nb: *x\n", "f").data == {"a": [1], "b": [1]}
 
 
 def test_an_alias_cannot_contain_itself():
-    assert "contains itself" in findings("&a [*a]")[0]
-    assert "refers to nothing" in findings("[*a]")[0]
+    assert "contains itself" in wrong("&a [*a]")[0]
+    assert "refers to nothing" in wrong("[*a]")[0]
 
 
 def test_syntax_errors_have_a_place():
-    [finding] = findings("a: 1\nb: c: d\n")
+    [finding] = wrong("a: 1\nb: c: d\n")
     assert finding.startswith("f.yaml:2:5: not valid YAML: ")
-    assert findings("a: \x01")[0].startswith("f.yaml:1:4: the character U+0001")
-    assert "more than one document" in findings("a\n---\nb")[0]
+    assert wrong("a: \x01")[0].startswith("f.yaml:1:4: the character U+0001")
+    assert "more than one document" in wrong("a\n---\nb")[0]
 
 
 def test_sets_and_tuples_are_lists():

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import subprocess
-import sys
 from itertools import combinations
 
 import numpy as np
@@ -12,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.command_line import printed
 from tsplan.draw.colours import NAMED, colour_of, ink_on, lightness, mixed, rgb
 from tsplan.draw.layout import MOST_SPRINGS, centroid, places, spacing
 from tsplan.draw.palette import HATCHES, HUES, PLAIN, TRAVEL, Palette, paints
@@ -31,8 +30,7 @@ def test_nothing_here_needs_matplotlib():
         "tsplan.explanation.why.witness_tree,"
         "tsplan.explanation.why.requirements; print('matplotlib' in sys.modules)"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout == "False\n"
+    assert printed(code) == "False\n"
 
 
 def test_own_coordinates_win_over_shapes():

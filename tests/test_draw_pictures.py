@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from dataclasses import replace
 from itertools import combinations
@@ -11,6 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.command_line import printed
+from tests.seeds import sampled
 from tests.walks import walking, wandering
 from tsplan import Mission, load_map, load_mission
 from tsplan.draw.canvas import text_size
@@ -401,9 +402,7 @@ def test_a_page_has_the_three_pictures_below_each_other():
     assert_legible(figure)
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(m, marks=() if m in QUICK else pytest.mark.long) for m in MISSIONS]
-)
+@pytest.mark.parametrize("name", sampled(MISSIONS, QUICK))
 def test_pictures_of_the_environments_are_legible(name):
     mission = load_mission(ENVIRONMENTS / f"{name}.yaml")
     plan = walking(mission, seed=3, still=0.6)
@@ -500,8 +499,7 @@ content(figure, "png", 50)
 assert settings() == before
 print("matplotlib.pyplot" in sys.modules)
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout == "False\n"
+    assert printed(code) == "False\n"
 
 
 def test_wrong_requests_are_refused():

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import re
-import subprocess
-import sys
 import warnings
 import xml.etree.ElementTree as ET
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
+from tests.command_line import printed
 from tsplan.cli import main
 from tsplan.draw.matplotlib_loading import MissingLettersWarning
 from tsplan.draw.picture_files import content, save
@@ -176,8 +173,7 @@ def test_the_backend_of_the_environment_is_none_of_ours(backend: str, tmp_path) 
     )
     if backend == "tkagg":  # the user's own pyplot has it still
         code += "assert matplotlib.rcParams['backend'].lower() == 'tkagg'\n"
-    environment = {**os.environ, "MPLBACKEND": backend}
-    subprocess.run([sys.executable, "-c", code], check=True, env=environment)
+    assert printed(code, MPLBACKEND=backend) == ""
     assert (tmp_path / "p.png").stat().st_size
 
 
@@ -214,7 +210,7 @@ tried("gif", lambda: animate(chosen, made, Path("p.gif")))
 
 
 def test_without_matplotlib_every_picture_says_what_to_install() -> None:
-    subprocess.run([sys.executable, "-c", WITHOUT], check=True, cwd=Path(__file__).parent.parent)
+    assert printed(WITHOUT) == ""
 
 
 def test_short_numbers_are_right_where_they_are_rounded() -> None:

@@ -14,6 +14,7 @@ import pytest
 
 import tsplan
 from tests.joint_plans import small_enough
+from tests.seeds import seed_blocks
 from tsplan import Mission
 from tsplan.checking.plan_check import check
 from tsplan.errors import MissionError
@@ -146,8 +147,7 @@ def test_a_found_point_bounds_the_tree_where_arithmetic_is_coarse() -> None:
     assert compare(53_343) in ("optimal", "feasible")
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("block", range(250))
-def test_values_are_exact_on_many(block: int) -> None:
-    for seed in range(51_000 + 20 * block, 51_020 + 20 * block):
+@pytest.mark.parametrize("seeds", seed_blocks((), range(51_000, 56_000), 20))
+def test_values_are_exact_on_many(seeds: list[int]) -> None:
+    for seed in seeds:
         compare(seed)

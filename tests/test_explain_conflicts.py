@@ -9,7 +9,7 @@ import pytest
 import tsplan
 from tests.explaining import check_conflict, check_explanation, elements, plain
 from tests.joint_plans import small_enough
-from tests.seeds import seed_blocks
+from tests.seeds import sampled, seed_blocks
 from tsplan.explanation import SoftConstraint, explain
 from tsplan.explanation.whynot.relaxing import relaxed
 from tsplan.mission import Group, Mission
@@ -72,7 +72,7 @@ def test_many_counts(block: int) -> None:
         check_explanation(random_mission(seed, states=4, most_agents=4, steps=8), conflicts=2)
 
 
-@pytest.mark.parametrize("seed", [200, pytest.param(1389, marks=pytest.mark.long)])
+@pytest.mark.parametrize("seed", sampled([200, 1389], [200]))
 def test_tasks_that_went_wrong(seed: int) -> None:
     """A robot that cannot wait needs others in its place; a program that HiGHS cannot solve."""
     check_explanation(random_task_mission(seed), conflicts=2)

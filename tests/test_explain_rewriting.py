@@ -9,6 +9,7 @@ import pytest
 
 import tsplan
 from tests.explaining import plain
+from tests.seeds import sampled
 from tsplan.explanation import explain
 from tsplan.explanation.whynot.rewriting import rewritten
 from tsplan.mission import Mission, SwarmBounds, load_mission, mission_from_text
@@ -16,14 +17,8 @@ from tsplan.plans.plan import Plan
 from tsplan.testing import random_task_mission
 
 FOLDER = Path(__file__).parents[1] / "environments"
-INFEASIBLE = (
-    "farm_overbooked",
-    "office_closed",
-    "office_double",
-    "office_lift",
-    pytest.param("reef_thin", marks=pytest.mark.long),
-    "rescue_late",
-)
+QUICK = ("farm_overbooked", "office_closed", "office_double", "office_lift", "rescue_late")
+INFEASIBLE = sampled([*QUICK, "reef_thin"], QUICK)
 TEXT = """\
 format: tsplan-mission/1
 name: small      # keep me

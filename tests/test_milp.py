@@ -22,14 +22,6 @@ from tsplan.process.child_process import CrashError, run_guarded
 from tsplan.stopping import StoppedBy
 
 
-@pytest.fixture(params=["highs", "gurobi", "pulp:PULP_CBC_CMD"])
-def any_solver(request) -> Solver:
-    try:
-        return solver(request.param)
-    except SolverUnavailableError as error:
-        pytest.skip(str(error))
-
-
 def knapsack(items: int, seed: int = 0, rows: int = 3) -> Model:
     random = np.random.default_rng(seed)
     draft = Draft()

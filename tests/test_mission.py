@@ -6,6 +6,7 @@ import pickle
 
 import pytest
 
+from tests.missions import read, wrong_in
 from tsplan.errors import MissionError
 from tsplan.logic import parse
 from tsplan.mission import Group, Mission, SolverChoice, load_mission, mission_from_text
@@ -42,28 +43,12 @@ solver: {name: highs, time_limit: 60, gap: 0.0, threads: 2, seed: 1}
 """
 
 
-@pytest.fixture
-def folder(tmp_path):
-    (tmp_path / "yard.yaml").write_text(MAP)
-    return tmp_path
-
-
-def read(folder, text):
-    (folder / "mission.yaml").write_text(text)
-    return load_mission(folder / "mission.yaml")
-
-
-def findings(folder, text):
-    """Everything wrong, as `line:column: words`."""
-    with pytest.raises(MissionError) as caught:
-        read(folder, text)
-    own = str(folder / "mission.yaml")
-    return [str(item).replace(own + ":", "") for item in caught.value.findings]
+FILES = {"yard.yaml": MAP}
 
 
 def only(folder, text, place, *words):
     """The one finding of a text has this place and these words."""
-    found = findings(folder, text)
+    found = wrong_in(folder, text)
     assert len(found) == 1, found
     assert found[0].startswith(f"{place}: "), found
     for word in words:
@@ -174,14 +159,14 @@ def test_missing_parts_are_named(folder):
     assert [
         word
         for word in ("map", "team", "spec", "format")
-        if any(f"'{word}' is missing" in line for line in findings(folder, "name: x\n"))
+        if any(f"'{word}' is missing" in line for line in wrong_in(folder, "name: x\n"))
     ] == ["map", "team", "spec", "format"]
 
 
 def test_an_empty_team_is_refused(folder):
     start, stop = MISSION.index("team:"), MISSION.index("spec:")
     text = MISSION[:start] + "team: []\n" + MISSION[stop:]
-    found = findings(folder, text)
+    found = wrong_in(folder, text)
     assert any("team" in line for line in found)
 
 
@@ -192,12 +177,12 @@ def test_all_mistakes_are_reported_at_once(folder):
         .replace("horizon: 12", "horizon: 2")
         .replace("[availability, travel]", "[speed]")
     )
-    found = findings(folder, text)
+    found = wrong_in(folder, text)
     assert [line.split(":")[0] for line in found] == ["5", "11", "13", "14"]
 
 
 def test_a_formula_is_read_even_when_the_rest_is_wrong(folder):
-    found = findings(folder, MISSION.replace("count: 2", "count: x").replace("G[0,9]", "G[0,9"))
+    found = wrong_in(folder, MISSION.replace("count: 2", "count: x").replace("G[0,9]", "G[0,9"))
     assert [line.split(":")[0] for line in found] == ["5", "12"]
 
 
@@ -213,7 +198,7 @@ def test_places_in_quoted_and_listed_formulas(folder):
 
 def test_a_broken_map_is_said_once_and_labels_are_left_alone(folder):
     (folder / "yard.yaml").write_text(MAP.replace("[dock, field, 2]", "[dock, feld, 1.5]"))
-    found = findings(
+    found = wrong_in(
         folder, MISSION.replace("green, {", "gren, {").replace("horizon: 12", "horizon: 2")
     )
     assert any("yard.yaml" in line for line in found)
@@ -221,7 +206,7 @@ def test_a_broken_map_is_said_once_and_labels_are_left_alone(folder):
     assert any(line.startswith("14:10") for line in found)
     assert not any("gren" in line for line in found)
     (folder / "yard.yaml").unlink()
-    found = findings(folder, MISSION)
+    found = wrong_in(folder, MISSION)
     assert len(found) == 2
     assert "no such file" in found[0]
 
@@ -237,7 +222,7 @@ def test_a_file_that_cannot_be_read(folder):
 
 @pytest.mark.parametrize("text", ["", "3", "[]", "team", "- a\n- b\n"])
 def test_a_file_that_is_no_mapping(folder, text):
-    assert findings(folder, text)
+    assert wrong_in(folder, text)
 
 
 @pytest.mark.parametrize(

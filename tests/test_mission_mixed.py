@@ -6,7 +6,8 @@ from fractions import Fraction
 
 import pytest
 
-from tests.test_mission_swarms import MAP, findings, read
+from tests.missions import read, wrong_in
+from tests.test_mission_swarms import MAP
 from tsplan.errors import MissionError
 from tsplan.mission import Group, Mission, SwarmBounds, SwarmRules
 from tsplan.ts import Edge, State, TransitionSystem
@@ -29,10 +30,7 @@ objective: [splits, availability]
 """
 
 
-@pytest.fixture
-def folder(tmp_path):
-    (tmp_path / "yard.yaml").write_text(MAP)
-    return tmp_path
+FILES = {"yard.yaml": MAP}
 
 
 def test_robots_and_swarms(folder):
@@ -120,7 +118,7 @@ def test_from_python(folder):
 )
 def test_one_mistake_is_found_at_its_place(folder, change, place, words):
     assert change[0] in MIXED
-    found = findings(folder, MIXED.replace(*change, 1))
+    found = wrong_in(folder, MIXED.replace(*change, 1))
     line = next((line for line in found if line.startswith(f"{place}: ")), str(found))
     assert all(word in line for word in words), line
 

@@ -9,9 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.missions import read, wrong_in
 from tsplan.errors import MissionError
 from tsplan.logic import parse, tighten
-from tsplan.mission import Group, Mission, SwarmBounds, SwarmRules, load_mission
+from tsplan.mission import Group, Mission, SwarmBounds, SwarmRules
 
 MAP = """\
 name: yard
@@ -49,22 +50,7 @@ objective: [balance, makespan, moves]
 """
 
 
-@pytest.fixture
-def folder(tmp_path):
-    (tmp_path / "yard.yaml").write_text(MAP)
-    return tmp_path
-
-
-def read(folder, text):
-    (folder / "mission.yaml").write_text(text)
-    return load_mission(folder / "mission.yaml")
-
-
-def findings(folder, text):
-    with pytest.raises(MissionError) as caught:
-        read(folder, text)
-    own = str(folder / "mission.yaml")
-    return [str(item).replace(own + ":", "") for item in caught.value.findings]
+FILES = {"yard.yaml": MAP}
 
 
 def test_one_swarm(folder):
@@ -153,7 +139,7 @@ def test_from_python(folder):
 )
 def test_one_mistake_is_found_at_its_place(folder, base, change, place, words):
     assert change[0] in base
-    found = findings(folder, base.replace(*change, 1))
+    found = wrong_in(folder, base.replace(*change, 1))
     line = next((line for line in found if line.startswith(f"{place}: ")), str(found))
     assert all(word in line for word in words), line
 
@@ -185,7 +171,7 @@ def test_a_swarm_may_satisfy_in_part_and_prefer(folder):
 )
 def test_a_mistake_about_what_is_preferred_is_found_at_its_place(folder, change, more, words):
     text = ONE.replace("margin: 5%\n", change) + more
-    found = findings(folder, text)
+    found = wrong_in(folder, text)
     assert any(line.startswith(words) for line in found), found
 
 
@@ -195,7 +181,7 @@ def test_what_is_said_of_swarms_needs_one(folder):
         "max_subswarms: 2\nobjective: [splits, travel]\n"
         "spec: {language: mtl, formula: 'F[0,3] sum(green) >= 40%'}\n"
     )
-    found = findings(folder, team)
+    found = wrong_in(folder, team)
     assert [line.split(": ")[0] for line in found] == ["4:1", "5:1", "6:13", "7:40"]
     assert "is for swarms, and this mission is for a team" in found[2]
     assert "percentage" in found[3]

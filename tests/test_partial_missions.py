@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import tsplan
+from tests.missions import findings
 from tsplan.checking.plan_check import certify, check
 from tsplan.cli import main
 from tsplan.errors import MissionError, PlanError, SolverError
@@ -53,10 +54,8 @@ def partial(formula: str, order: str = "weighted", rest: str = "travel") -> str:
 FAR = "G[0,4] A && G[2,4] sum(A) >= 2 && F[0,4] sum(C) >= 2"
 
 
-def findings(text: str) -> list[str]:
-    with pytest.raises(MissionError) as caught:
-        mission_from_text(text, "m")
-    return [str(item) for item in caught.value.findings]
+def wrong(text):
+    return findings(mission_from_text, text, "m")
 
 
 def test_must_and_prefer_are_read():
@@ -115,7 +114,7 @@ def test_orders_are_read(order):
 )
 def test_mistakes_are_found_at_their_places(old, new, words):
     assert old in TEXT
-    found = "\n".join(findings(TEXT.replace(old, new, 1)))
+    found = "\n".join(wrong(TEXT.replace(old, new, 1)))
     for word in words:
         assert word in found
 
@@ -124,10 +123,10 @@ def test_objectives_out_of_place():
     text = partial("F[0,4] C").replace(
         "[{satisfaction: weighted}, travel]", "[travel, satisfaction]"
     )
-    assert "name it first" in findings(text)[0]
+    assert "name it first" in wrong(text)[0]
     text = partial("F[0,4] C").replace("{satisfaction: weighted}", "preferences")
-    assert "none are there" in findings(text)[0]
-    assert "'formula' is missing" in findings(START + "spec: {language: mtl}\n")[0]
+    assert "none are there" in wrong(text)[0]
+    assert "'formula' is missing" in wrong(START + "spec: {language: mtl}\n")[0]
 
 
 SYSTEM = TransitionSystem.build(

@@ -10,6 +10,7 @@ from contextlib import suppress
 import pytest
 
 import tsplan
+from tests.seeds import sampled
 from tsplan.cli import main
 from tsplan.errors import PlanError, TsplanError
 from tsplan.mission import load_mission
@@ -149,15 +150,9 @@ def judge(folder, seed, capsys, *, pictures):
         assert code != 2 or told.strip(), (seed, command)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", sampled([*range(60), *range(1000, 4000)], range(60)))
 def test_forged_plans_end_in_findings_or_a_verdict(folder, seed, capsys):
-    judge(folder, seed, capsys, pictures=seed % 10 == 0)
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("seed", range(1000, 4000))
-def test_many_forged_plans_end_in_findings_or_a_verdict(folder, seed, capsys):
-    judge(folder, seed, capsys, pictures=seed % 5 == 0)
+    judge(folder, seed, capsys, pictures=seed % (10 if seed < 60 else 5) == 0)
 
 
 def ask_in_python(folder, seed):
@@ -182,14 +177,8 @@ def ask_in_python(folder, seed):
             ask()
 
 
-@pytest.mark.parametrize("seed", range(100, 200))
+@pytest.mark.parametrize("seed", sampled([*range(100, 200), *range(4000, 7000)], range(200)))
 def test_forged_plans_end_in_errors_of_the_package_in_python(folder, seed):
-    ask_in_python(folder, seed)
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("seed", range(4000, 7000))
-def test_many_forged_plans_end_in_errors_of_the_package_in_python(folder, seed):
     ask_in_python(folder, seed)
 
 

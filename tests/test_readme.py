@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import doctest
-import os
 import re
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from tests.command_line import Done, python
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -23,23 +22,16 @@ def blocks(language: str) -> list[str]:
     return [text for said, text in BLOCK.findall(README) if said == language]
 
 
-def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+def run(*arguments: str) -> Done:
     """This Python with the package that is tested, from the README's folder."""
-    return subprocess.run(
-        [sys.executable, *arguments],
-        cwd=ROOT,
-        env=os.environ | {"PYTHONPATH": str(ROOT), "COLUMNS": "110", "PYTHONUTF8": "1"},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+    return python(*arguments, folder=ROOT, COLUMNS="110", PYTHONUTF8="1")
 
 
 def test_the_python_example_runs():
     [text] = blocks("python")
     answer = run("-W", "error", "-c", text)
-    assert (answer.returncode, answer.stderr) == (0, "")
-    assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.stdout)
+    assert (answer.code, answer.err) == (0, "")
+    assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.out)
 
 
 CONSOLES = [text for text in blocks("") if text.startswith(PROMPT)]
@@ -54,7 +46,7 @@ def test_consoles_show_what_is_printed(text):
     answer = run("-m", "tsplan", *shlex.split(command))
     # what is shown may be the beginning, and leaves out what stands for "..."
     rules = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-    assert doctest.OutputChecker().check_output(f"{shown}...", answer.stdout, rules), answer.stdout
+    assert doctest.OutputChecker().check_output(f"{shown}...", answer.out, rules), answer.out
 
 
 def test_there_are_consoles_and_the_files_it_names_are_there():

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import tsplan
+from tests.seeds import seed_blocks
 from tsplan.errors import SolverUnavailableError
 from tsplan.milp.solver import solver
 from tsplan.testing import random_mission
@@ -32,17 +33,9 @@ def answers(seed: int, name: str) -> list[object]:
 
 
 @pytest.mark.parametrize("name", NAMES[1:])
-def test_solvers_agree_with_highs(name: str) -> None:
+@pytest.mark.parametrize("seeds", seed_blocks(range(500, 512), range(600, 900), 12))
+def test_solvers_agree_with_highs(name: str, seeds: list[int]) -> None:
     if not usable(name):
         pytest.skip(f"{name} cannot be used here")
-    for seed in range(500, 512):
-        assert answers(seed, name) == answers(seed, "highs")
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("name", NAMES[1:])
-def test_solvers_agree_with_highs_on_many(name: str) -> None:
-    if not usable(name):
-        pytest.skip(f"{name} cannot be used here")
-    for seed in range(600, 900):
+    for seed in seeds:
         assert answers(seed, name) == answers(seed, "highs")

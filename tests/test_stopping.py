@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import tsplan
+from tests.seeds import sampled
 from tsplan import Mission
 from tsplan.checking.plan_check import check, objective_values
 from tsplan.mission import load_mission
@@ -135,9 +136,7 @@ def test_every_stop_of_random_missions(seed: int) -> None:
     stop_everywhere(replace(mission, objective=("agents", "availability", "cost", "makespan")))
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(m, marks=() if m in QUICK else pytest.mark.long) for m in MISSIONS]
-)
+@pytest.mark.parametrize("name", sampled(MISSIONS, QUICK))
 def test_every_stop_of_the_environments(name: str) -> None:
     stop_everywhere(load_mission(FOLDER / f"{name}.yaml"), every=5 if name in QUICK else 1)
 

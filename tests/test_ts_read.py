@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.missions import findings
 from tsplan.document import parse_document
 from tsplan.errors import InputError, MapError
 from tsplan.ts import ByClass, Edge, State
@@ -12,10 +13,8 @@ def read(text):
     return map_from_document(parse_document(text, "m.yaml"))
 
 
-def findings(text):
-    with pytest.raises(MapError) as caught:
-        read(text)
-    return [str(finding) for finding in caught.value.findings]
+def wrong(text):
+    return findings(read, text)
 
 
 FARM = """
@@ -88,7 +87,7 @@ edges:
   - {from: q9, to: q3, duration: 1, both_ways: true}
   - {from: q1, to: q1, duration: 1, both_ways: true}
 """
-    assert findings(text) == [
+    assert wrong(text) == [
         "m.yaml:2:1: unknown key 'wating'; did you mean 'waiting'?",
         "m.yaml:4:16: labels: 'a' is not a list; write it as [a, b]",
         "m.yaml:4:27: at: 'x' is not a finite number; write one, as in 1.5",
@@ -157,7 +156,7 @@ edges:
     ],
 )
 def test_one_thing_wrong(text, expected):
-    [finding] = findings(text)
+    [finding] = wrong(text)
     assert finding.startswith(expected)
 
 
@@ -247,7 +246,7 @@ graph:
   - [1]
   - [2, 1, {weight: a}]
 """
-    assert findings(text) == [
+    assert wrong(text) == [
         "m.yaml:5:28: capacity: 'x' is not a whole number; write one, as in 3",
         (
             "m.yaml:7:21: duration: 1.5 is not a whole number from 1 on; "
@@ -264,8 +263,8 @@ graph:
             "durations are whole numbers of steps, at least 1"
         ),
     ]
-    assert "no states" in findings("!Ts\ngraph: {nodes: {}}")[0]
-    assert "'graph' is missing" in findings("!Ts\nname: x\n")[0]
+    assert "no states" in wrong("!Ts\ngraph: {nodes: {}}")[0]
+    assert "'graph' is missing" in wrong("!Ts\nname: x\n")[0]
     with pytest.raises(InputError, match=r"m\.yaml:1:1: the tag"):
         read("!!python/object:lomap.Ts {graph: {}}")
 

@@ -6,8 +6,8 @@ import pytest
 import yaml
 from hypothesis import given
 from hypothesis import strategies as st
-from test_ts_read import FARM, ROBOT, read
 
+from tests.test_ts_read import FARM, ROBOT, read
 from tsplan.errors import MapError
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid

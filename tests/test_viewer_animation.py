@@ -9,8 +9,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
+from tests.viewing import HOSTILE, mission_on, plan_of, system, wandering
 from tsplan.cli import main
 from tsplan.errors import InputError
 from tsplan.plans.plan_file import save_plan

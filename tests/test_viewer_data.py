@@ -9,9 +9,9 @@ from html.parser import HTMLParser
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
 import tsplan
+from tests.viewing import HOSTILE, mission_on, plan_of, system, wandering
 from tsplan.plans.plan import Plan, Status
 from tsplan.viewer import page
 from tsplan.viewer.formula_rows import formula_parts

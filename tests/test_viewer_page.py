@@ -7,9 +7,9 @@ import time
 from itertools import pairwise
 
 import pytest
-from browser import Browser, browser_path
-from viewing import HOSTILE, mission_on, plan_of, system, wandering
 
+from tests.browser import Browser, browser_path
+from tests.viewing import HOSTILE, mission_on, plan_of, system, wandering
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer import page
 from tsplan.viewer.page_data import page_data

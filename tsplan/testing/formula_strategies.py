@@ -36,8 +36,10 @@ class Vocabulary:
     anything: bool = False
 
     def names(self, known: tuple[str, ...]) -> st.SearchStrategy[str]:
-        """Some of the names of one kind."""
-        return _ANY_NAME if self.anything else st.sampled_from(known)
+        """Some of the names of one kind; there may be none."""
+        if self.anything:
+            return _ANY_NAME
+        return st.sampled_from(known) if known else st.nothing()
 
 
 KNOWN = Vocabulary()

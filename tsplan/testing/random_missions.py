@@ -21,7 +21,7 @@ LABELS = ("a", "b", "c")
 SWARM = "w"
 """The name of the swarm of a mixed mission, by which its atoms count it."""
 
-_MOST_TRIES = 10_000  # of about three that a mission takes; more mean that none can be made
+_MOST_TRIES = 1000  # a mission takes about three; where so many do not do, none can be made
 _TEAM_OBJECTIVES = (
     ("travel",),
     ("availability",),
@@ -319,13 +319,14 @@ def _with_swarm(random: Random, text: str) -> str:
 
 def _first(draw: Callable[[], Mission | None]) -> Mission:
     """The first mission that is one: starts may be over a capacity, or where a class may not be."""
-    refused: MissionError | None = None
+    refused: tuple[Finding, ...] = ()
     for _ in range(_MOST_TRIES):
         try:
             made = draw()
         except MissionError as error:
-            refused = error
+            refused = error.findings
             continue
         if made is not None:
             return made
-    raise refused or MissionError([Finding("no mission was drawn that fits", "allow more")])
+    what = f"none of {_MOST_TRIES} missions that were drawn fits"
+    raise MissionError([Finding(what, "allow more of them"), *refused])

@@ -8,8 +8,8 @@ from itertools import pairwise
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_results_swarms import VALUES
 
+from tests.swarm_lane import VALUES
 from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check
 from tsplan.mission import Mission

@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 from scipy.stats import binom
-from test_results_swarm_random import SYSTEM as WALKED
-from test_results_swarm_random import duration, places, walks
-from test_results_swarms import SYSTEM
 
+from tests.swarm_lane import SYSTEM
+from tests.test_check_swarms_random import SYSTEM as WALKED
+from tests.test_check_swarms_random import duration, places, walks
 from tsplan.checking import measures
 from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check, objective_values

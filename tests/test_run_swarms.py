@@ -7,10 +7,10 @@ import re
 from types import SimpleNamespace
 
 import pytest
-from test_results_swarms import MOVES, SYSTEM, VALUES, mission
 
 import tsplan
 import tsplan.run.planner
+from tests.swarm_lane import MOVES, SYSTEM, VALUES, mission
 from tsplan.cli import main
 from tsplan.errors import SolverError, TsplanError
 from tsplan.mission import Mission
@@ -154,14 +154,12 @@ def test_a_team_has_no_moves_of_swarms():
     assert tsplan.plan(team).moves == {}
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    (tmp_path / "map.yaml").write_text(MAP)
-    (tmp_path / "mission.yaml").write_text(MISSION % 3)
-    (tmp_path / "tight.yaml").write_text(MISSION % 1)
-    (tmp_path / "large.yaml").write_text((MISSION % 3).replace("120", "1200"))
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+FILES = {
+    "map.yaml": MAP,
+    "mission.yaml": MISSION % 3,
+    "tight.yaml": MISSION % 1,
+    "large.yaml": (MISSION % 3).replace("120", "1200"),
+}
 
 
 def test_the_commands(folder, capsys):

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import pytest
 from rich.console import Console
-from test_results_swarms import MOVES, SYSTEM, mission, plan
 
+from tests.swarm_lane import MOVES, SYSTEM, mission, plan
 from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check
 from tsplan.errors import PlanError
