@@ -12,6 +12,7 @@ from tests.seeds import seed_blocks
 from tsplan import Mission
 from tsplan.encode.options import Idea
 from tsplan.testing import random_mission, random_swarm_mission
+from tsplan.testing.random_missions import SWARM
 
 
 def small_team(seed: int) -> Mission:
@@ -20,6 +21,10 @@ def small_team(seed: int) -> Mission:
 
 def small_swarms(seed: int) -> Mission:
     return random_swarm_mission(seed, fits=small_enough)
+
+
+def small_mixed(seed: int) -> Mission:
+    return random_mission(seed, states=4, most_agents=2, steps=4, mixed=True)
 
 
 TIGHT, REFERENCE = {"encoding": "tight"}, {"encoding": "reference"}
@@ -66,6 +71,13 @@ def test_swarms_do_as_well_by_the_reference_and_without_ideas(seeds: list[int]) 
         compare(mission, REFERENCE, PLAIN)
 
 
+@pytest.mark.parametrize("seeds", seed_blocks(range(50_000, 50_120), range(51_000, 53_000), 20))
+def test_robots_and_a_swarm_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
+    for mission in map(small_mixed, seeds):
+        if small_enough(mission):
+            compare(mission, TIGHT, REFERENCE)
+
+
 def test_the_enumeration_covers_most_of_the_teams() -> None:
     assert sum(small_enough(small_team(seed)) for seed in range(10_000, 10_080)) >= 40
 
@@ -75,3 +87,12 @@ def test_the_random_swarms_are_of_all_kinds() -> None:
     assert sum(plan.status == "infeasible" for plan in plans) >= 5
     values = [item.value for plan in plans for item in plan.objective if item.name == "splits"]
     assert max(value for value in values if value is not None) >= 1
+
+
+def test_the_random_mixed_missions_are_of_all_kinds() -> None:
+    made = [mission for seed in range(50_000, 50_120) if small_enough(mission := small_mixed(seed))]
+    assert len(made) >= 40
+    assert all(set(mission.swarm.each) == {SWARM} and len(mission.team) > 1 for mission in made)
+    assert sum(f",{SWARM})" in mission.text for mission in made) >= 10
+    plans = [tsplan.plan(mission) for mission in made[:40]]
+    assert 5 <= sum(plan.status == "infeasible" for plan in plans) <= 30

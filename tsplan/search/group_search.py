@@ -149,7 +149,7 @@ class GroupSearch:
 
         fixed = self.encoded.indicators
         shared = even_shares(self.encoded.swarms, encoded.model, values, fixed, solve)
-        return self._point(shared[:count])
+        return replace(point, values=shared[:count])
 
     def _solve(self, model: Model, seconds: float | None = None) -> Floats | None:
         """A point of a part of the problem, if it is found soon."""
