@@ -12,10 +12,10 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
 from tsplan.errors import TsplanError
+from tsplan.lazy_names import lazily
 
 if TYPE_CHECKING:
     from tsplan.testing.corpus import Expectation, expectations, run_corpus
@@ -36,25 +36,6 @@ if TYPE_CHECKING:
         random_task_mission,
     )
 
-_HOMES = {
-    "corpus": ("Expectation", "expectations", "run_corpus"),
-    "formula_strategies": (
-        "ANYTHING",
-        "KNOWN",
-        "Vocabulary",
-        "atoms",
-        "formulas",
-        "judged",
-        "trace_for",
-    ),
-    "mission_strategies": ("maps", "missions", "swarms", "teams"),
-    "random_missions": (
-        "random_map",
-        "random_mission",
-        "random_swarm_mission",
-        "random_task_mission",
-    ),
-}
 __all__ = [
     "ANYTHING",
     "KNOWN",
@@ -82,15 +63,36 @@ class HypothesisMissingError(TsplanError, ImportError):
     """Strategies need hypothesis, which is not installed."""
 
 
+_load, __dir__ = lazily(
+    __name__,
+    {
+        "corpus": ("Expectation", "expectations", "run_corpus"),
+        "formula_strategies": (
+            "ANYTHING",
+            "KNOWN",
+            "Vocabulary",
+            "atoms",
+            "formulas",
+            "judged",
+            "trace_for",
+        ),
+        "mission_strategies": ("maps", "missions", "swarms", "teams"),
+        "random_missions": (
+            "random_map",
+            "random_mission",
+            "random_swarm_mission",
+            "random_task_mission",
+        ),
+    },
+)
+
+
 def __getattr__(name: str) -> object:
     """Load a name from its module on first use: most need more than who asks for one of them."""
-    for module, names in _HOMES.items():
-        if name in names:
-            try:
-                return getattr(import_module(f"{__name__}.{module}"), name)
-            except ModuleNotFoundError as error:
-                if error.name != "hypothesis":
-                    raise
-                what = f"'{name}' needs hypothesis, which is not installed"
-                raise HypothesisMissingError(f"{what}; pip install 'tsplan[test]'") from None
-    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+    try:
+        return _load(name)
+    except ModuleNotFoundError as error:
+        if error.name != "hypothesis":
+            raise
+        what = f"'{name}' needs hypothesis, which is not installed"
+        raise HypothesisMissingError(f"{what}; pip install 'tsplan[test]'") from None
