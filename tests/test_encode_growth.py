@@ -10,13 +10,10 @@ import pytest
 from tests.seeds import sampled
 from tsplan import Mission, plan
 from tsplan.encode import (
-    demand_runs as family,
-)
-from tsplan.encode import (
     running_sums as sums,
 )
 from tsplan.encode import (
-    step_runs as spans,
+    selection,
 )
 from tsplan.encode import (
     until_release as switching,
@@ -121,8 +118,7 @@ def test_a_window_of_many_steps_is_planned() -> None:
 def shortest(monkeypatch: pytest.MonkeyPatch) -> None:
     """Chains, relays and running totals wherever they can be, however small the mission."""
     monkeypatch.setattr(sums, "_WORTH", 0)
-    monkeypatch.setattr(family, "_WORTH", 0)
-    monkeypatch.setattr(spans, "_WRITTEN", 0)
+    monkeypatch.setattr(selection, "_WRITTEN", 0)
     monkeypatch.setattr(switching, "_FEW", 0)
     monkeypatch.setattr(switching, "_COPIES", 0)
 

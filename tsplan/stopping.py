@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from typing import Protocol
 
 
 class StoppedBy(StrEnum):
@@ -16,6 +17,22 @@ class StoppedBy(StrEnum):
     INTERRUPT = "interrupt"
     MEMORY = "memory"
     PRECISION = "precision"
+
+
+class Halted(Exception):  # noqa: N818 - nothing has gone wrong
+    """The run ends before what was being made is ready; the words say why if it is not its time."""
+
+    def __init__(self, reason: StoppedBy, words: str = "") -> None:
+        super().__init__(words or reason.value)
+        self.reason = reason
+        self.words = words
+
+
+class Deadline(Protocol):
+    """Something that knows when to stop."""
+
+    def check(self) -> None:
+        """Raise Halted if it is time to stop."""
 
 
 LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}

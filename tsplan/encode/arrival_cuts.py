@@ -15,8 +15,8 @@ from scipy import sparse
 
 from tsplan.encode.demand_rows import LONG, SiteColumns
 from tsplan.encode.demand_runs import Family
-from tsplan.encode.running_sums import Terms
-from tsplan.milp.model import Floats, Ints
+from tsplan.encode.running_sums import Sums
+from tsplan.milp.model import Floats, Ints, joined_terms
 
 _MOST = 30  # cuts of a long family at once: each has an entry for every witness in its window
 _ENOUGH = 1e-4  # violations below this are left to the solver's tolerance
@@ -26,42 +26,31 @@ def violated(
     families: Sequence[tuple[SiteColumns, Family]], values: Floats, columns: int
 ) -> sparse.csr_array | None:
     """Rows `>= 0` over `columns` columns that `values` violates; None if there are none."""
-    found: list[Terms] = []
+    found: list[Sums] = []
     count = 0
     for site, family in families:
         low, high = _worst_windows(site, family, values)
         if len(low):
-            row, members, coefficients = _cuts(site, family, low, high)
-            found.append((row + count, members, coefficients))
+            row, members, factors = _cuts(site, family, low, high)
+            found.append((row + count, members, factors))
             count += len(low)
     if not count:
         return None
-    rows, members, coefficients = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    entries = (coefficients, (rows, members))
-    return sparse.csr_array(sparse.coo_array(entries, shape=(count, columns)))
+    rows, members, factors = joined_terms(found)
+    shape = (count, columns)
+    return sparse.csr_array(sparse.coo_array((factors, (rows, members)), shape=shape))
 
 
-def _cuts(site: SiteColumns, family: Family, low: Ints, high: Ints) -> Terms:
+def _cuts(site: SiteColumns, family: Family, low: Ints, high: Ints) -> Sums:
     """The cuts of windows given by positions in the family's steps."""
-    begin, end = family.steps[low] - site.first, family.steps[high] - site.first
-    every = np.arange(len(low))
-    three = [site.inside[begin], site.arrived[end], site.arrived[begin]]
+    come = site.come(family.steps[low], family.steps[high])
     if family.begun.chained or family.ending.chained:
         first = np.zeros_like(low)
         row, members, begun = family.begun.known(first, high)
-        after, others, ended = family.ending.known(first, low - 1)
-        row, members = np.concatenate([row, after]), np.concatenate([members, others])
-        asked = np.concatenate([begun, -ended])
-    else:
-        within = [family.asked_within(*pair) for pair in zip(low, high, strict=True)]
-        row = np.repeat(every, [len(found) for found, _ in within])
-        members = np.concatenate([found for found, _ in within])
-        asked = np.concatenate([amount for _, amount in within])
-    return (
-        np.concatenate([every, every, every, row]),
-        np.concatenate([*three, members]),
-        np.concatenate([np.repeat([1.0, 1.0, -1.0], len(low)), -asked]),
-    )
+        return joined_terms([*come, (row, members, -begun), family.ending.known(first, low - 1)])
+    within = [family.asked_within(*pair) for pair in zip(low, high, strict=True)]
+    asked = [(row, members, -amount) for row, (members, amount) in enumerate(within)]
+    return joined_terms([*come, *asked])
 
 
 def _worst_windows(site: SiteColumns, family: Family, values: Floats) -> tuple[Ints, Ints]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass, MapArrays, agent_classes, map_arrays
 from tsplan.encode.capacities import capacity_rows
-from tsplan.encode.demand_rows import SiteColumns, Staffing
+from tsplan.encode.demand_rows import DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Constraint
@@ -216,7 +216,7 @@ class _Assembly:
         network = self._network(self._laid)
         self._shared_rows(network)
         rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=True)[0])
-        encoder = ReferenceEncoder(draft, network, setting.requirement(0), (rho, *levels))
+        encoder = ReferenceEncoder(draft, setting.atoms(network), (rho, *levels))
         encoder.encode(setting.goal)
         swarms = tuple(replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms)
         size_rows(swarms, draft)
@@ -249,20 +249,17 @@ class _Assembly:
     def _witnesses(self, ask: Asking, ways: Ways, network: Network) -> Witnesses:
         """What the formula asks for; of groups it is not asked by visits."""
         setting = self._setting
-        read = setting.requirement(self._level)
-        outlook = Outlook(setting.goal, network, read, trusting=Idea.OUTLOOK not in setting.ideas)
+        atoms = setting.atoms(network, self._level)
+        outlook = Outlook(setting.goal, atoms, trusting=Idea.OUTLOOK not in setting.ideas)
         ways = replace(ways, share=Idea.SHARING in setting.ideas)
         if self._swarms:
             ways = replace(ways, visits=False, chain=False)
-        return ask(WitnessEncoder(self._draft, outlook, read, ways), self._draft, network)
+        return ask(WitnessEncoder(self._draft, outlook, ways), self._draft, network)
 
     def _demand_rows(self, network: Network, witnesses: Witnesses) -> list[Sited]:
-        ideas = self._setting.ideas
-        joint, lazy = Idea.FAMILIES in ideas, Idea.LAZY in ideas
-        staffing = Staffing(network, self._draft, joint=joint, lazy=lazy)
-        cuts, together = Idea.VISITS in ideas, Idea.TOGETHER in ideas
-        staffing.write(witnesses, cuts=cuts, together=together)
-        return staffing.families
+        rows = DemandRows(network, self._draft, self._setting.ideas)
+        rows.write(witnesses)
+        return rows.families
 
     def _occupied(self, robots: Network, witnesses: Witnesses, *, optional: bool) -> Encoded:
         """The relaxation that knows where groups are, made of all that was drafted so far."""

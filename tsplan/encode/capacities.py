@@ -2,53 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from tsplan.encode.agent_classes import MapArrays
 from tsplan.encode.flow_network import Network
-from tsplan.milp.model import Draft, Ints
+from tsplan.milp.model import INFINITY, Draft, Ints
 
 
 def capacity_rows(network: Network, arrays: MapArrays, draft: Draft) -> None:
     """At each step at most so many agents at a state, and at most so many on an edge at once."""
-    for state, capacity in arrays.capacity:
-        _state_rows(network, state, capacity, draft)
-    for group, capacity in enumerate(arrays.group_capacity):
-        _edge_rows(network, group, capacity, draft)
-
-
-def _state_rows(network: Network, state: int, capacity: int, draft: Draft) -> None:
-    """`n(state, k) <= capacity` for every step; the start is the mission's to check."""
-    steps = np.arange(1, network.horizon + 1)
+    steps = np.arange(1, network.horizon + 1)  # the start is the mission's to check
     if not len(steps):
         return
-    index, columns, _ = network.present_at(np.array([state]), None, steps)
-    most = np.full(len(steps), float(capacity))
-    draft.rows(index, columns, 1.0, lower=-np.inf, upper=most, kind="state capacity")
+    for state, capacity in arrays.capacity:
+        index, columns, _ = network.present_at(np.array([state]), None, steps)
+        most = np.full(len(steps), capacity)
+        draft.sums((index, columns, 1.0), lower=-INFINITY, upper=most, kind="state capacity")
+    for group, capacity in enumerate(arrays.group_capacity):
+        parts = _on_edges(network, group)
+        most = np.full(len(parts), capacity)
+        terms = ((row, part, 1.0) for row, part in enumerate(parts))
+        draft.sums(*terms, lower=-INFINITY, upper=most, kind="edge capacity")
 
 
-def _edge_rows(network: Network, group: int, capacity: int, draft: Draft) -> None:
-    """Agents that entered in (k - duration, k] are on the edge at step k."""
+def _on_edges(network: Network, group: int) -> list[Ints]:
+    """Agents that entered in (k - duration, k] are on the edge at step k: their columns."""
     parts: list[list[Ints]] = [[] for _ in range(network.horizon)]
     for item in network.classes:
         for edge in np.flatnonzero(item.graph.group == group).tolist():
             first, last = int(item.first[edge]), int(item.last[edge])
             duration = int(item.graph.duration[edge])
-            for step in range(network.horizon):
+            for step, part in enumerate(parts):
                 entered = np.arange(max(first, step - duration + 1), min(last, step) + 1)
-                parts[step].append(item.offset[edge] + entered - first)
-    _sums([np.concatenate(part) for part in parts if part], capacity, "edge capacity", draft)
-
-
-def _sums(parts: Sequence[Ints], most: int, kind: str, draft: Draft) -> None:
-    """One row per part: the sum of its columns is at most `most`."""
-    if not parts:
-        return
-    sizes = [len(part) for part in parts]
-    members = np.concatenate(parts)
-    index = np.repeat(np.arange(len(parts)), sizes)
-    draft.rows(
-        index, members, 1.0, lower=-np.inf, upper=np.full(len(parts), float(most)), kind=kind
-    )
+                part.append(item.offset[edge] + entered - first)
+    return [np.concatenate(part) for part in parts if part]

@@ -6,44 +6,61 @@ its own (all of them must hold); `min ... <=` and `max ... >=` ask for one state
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TypeAlias
+from dataclasses import dataclass, field
+
+import numpy as np
 
 from tsplan.encode.agent_classes import MapArrays
+from tsplan.encode.atom_encoders import Atoms, Bound, Requirement, Site, Slack
+from tsplan.encode.flow_network import Network
 from tsplan.logic import Count
+from tsplan.milp.model import Floats
 from tsplan.ts import TransitionSystem
 
-Site: TypeAlias = tuple[int, ...]
+
+@dataclass(frozen=True, eq=False)
+class CountEncoder:
+    """Reads counts tightened by `level`: availability at least `level`."""
+
+    network: Network
+    system: TransitionSystem
+    arrays: MapArrays
+    level: int = 0
+    _most: dict[tuple[Site, str | None], Floats] = field(default_factory=dict)
+
+    def requirement(self, atom: Count) -> Requirement:
+        """The bounds an atom means."""
+        upper = atom.relation == "<="
+        if atom.relation not in (">=", "<=") or not isinstance(atom.bound, int):
+            raise ValueError(f"'{atom}' is not in positive normal form")
+        states = tuple(self.arrays.states_with(self.system, atom.label).tolist())
+        sites = (states,) if atom.function == "sum" else tuple((state,) for state in states)
+        amount = atom.bound - self.level if upper else atom.bound + self.level
+        bounds = tuple(Bound(site, atom.capability, upper, amount) for site in sites)
+        return Requirement(bounds, atom.function == "sum" or (atom.function == "max") == upper)
+
+    def best(self, bound: Bound) -> Floats:
+        """All agents that can have arrived are where a bound wants them, none where it does not."""
+        if bound.upper:
+            return np.full(self.network.horizon + 1, float(bound.amount))
+        site = bound.states, bound.capability
+        if site not in self._most:
+            states = np.array(bound.states, dtype=np.int64)
+            self._most[site] = self.network.most(states, bound.capability).astype(np.float64)
+        return self._most[site] - bound.amount
+
+    def slack(self, bound: Bound, step: int) -> Slack:
+        """The agents there beyond a bound, or those that it leaves room for."""
+        states = np.array(bound.states, dtype=np.int64)
+        columns, present = self.network.present(states, bound.capability, step)
+        factor = -1.0 if bound.upper else 1.0
+        constant = factor * (present - bound.amount)
+        ends = constant, constant + factor * self.network.agents(bound.capability)
+        return Slack(columns, factor, constant, min(ends), max(ends))
 
 
-@dataclass(frozen=True, slots=True)
-class Bound:
-    """At least (or, if `upper`, at most) `amount` agents with a capability at a set of states."""
-
-    states: Site
-    capability: str | None
-    upper: bool
-    amount: int
-
-
-@dataclass(frozen=True, slots=True)
-class Requirement:
-    """Bounds that must all hold, or of which one must."""
-
-    bounds: tuple[Bound, ...]
-    every: bool
-
-
-def requirement(
-    atom: Count, system: TransitionSystem, arrays: MapArrays, level: int = 0
-) -> Requirement:
-    """The bounds an atom means, tightened by `level` (availability at least `level`)."""
-    states = tuple(arrays.states_with(system, atom.label).tolist())
-    upper = atom.relation == "<="
-    if atom.relation not in (">=", "<=") or not isinstance(atom.bound, int):
-        raise ValueError(f"'{atom}' is not in positive normal form")
-    amount = atom.bound - level if upper else atom.bound + level
-    sites = (states,) if atom.function == "sum" else tuple((state,) for state in states)
-    bounds = tuple(Bound(site, atom.capability, upper, amount) for site in sites)
-    each = atom.function == "sum" or (atom.function == "max") == upper
-    return Requirement(bounds, each)
+def atoms_over(
+    network: Network, system: TransitionSystem, arrays: MapArrays, level: int = 0
+) -> Atoms:
+    """The encoders of all classes of atoms over the flows of a network."""
+    return Atoms({Count: CountEncoder(network, system, arrays, level)}, network.horizon)

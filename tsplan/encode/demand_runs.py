@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-import itertools
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from tsplan.encode.running_sums import RunningSums, Terms
+from tsplan.encode.running_sums import RunningSums, Sums, chain_pays, unfolded
+from tsplan.encode.step_runs import Run, steps_of
 from tsplan.milp.model import Draft, Floats, Ints
-
-_WORTH = 4  # as in `encode.running_sums`
-
-
-class Run(NamedTuple):
-    """So many agents at the steps `first .. last`."""
-
-    first: int
-    last: int
-    amount: float
 
 
 class Pieces(NamedTuple):
@@ -32,6 +22,10 @@ class Pieces(NamedTuple):
     first: Ints
     last: Ints
     amount: Floats
+
+    def taken(self, which: Ints) -> Pieces:
+        """Some of the pieces, or all in another order."""
+        return Pieces(self.column[which], self.first[which], self.last[which], self.amount[which])
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,17 +41,15 @@ class Family:
     pieces: Pieces
     base: Floats
 
-    def surplus(self, draft: Draft) -> Terms:
+    def surplus(self, draft: Draft) -> Sums:
         """At every position what the literals ask for beyond the base, as sums of columns."""
-        extra = self._beyond_base()
-        written = int((extra.last - extra.first + 1).sum())
-        if written <= _WORTH * (3 * len(self.steps) + 2 * len(extra.column)):
-            return _expanded(extra)
-        changes = RunningSums(
-            np.concatenate([extra.first, extra.last + 1]),
-            np.concatenate([extra.column, extra.column]),
-            np.concatenate([extra.amount, -extra.amount]),
-        )
+        column, first, last, amount = self._beyond_base()
+        length = last - first + 1
+        if not chain_pays(int(length.sum()), len(self.steps), len(column)):
+            piece, position = unfolded(first, length)
+            return position, column[piece], amount[piece]
+        ends = np.concatenate([first, last + 1])
+        changes = RunningSums(ends, np.tile(column, 2), np.concatenate([amount, -amount]))
         changes.chain(draft)
         every = np.arange(len(self.steps))
         return changes.known(np.zeros_like(every), every)
@@ -69,18 +61,12 @@ class Family:
         changes = np.flatnonzero(np.diff(self.base)) + 1
         begin = np.searchsorted(changes, self.pieces.first, side="right")
         inside = np.searchsorted(changes, self.pieces.last, side="right") - begin
-        which = np.repeat(np.arange(len(inside)), inside + 1)
-        part = np.arange(len(which)) - np.repeat(np.cumsum(inside + 1) - inside - 1, inside + 1)
-        cut = np.concatenate([changes, [0]])
-        first = np.where(part, cut[begin[which] + part - 1], self.pieces.first[which])
-        last = np.where(
-            part < inside[which],
-            cut[begin[which] + part * (part < inside[which])] - 1,
-            self.pieces.last[which],
-        )
-        amount = self.pieces.amount[which] - self.base[first]
-        more = amount > 0
-        return Pieces(self.pieces.column[which][more], first[more], last[more], amount[more])
+        which, cut = unfolded(begin, inside + 1)
+        column, first, last, amount = self.pieces.taken(which)
+        borders = np.concatenate([[0], changes, [len(self.steps)]])
+        first, last = np.maximum(first, borders[cut]), np.minimum(last, borders[cut + 1] - 1)
+        found = Pieces(column, first, last, amount - self.base[first])
+        return found.taken(np.flatnonzero(found.amount > 0))
 
     @cached_property
     def begun(self) -> RunningSums:
@@ -92,8 +78,7 @@ class Family:
         """From a position on: the most that each column asks for from then on."""
         column, first, last, amount = self.pieces
         order = np.lexsort((-last, column))
-        found = _rises(Pieces(column[order], -last[order], -first[order], amount[order]))
-        return found.mirrored()
+        return _rises(Pieces(column, -last, -first, amount).taken(order)).mirrored()
 
     @cached_property
     def consecutive(self) -> bool:
@@ -107,51 +92,19 @@ class Family:
         return column[inside], amount[inside]
 
 
-def _expanded(pieces: Pieces) -> Terms:
-    """A term for every position of every piece."""
-    length = pieces.last - pieces.first + 1
-    index = np.arange(length.sum()) - np.repeat(np.cumsum(length) - length - pieces.first, length)
-    return index, np.repeat(pieces.column, length), np.repeat(pieces.amount, length)
-
-
 def _rises(pieces: Pieces) -> RunningSums:
     """By how much each piece is more than all pieces of its column before."""
     if len(np.unique(pieces.column)) == len(pieces.column):
         return RunningSums(pieces.first, pieces.column, pieces.amount)
-    rise = np.zeros(len(pieces.column))
+    rise = np.zeros(len(pieces.amount))
     most: dict[int, float] = defaultdict(float)
-    for place, (column, amount) in enumerate(
-        zip(pieces.column.tolist(), pieces.amount.tolist(), strict=True)
+    for place, (column, _, _, amount) in enumerate(
+        zip(*(part.tolist() for part in pieces), strict=True)
     ):
         rise[place] = max(amount - most[column], 0.0)
         most[column] = max(amount, most[column])
     some = rise > 0
     return RunningSums(pieces.first[some], pieces.column[some], rise[some])
-
-
-def apart(runs: Iterable[Run]) -> list[Run]:
-    """The most of several runs at every step, as runs that share no step."""
-    runs = sorted(runs)
-    if len(runs) < 2:  # noqa: PLR2004
-        return runs
-    edges = sorted({run.first for run in runs} | {run.last + 1 for run in runs})
-    found: list[Run] = []
-    active: list[Run] = []
-    waiting = iter([*runs, None])
-    following = next(waiting)
-    for first, after in itertools.pairwise(edges):
-        while following is not None and following.first <= first:
-            active.append(following)
-            following = next(waiting)
-        active = [run for run in active if run.last >= first]
-        amount = max((run.amount for run in active), default=0.0)
-        if not amount:
-            continue
-        if found and found[-1].amount == amount and found[-1].last == first - 1:
-            found[-1] = found[-1]._replace(last=after - 1)
-        else:
-            found.append(Run(first, after - 1, amount))
-    return found
 
 
 def family(
@@ -166,32 +119,23 @@ def family(
     Runs of one column share no step, nor do those of the base; both are in order. Without
     `everywhere` the base is left out at steps at which no column asks for anything.
     """
-    runs = [run for column in columns for run in asked[column]]
-    steps = _covered([*runs, *base] if everywhere else runs)
-    start = np.array([run.first for run in runs], dtype=np.int64)
-    first = np.searchsorted(steps, start)
+    owned = [(column, *run) for column in columns for run in asked[column]]
+    runs = [(first, last) for _, first, last, _ in owned]
+    steps = steps_of([*runs, *(run[:2] for run in base)] if everywhere else runs)
     level = np.zeros(len(steps))
     for run in base:
         begin, end = np.searchsorted(steps, [run.first, run.last + 1])
         level[begin:end] = run.amount
-    owner = [column for column in columns for _ in asked[column]]
+    column, start, end, amount = np.array(owned, dtype=np.float64).reshape(-1, 4).T
+    first = np.searchsorted(steps, start)
     return Family(
         steps=steps,
         columns=np.array(columns, dtype=np.int64),
         pieces=Pieces(
-            column=np.array(owner, dtype=np.int64),
+            column=column.astype(np.int64),
             first=first,
-            last=first + np.array([run.last for run in runs], dtype=np.int64) - start,
-            amount=np.array([run.amount for run in runs], dtype=np.float64),
+            last=first + (end - start).astype(np.int64),
+            amount=amount,
         ),
         base=level,
     )
-
-
-def _covered(runs: Sequence[Run]) -> Ints:
-    """The steps of all runs, each once."""
-    low = min(run.first for run in runs)
-    change = np.zeros(max(run.last for run in runs) - low + 2, dtype=np.int64)
-    np.add.at(change, np.array([run.first for run in runs]) - low, 1)
-    np.add.at(change, np.array([run.last for run in runs]) + 1 - low, -1)
-    return np.flatnonzero(np.cumsum(change)) + low

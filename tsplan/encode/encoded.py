@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass, MapArrays
-from tsplan.encode.count_atoms import Requirement, requirement
+from tsplan.encode.atom_encoders import Atoms
+from tsplan.encode.count_atoms import atoms_over
 from tsplan.encode.demand_rows import SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.expressions import Constraint
@@ -17,7 +18,7 @@ from tsplan.encode.groups.group_rows import Swarm
 from tsplan.encode.map_reduction import Reduced
 from tsplan.encode.memory import Watch
 from tsplan.encode.options import ALL_IDEAS, Idea
-from tsplan.logic import Count, Formula
+from tsplan.logic import Formula
 from tsplan.milp.model import Draft, Floats, Ints, Model
 from tsplan.mission import Mission
 from tsplan.search.clock import Clock
@@ -40,9 +41,9 @@ class Setting:
     monotone: bool = False  # nothing bounds a count from above
     clock: Clock = field(default_factory=Clock)  # heard while models are made
 
-    def requirement(self, level: int) -> Callable[[Count], Requirement]:
-        """How atoms are read when availability `level` is asked for."""
-        return lambda atom: requirement(atom, self.mission.system, self.arrays, level)
+    def atoms(self, network: Network, level: int = 0) -> Atoms:
+        """How atoms are encoded over a network when availability `level` is asked for."""
+        return atoms_over(network, self.mission.system, self.arrays, level)
 
     @property
     def together(self) -> int | None:

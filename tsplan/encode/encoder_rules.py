@@ -9,31 +9,27 @@ from functools import cached_property
 
 import numpy as np
 
-from tsplan.encode.count_atoms import Bound
+from tsplan.encode.atom_encoders import Bound
 from tsplan.encode.robustness_bound import Outlook
-from tsplan.encode.selection import ALWAYS, Choices, Literal, Relay
-from tsplan.encode.step_runs import Span, by_column, by_step, joined
+from tsplan.encode.selection import Choices, Literal, Relay
+from tsplan.encode.step_runs import Span, by_column, joined, steps_of
 from tsplan.logic import Formula
 from tsplan.milp.model import Ints
 
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """`bound` must hold at `step` where `literal` is 1."""
-
-    bound: Bound
-    step: int
-    literal: Literal
-
-
-@dataclass(frozen=True, slots=True)
-class Lasting:
     """`bound` must hold at the steps `first .. last` where `literal` is 1."""
 
     bound: Bound
     first: int
     last: int
     literal: Literal
+
+    @property
+    def step(self) -> int:
+        """The step of a demand that lasts no longer than one."""
+        return self.first
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,24 +42,17 @@ class Cover:
     literal: Literal
 
 
-@dataclass(frozen=True, slots=True)
-class Visit:
-    """One agent of `bound` must be there at some step of `first .. last` where `literal` is 1."""
-
-    bound: Bound
-    first: int
-    last: int
-    literal: Literal
-
-
 @dataclass(eq=False)
 class Witnesses:
-    """What a formula asks of the agents, as demands under literals."""
+    """What a formula asks of the agents, as demands under literals.
+
+    Of `visits` it is enough that they hold at some step of theirs, for one agent.
+    """
 
     choices: Choices
-    lasting: list[Lasting] = field(default_factory=list)
+    lasting: list[Demand] = field(default_factory=list)
     covers: list[Cover] = field(default_factory=list)
-    visits: list[Visit] = field(default_factory=list)
+    visits: list[Demand] = field(default_factory=list)
 
     @cached_property
     def demands(self) -> list[Demand]:
@@ -72,10 +61,9 @@ class Witnesses:
         for need in self.lasting:
             asked[need.bound].append(Span(need.first, need.last, need.literal))
         return [
-            Demand(bound, step, literal)
+            Demand(bound, step, step, literal)
             for bound, spans in asked.items()
-            for step, literals in by_step(joined(spans), self.choices).items()
-            for literal in literals
+            for step, literal in self.choices.by_step(joined(spans))
         ]
 
 
@@ -94,9 +82,19 @@ class Asker:
         else:
             self.choices.refute(span.literal, "impossible")
 
+    def ask_at(self, node: Formula, options: Iterable[tuple[int, Literal]]) -> None:
+        """Require a formula at each of some steps, under a literal each."""
+        for step, literal in options:
+            self.ask(node, Span(step, step, literal))
+
     def asked(self, node: Formula) -> list[Span]:
         """Everything that is required of a formula by those that have it as a part."""
         return joined(self._requests.pop(node, []))
+
+    def times(self, node: Formula, runs: Iterable[tuple[int, int]]) -> list[int]:
+        """The steps of several runs at which a formula may hold, in order, each once."""
+        steps = steps_of((first, last) for first, last in runs if first <= last).tolist()
+        return [step for step in steps if self.outlook.possible(node, step)]
 
     def options(self, literal: Literal, steps: Sequence[int], kind: str) -> list[Literal]:
         """One literal per option, by the steps they begin; a single one needs no column."""
@@ -107,16 +105,10 @@ class Asker:
             return [literal]
         return [(column,) for column in self.choices.choose(literal, list(steps), kind).tolist()]
 
-    def each(self, spans: Sequence[Span]) -> list[tuple[int, Literal]]:
-        """Every step with each of its literals, exclusive ones added up."""
-        found = by_step(spans, self.choices)
-        return [(step, literal) for step, literals in found.items() for literal in literals]
-
     def families(self, once: Sequence[Span]) -> list[list[Span]]:
         """Spans of one column each, in families that exclude each other; `ALWAYS` on its own."""
-        by_column = {span.literal[0]: span for span in once if span.literal}
-        families = self.choices.families(by_column)
-        found = [sorted(by_column[column] for column in family) for family in families]
+        of = {span.literal[0]: span for span in once if span.literal}
+        found = [sorted(of[column] for column in family) for family in self.choices.families(of)]
         return [*([span] for span in once if not span.literal), *found]
 
     def relayed(
@@ -135,28 +127,34 @@ class Asker:
         if len(times) == 1 or (low[0] == low[-1] and high[0] == high[-1]):
             options = self.options(parents, times, kind)
         else:
-            columns = np.array(parents, dtype=np.int64)
             each = [len(literal) for literal in literals]
-            spread = np.repeat(low, each), np.repeat(high, each)
-            waiting = Relay(columns, *spread, np.array(times, dtype=np.int64))
+            columns, at = np.array(parents, dtype=np.int64), np.array(times, dtype=np.int64)
+            waiting = Relay(columns, np.repeat(low, each), np.repeat(high, each), at)
             options = [(column,) for column in self.choices.relay(waiting, kind).tolist()]
         return list(zip(times, options, strict=True))
 
-    def union(self, runs: Iterable[tuple[int, int]]) -> list[int]:
-        """The steps of several runs, in order, each once."""
-        found = joined(Span(first, last, ALWAYS) for first, last in runs)
-        return [step for first, last, _ in found for step in range(first, last + 1)]
+    def shared(
+        self, node: Formula, requests: Sequence[tuple[int, Literal]], window: Ints, kind: str
+    ) -> dict[int, int]:
+        """Witnesses shared between requests, one at least in the window of each.
+
+        The column of every step at which the formula may hold; it is required there.
+        """
+        times = self.times(node, window.tolist())
+        columns = self.choices.free(times)
+        literals = [literal for _, literal in requests]
+        self.choices.cover_windows((columns, times), (window[:, 0], window[:, 1]), literals, kind)
+        found = dict(zip(times, columns.tolist(), strict=True))
+        self.ask_at(node, [(time, (column,)) for time, column in found.items()])
+        return found
 
 
 def sorted_out(spans: Iterable[Span]) -> tuple[list[Span], dict[Literal, list[Span]]]:
     """Columns that ask at one step only, and the spans of those that ask at several."""
-    asked: dict[Literal, list[Span]] = defaultdict(list)
-    for span in by_column(spans):
-        asked[span.literal].append(span)
-    once = [runs[0] for runs in asked.values() if len(runs) == 1 and runs[0].first == runs[0].last]
+    asked = by_column(spans)
     again = {
         literal: runs
         for literal, runs in asked.items()
         if len(runs) > 1 or runs[0].first < runs[0].last
     }
-    return once, again
+    return [runs[0] for literal, runs in asked.items() if literal not in again], again

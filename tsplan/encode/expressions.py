@@ -1,4 +1,4 @@
-"""A user's own linear expressions and constraints over counts of agents, in exact numbers.
+"""Linear expressions in exact numbers, and a user's own constraints over counts of agents.
 
 Counts are whole numbers, so a constraint is brought to whole coefficients and whole bounds: it
 means exactly what was written, whether with fractions, decimals or `<`. What cannot be meant as it
@@ -8,6 +8,7 @@ written.
 
 from __future__ import annotations
 
+from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
@@ -19,6 +20,7 @@ from tsplan.exact import common_unit
 from tsplan.parameters import finite
 
 _LONGEST = 40  # digits that are shown
+_ZERO, _ONE = Fraction(0), Fraction(1)
 
 Number: TypeAlias = "float | Fraction | Decimal"
 
@@ -36,7 +38,8 @@ class CountTerm:
         return f"count({self.place!r}{able}, step={self.step})"
 
 
-Terms: TypeAlias = tuple[tuple[CountTerm, Fraction], ...]
+Terms: TypeAlias = tuple[tuple[Any, Fraction], ...]
+"""What is counted (`CountTerm`), or columns of a model by number, each times a factor."""
 
 
 def _refused(what: str, remedy: str) -> NoReturn:
@@ -50,10 +53,11 @@ def _not_linear(_one: object, _other: object = None, _more: object = None) -> No
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Expression:
-    """A linear expression over counts; comparisons make constraints of it.
+    """A linear expression over counts, or over columns of a model, in exact numbers.
 
     `+`, `-`, and `*` and `/` with numbers make expressions; `<=`, `>=`, `==`, `<`, `>` and
-    `between` make constraints. Numbers count as they are written: 0.1 is a tenth.
+    `between` make constraints of those over counts. Numbers count as they are written: 0.1 is a
+    tenth.
 
     Raises MissionError for what is not linear, and for numbers that are not finite.
 
@@ -65,11 +69,33 @@ class Expression:
     """
 
     terms: Terms = ()
-    constant: Fraction = Fraction(0)
+    constant: Fraction = _ZERO
 
     # numbers of numpy leave arithmetic with expressions to the expressions
     __array_ufunc__: ClassVar[None] = None
     __hash__: ClassVar[None]  # type: ignore[assignment]  # == makes constraints
+
+    @staticmethod
+    def total(parts: Iterable[tuple[Expression, Fraction]]) -> Expression:
+        """Expressions times factors, added up.
+
+        >>> part = Expression.sum_of([3, 5])
+        >>> dict(Expression.total([(part, Fraction(2)), (part, Fraction(1))]).terms)[5]
+        Fraction(3, 1)
+        """
+        summed: dict[Any, Fraction] = {}
+        constant = _ZERO
+        for part, factor in parts:
+            constant += factor * part.constant
+            for key, value in part.terms:
+                summed[key] = summed.get(key, _ZERO) + factor * value
+        kept = tuple((key, value) for key, value in summed.items() if value)
+        return Expression(kept, constant)
+
+    @staticmethod
+    def sum_of(keys: Iterable[Hashable]) -> Expression:
+        """The plain sum of some counts or columns."""
+        return Expression(tuple((key, _ONE) for key in keys))
 
     @staticmethod
     def of(value: object) -> Expression:
@@ -82,12 +108,7 @@ class Expression:
         )
 
     def __add__(self, other: Expression | Number) -> Expression:
-        more = Expression.of(other)
-        summed = dict(self.terms)
-        for term, factor in more.terms:
-            summed[term] = summed.get(term, Fraction(0)) + factor
-        kept = tuple((term, factor) for term, factor in summed.items() if factor)
-        return Expression(kept, self.constant + more.constant)
+        return Expression.total([(self, _ONE), (Expression.of(other), _ONE)])
 
     __radd__ = __add__
 
@@ -97,9 +118,7 @@ class Expression:
             if self.terms:
                 _not_linear(self)
             return scale * self.constant
-        factor = scale.constant
-        scaled = tuple((term, value * factor) for term, value in self.terms if factor)
-        return Expression(scaled, self.constant * factor)
+        return Expression.total([(self, scale.constant)])
 
     __rmul__ = __mul__
 
@@ -213,7 +232,7 @@ class Constraint:
     __bool__ = __and__ = __rand__ = __or__ = __ror__ = __xor__ = __rxor__ = __invert__ = _no_truth
 
     def __str__(self) -> str:
-        total = _sum(self.terms, Fraction(0))
+        total = _sum(self.terms, _ZERO)
         if self.lower is not None and self.lower == self.upper:
             return f"{total} == {self.lower}"
         if self.lower is not None and self.upper is not None:

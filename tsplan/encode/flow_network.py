@@ -14,6 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
+from tsplan.encode.capability_mask import counted_nodes
 from tsplan.milp.model import Bools, Draft, Floats, Ints
 from tsplan.ts.reachability import Lengths
 
@@ -125,13 +126,15 @@ class Network:
     classes: tuple[ClassColumns, ...]
     horizon: int
 
+    def counted(self, capability: str | None) -> Bools:
+        """At which nodes agents of each class have a capability, as an array (classes, nodes)."""
+        nodes = max((len(item.graph.start) for item in self.classes), default=0)
+        return counted_nodes(capability, [c.graph.capabilities for c in self.classes], nodes)
+
     def having(self, capability: str | None) -> list[ClassColumns]:
         """The classes that have a capability; all of them for None."""
-        return [
-            item
-            for item in self.classes
-            if capability is None or capability in item.graph.capabilities
-        ]
+        able = np.flatnonzero(self.counted(capability).any(axis=1))
+        return [self.classes[place] for place in able.tolist()]
 
     def agents(self, capability: str | None) -> int:
         """How many agents have a capability."""

@@ -11,7 +11,6 @@ with the same agents, a little for every witness. Taken together they give two m
 
 from __future__ import annotations
 
-import itertools
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -19,10 +18,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tsplan.encode.count_atoms import Site
-from tsplan.encode.demand_runs import Run
+from tsplan.encode.atom_encoders import Site
+from tsplan.encode.encoder_rules import Demand
 from tsplan.encode.selection import ALWAYS, Choices
-from tsplan.encode.witness import Lasting
+from tsplan.encode.step_runs import Run, pieces
 
 
 class Needs(NamedTuple):
@@ -48,19 +47,17 @@ class Region:
 class Together:
     """The needs of one capability by the columns that imply them."""
 
-    def __init__(self, needs: Iterable[Lasting], choices: Choices) -> None:
+    def __init__(self, needs: Iterable[Demand], choices: Choices) -> None:
         self._choices = choices
-        self._own: dict[int, list[Lasting]] = defaultdict(list)
-        self._always: list[Lasting] = []
+        self._own: dict[int, list[Demand]] = defaultdict(list)
+        self._always: list[Demand] = []
         for need in needs:
-            if need.bound.amount <= 0:
-                continue
-            if not need.literal:
-                self._always.append(need)
-            for column in need.literal:
-                self._own[column].append(need)
-        self._begins = np.array([need.first for need in self._always], dtype=np.int64)
-        self._ends = np.array([need.last for need in self._always], dtype=np.int64)
+            if need.bound.amount > 0:
+                if not need.literal:
+                    self._always.append(need)
+                for column in need.literal:
+                    self._own[column].append(need)
+        self._ends = np.array([(need.first, need.last) for need in self._always]).reshape(-1, 2)
         self._base = _needs(self._always)
         self._of = {column: self._implied(column) for column in sorted(self._own)}
 
@@ -70,8 +67,8 @@ class Together:
         for ancestor in self._choices.ancestors(column):
             own += self._own.get(ancestor, ())
         first, last = min(need.first for need in own), max(need.last for need in own)
-        near = np.flatnonzero((self._begins <= last) & (self._ends >= first)).tolist()
-        return _needs(own, [self._always[place] for place in near])
+        near = np.flatnonzero((self._ends[:, 0] <= last) & (self._ends[:, 1] >= first)).tolist()
+        return _needs([*own, *(self._always[place] for place in near)])
 
     def most(self) -> tuple[int, dict[int, int]]:
         """Agents needed at most at one step: in any case, and where a column is 1."""
@@ -104,27 +101,23 @@ class Together:
         return found
 
 
-def _needs(own: Sequence[Lasting], besides: Sequence[Lasting] = ()) -> list[Needs]:
-    """Needs at places without common states; of places that overlap the neediest stays.
-
-    `besides` are needs that matter only at the steps of `own`.
-    """
-    ordered = sorted(
-        [(need, True) for need in own] + [(need, False) for need in besides],
-        key=lambda pair: (-pair[0].bound.amount, pair[0].bound.states),
-    )
-    edges = sorted({e for need, _ in ordered for e in (need.first, need.last + 1)})
-    found: list[Needs] = []
-    for first, after in itertools.pairwise(edges):
-        active = [pair for pair in ordered if pair[0].first <= first <= pair[0].last]
-        if not any(mine for _, mine in active):
-            continue
-        places: dict[Site, int] = {}
-        for need, _ in active:
-            if all(set(need.bound.states).isdisjoint(place) for place in places):
-                places[need.bound.states] = need.bound.amount
-        found.append(Needs(first, after - 1, places))
+def apart(demands: Iterable[Demand]) -> dict[Site, Demand]:
+    """Demands at places without common states; of places that overlap the neediest stays."""
+    found: dict[Site, Demand] = {}
+    for demand in sorted(demands, key=lambda d: (-d.bound.amount, d.bound.states)):
+        if all(set(demand.bound.states).isdisjoint(place) for place in found):
+            found[demand.bound.states] = demand
     return found
+
+
+def _needs(demands: Sequence[Demand]) -> list[Needs]:
+    """What demands need at places apart, at the steps of those under a literal if there are any."""
+    conditional = any(need.literal for need in demands)
+    return [
+        Needs(first, last, {place: need.bound.amount for place, need in apart(active).items()})
+        for first, last, active in pieces(demands)
+        if not conditional or any(need.literal for need in active)
+    ]
 
 
 def _most(needs: Sequence[Needs]) -> int:

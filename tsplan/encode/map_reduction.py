@@ -23,10 +23,9 @@ import numpy as np
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.encode.shortcuts import Kept, shortcuts
 from tsplan.milp.model import Bools, Ints
-from tsplan.search.clock import Clock
+from tsplan.stopping import Deadline
 
 _CROWDED = 2  # shortcuts for each edge of the full graph: fewer are worth their shorter ways
-_NEVER = Clock()
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,9 +49,7 @@ def whole(graph: ClassGraph) -> Reduced:
     return Reduced(graph, tuple(np.arange(len(graph.tail)).reshape(-1, 1)))
 
 
-def reduce(
-    graph: ClassGraph, interest: Interest, horizon: int, clock: Clock = _NEVER
-) -> Reduced | None:
+def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Deadline) -> Reduced | None:
     """The reduced graph of one class, or None where reduction would not be exact.
 
     Where the states that matter lie around a hub there may be far more pairs of them than edges;
@@ -61,7 +58,11 @@ def reduce(
     unit_wait = graph.wait & (graph.duration == 1)
     waiting = np.zeros(len(graph.start), dtype=np.bool_)
     waiting[graph.tail[unit_wait]] = True
-    relevant = _with_parking(graph, interest) | _ends_of_capacities(graph)
+    relevant = interest.relevant.copy()
+    # agents that must leave a limited state may wait in those next to it
+    relevant[graph.head[interest.limited[graph.tail]]] = True
+    bounded = graph.group >= 0
+    relevant[graph.tail[bounded]] = relevant[graph.head[bounded]] = True
     sources = np.flatnonzero(relevant | (graph.start > 0))
     if not waiting[sources].all():
         return None
@@ -72,21 +73,6 @@ def reduce(
     if len(paths) > _CROWDED * len(graph.tail) and waiting.all():
         return whole(graph)
     return _assemble(graph, sources, (tail, head), paths)
-
-
-def _with_parking(graph: ClassGraph, interest: Interest) -> Bools:
-    """The relevant states and, for limited ones, the states that can be entered from them."""
-    relevant = interest.relevant.copy()
-    relevant[graph.head[interest.limited[graph.tail]]] = True
-    return relevant
-
-
-def _ends_of_capacities(graph: ClassGraph) -> Bools:
-    ends = np.zeros(len(graph.start), dtype=np.bool_)
-    bounded = graph.group >= 0
-    ends[graph.tail[bounded]] = True
-    ends[graph.head[bounded]] = True
-    return ends
 
 
 def _assemble(

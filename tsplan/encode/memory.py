@@ -11,8 +11,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from tsplan.search.clock import Clock, Halted
-from tsplan.stopping import StoppedBy
+from tsplan.stopping import Deadline, Halted, StoppedBy
 
 COLUMN_BYTES = 400
 ENTRY_BYTES = 250
@@ -24,7 +23,7 @@ _UNLIMITED = 1 << 60  # what control groups say when they do not limit anything 
 class Watch:
     """Hears of every block of a draft before it is made; raises Halted where that must not be."""
 
-    def __init__(self, clock: Clock, room: Callable[[], int | None] | None = None) -> None:
+    def __init__(self, clock: Deadline, room: Callable[[], int | None] | None = None) -> None:
         self._clock = clock
         self._room = (room or free_memory)()
 

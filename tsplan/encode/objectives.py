@@ -164,8 +164,7 @@ class Availability(LevelObjective):
 
     def ideal(self, setting: Setting) -> float:
         """Every atom on its own, by team and travel times; infinite if nothing is asked for."""
-        read = setting.requirement(0)
-        return Outlook(setting.goal, setting.unrolled(), read).best(setting.goal, 0)
+        return Outlook(setting.goal, setting.atoms(setting.unrolled())).best(setting.goal, 0)
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """The column of the reference encoding."""

@@ -1,69 +1,21 @@
-"""Own constraints and objectives in a model: which counts they name, and their rows."""
+"""Own constraints in a model: which counts they name, and their rows."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
-from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from tsplan.encode.agent_classes import MapArrays
 from tsplan.encode.expressions import Constraint, CountTerm
 from tsplan.encode.flow_network import Network
-from tsplan.errors import Finding, MissionError
 from tsplan.milp.model import INFINITY, Draft, Ints
-from tsplan.parameters import known_name, step_within
-from tsplan.plans.presence import counted
 from tsplan.ts import TransitionSystem
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
-
-MOST_TOTAL = 10**15
-"""What the terms of a constraint may sum to at most: solvers compute with 53 bits, and take larger
-coefficients for mistakes."""
-
 
 _BASE = 10**4
 """The largest factor in a row: a solver that lets rows be broken by 1e-6 of their largest factor
 still tells whole numbers apart by a wide margin."""
-
-
-def checked_term(term: CountTerm, mission: Mission) -> CountTerm:
-    """A count that the mission knows; MissionError that names what it does not know."""
-    system = mission.system
-    places = (system.states, system.labels)
-    place = known_name(term.place, places, "state or label", MissionError)
-    return CountTerm(
-        place,
-        _capability(term.capability, mission),
-        step_within(term.step, mission.horizon, MissionError),
-    )
-
-
-def _capability(name: str | None, mission: Mission) -> str | None:
-    if name is None:
-        return None
-    able = {item for group in mission.team for item in group.capabilities}
-    if name not in able and any(name == group.class_name for group in mission.team):
-        own = {c for g in mission.team if g.class_name == name for c in g.capabilities}
-        remedy = f"agents are counted by capability; those of the class: {', '.join(sorted(own))}"
-        raise MissionError([Finding(f"'{name}' is a class, not a capability", remedy)])
-    return known_name(name, [able], "capability", MissionError)
-
-
-def checked_terms(terms: Iterable[tuple[CountTerm, Fraction | int]], mission: Mission) -> None:
-    """Refuse terms that the mission does not know, and sums too large for a solver."""
-    total = Fraction(0)
-    for term, factor in terms:
-        checked_term(term, mission)
-        total += mission.size * abs(Fraction(factor))
-    if total > MOST_TOTAL:
-        what = f"in whole numbers the terms sum to more than {MOST_TOTAL:.0e}"
-        raise MissionError([Finding(what, "drop digits of the coefficients")])
 
 
 def terms_of(constraints: Iterable[Constraint]) -> set[CountTerm]:
@@ -76,22 +28,6 @@ def states_of(term: CountTerm, system: TransitionSystem, arrays: MapArrays) -> I
     if term.place in arrays.number:
         return np.array([arrays.number[term.place]], dtype=np.int64)
     return arrays.states_with(system, term.place)
-
-
-def within_reach(constraint: Constraint, agents: int) -> Constraint:
-    """The same constraint of so many agents, without bounds that always hold.
-
-    One that never holds has no terms, so that no bound is larger than what the terms can sum to.
-    """
-    most = agents * sum(factor for _, factor in constraint.terms if factor > 0)
-    least = agents * sum(factor for _, factor in constraint.terms if factor < 0)
-    lower = least if constraint.lower is None else max(constraint.lower, least)
-    upper = most if constraint.upper is None else min(constraint.upper, most)
-    if lower > upper:
-        return Constraint((), 1, None, constraint.name)
-    return replace(
-        constraint, lower=lower if lower > least else None, upper=upper if upper < most else None
-    )
 
 
 class _Part(NamedTuple):
@@ -132,17 +68,8 @@ def constraint_rows(
 
 
 def _row(parts: Sequence[_Part], bounds: tuple[float, float], draft: Draft, kind: str) -> None:
-    empty = np.empty(0, dtype=np.int64)
-    columns = np.concatenate([empty, *(part.columns for part in parts)])
-    values = [np.full(len(part.columns), float(part.factor)) for part in parts]
-    draft.rows(
-        np.zeros(len(columns)),
-        columns,
-        np.concatenate([np.empty(0), *values]),
-        lower=bounds[0],
-        upper=bounds[1],
-        kind=kind,
-    )
+    terms = ((0, part.columns, part.factor) for part in parts)
+    draft.sums(*terms, lower=bounds[0], upper=bounds[1], kind=kind)
 
 
 def _at_most(parts: Sequence[_Part], bound: int, draft: Draft, kind: str) -> None:
@@ -170,24 +97,3 @@ def resolve(
 ) -> tuple[Ints, int]:
     """Flow columns whose sum, with the returned constant, is a count."""
     return network.present(states_of(term, system, arrays), term.capability, term.step)
-
-
-def worth(
-    terms: Iterable[tuple[CountTerm, Fraction | int]], plan: Plan, system: TransitionSystem
-) -> Fraction:
-    """What terms sum to in a plan, by the paths of its agents."""
-    given = list(terms)
-    found = Fraction(0)
-    for capability in {term.capability for term, _ in given}:
-        some = [(term, factor) for term, factor in given if term.capability == capability]
-        places = {
-            term.place: (term.place,) if term.place in system.states else system.labels[term.place]
-            for term, _ in some
-        }
-        states = tuple({state for those in places.values() for state in those})
-        row = {state: number for number, state in enumerate(states)}
-        counts = counted(plan, states, capability)
-        for term, factor in some:
-            rows = [row[state] for state in places[term.place]]
-            found += factor * int(counts[rows, term.step].sum())
-    return found

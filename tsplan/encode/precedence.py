@@ -9,15 +9,15 @@ say so already; in the LP, where a little of every witness is served, they do no
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from tsplan.encode.count_atoms import Bound
-from tsplan.encode.encoder_rules import Lasting, Witnesses
-from tsplan.encode.flow_network import ClassGraph, Network
-from tsplan.encode.selection import Relay, Relayed
+from tsplan.encode.atom_encoders import Bound
+from tsplan.encode.encoder_rules import Demand, Witnesses
+from tsplan.encode.flow_network import Network
+from tsplan.encode.selection import Relayed
 from tsplan.milp.model import Draft, Ints
 
 
@@ -29,28 +29,79 @@ class Leg(NamedTuple):
     way: int
 
 
+class Ways:
+    """How many steps must lie between two demands, so that the same agents can meet both."""
+
+    def __init__(self, network: Network, states: Iterable[int]) -> None:
+        places = sorted(set(states))
+        self._place = {state: number for number, state in enumerate(places)}
+        self._never = network.horizon + 1
+        self._network = network
+        at = np.array(places, dtype=np.int64)
+        self._agents = [item.graph.agents for item in network.classes]
+        self._distances = [item.graph.lengths.distances(at)[:, at] for item in network.classes]
+
+    def between(self, first: Bound, second: Bound) -> int:
+        """0 where there are enough agents to meet both apart, or both are met at one place.
+
+        By Hall's condition: agents that can meet both count twice, the later demand after the way
+        from the earlier one; those of the nearest class do so first.
+        """
+        if not set(first.states).isdisjoint(second.states):
+            return 0
+        able = [self._network.counted(b.capability).any(axis=1) for b in (first, second)]
+        lacking = first.amount + second.amount
+        lacking -= sum(self._agents[place] for place in np.flatnonzero(able[0] | able[1]))
+        here, there = ([self._place[state] for state in b.states] for b in (first, second))
+        twice = [
+            (float(self._distances[place][np.ix_(here, there)].min()), self._agents[place])
+            for place in np.flatnonzero(able[0] & able[1])
+        ]
+        way = 0.0
+        for away, agents in sorted(twice) if lacking > 0 else ():
+            way = away
+            lacking -= agents
+            if lacking <= 0:
+                break
+        return int(min(way, self._never)) if lacking <= 0 else self._never
+
+
 def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:
     """The ways that lie between the witnesses of relays, as far as they are sure."""
-    needs: dict[int, list[Lasting]] = defaultdict(list)
+    needs: dict[int, list[Demand]] = defaultdict(list)
     for need in witnesses.lasting:
         if len(need.literal) == 1 and not need.bound.upper:
             needs[need.literal[0]].append(need)
+    pairs = [
+        (relayed, before, after)
+        for relayed in witnesses.choices.relays
+        if (before := _alike(needs, relayed.waiting.columns))
+        and (after := _alike(needs, relayed.columns))
+    ]
+    bounds = [need.bound for _, *both in pairs for need, *_ in both]
+    ways = Ways(network, (state for bound in bounds for state in bound.states))
     found = []
-    for relayed in witnesses.choices.relays:
-        before = [needs.get(column, []) for column in relayed.waiting.columns.tolist()]
-        after = [needs.get(column, []) for column in relayed.columns.tolist()]
-        for first in _common(before):
-            for second in _common(after):
-                way = _way(first, second, network)
-                if way and not _crossed(before, after, relayed.waiting):
-                    _space_out(witnesses, relayed, _begins(before, after, relayed.waiting, way))
-                    found.append(Leg(relayed, first, way))
+    for relayed, before, after in pairs:
+        low, times = relayed.waiting.low, relayed.waiting.times
+        shifts = np.array([need.first for need in after]) - times
+        way = ways.between(before[0].bound, after[0].bound)
+        # the second witness must not be needed before the first
+        if way and (low + shifts.min() >= [need.first for need in before]).all():
+            begins = np.array([need.last for need in before]) + way - shifts.max()
+            _space_out(witnesses, relayed, np.maximum(low, begins))
+            found.append(Leg(relayed, before[0].bound, way))
     return found
 
 
-def _space_out(witnesses: Witnesses, relayed: Relayed, begins: Ints) -> None:
+def _alike(needs: Mapping[int, Sequence[Demand]], columns: Ints) -> list[Demand]:
+    """What each column of a choice needs, if each needs one thing only and all the same."""
+    every = [needs.get(column, ()) for column in columns.tolist()]
+    alike = all(len(mine) == 1 for mine in every) and len({n.bound for (n,) in every}) == 1
+    return [need for (need,) in every] if alike else []
+
+
+def _space_out(witnesses: Witnesses, relayed: Relayed, sooner: Ints) -> None:
     """Tighten the windows of a relay by the way between the places of its witnesses."""
-    sooner = np.maximum(relayed.waiting.low, begins)
     if (sooner > relayed.waiting.low).any():
         # beginnings must not go back: a later parent's may be taken for an earlier one's
         witnesses.choices.not_before(relayed, np.minimum.accumulate(sooner[::-1])[::-1])
@@ -64,9 +115,10 @@ def route_rows(legs: Sequence[Leg], network: Network, draft: Draft) -> None:
     """
     after = {int(leg.relayed.columns[0]): leg for leg in legs}
     followed = {id(before) for leg in legs if (before := _before(leg, after)) is not None}
-    parts = [(item.unrolled(), item.graph) for item in network.classes]
-    flows = np.concatenate([column for (_, _, column), _ in parts])
-    spent = np.concatenate([(g.duration * ~g.wait)[edge] for (edge, _, _), g in parts])
+    travel = []
+    for item in network.classes:
+        edge, _, column = item.unrolled()
+        travel.append((0, column, (item.graph.duration * ~item.graph.wait)[edge]))
     for last in legs:
         if id(last) in followed:
             continue
@@ -74,12 +126,9 @@ def route_rows(legs: Sequence[Leg], network: Network, draft: Draft) -> None:
         while (before := _before(chain[-1], after)) is not None:
             chain.append(before)
         begun = chain[-1].relayed.waiting.columns
-        asked = [(begun, _approach(chain[-1].first, network))]
-        asked += [(leg.relayed.columns, leg.way) for leg in chain]
-        columns = np.concatenate([flows, *(columns for columns, _ in asked)])
-        values = [spent, *(np.full(len(columns), -float(way)) for columns, way in asked)]
-        row = np.zeros(len(columns))
-        draft.rows(row, columns, np.concatenate(values), lower=0.0, upper=np.inf, kind="route")
+        asked = [(0, begun, -_approach(chain[-1].first, network))]
+        asked += [(0, leg.relayed.columns, -leg.way) for leg in chain]
+        draft.sums(*travel, *asked, kind="route")
 
 
 def _before(leg: Leg, after: Mapping[int, Leg]) -> Leg | None:
@@ -89,63 +138,13 @@ def _before(leg: Leg, after: Mapping[int, Leg]) -> Leg | None:
 
 def _approach(first: Bound, network: Network) -> int:
     """Steps that somebody has to travel from the start to meet a demand."""
-    able = network.having(first.capability)
+    able = [item.graph for item in network.having(first.capability)]
     states = np.array(first.states)
-    if sum(int(item.graph.start[states].sum()) for item in able) >= first.amount:
+    if sum(int(graph.start[states].sum()) for graph in able) >= first.amount:
         return 0
-    starts = [(item.graph, np.flatnonzero(item.graph.start)) for item in able]
-    ways = []
-    for graph, begun in starts:
-        away = begun[~np.isin(begun, states)]
+    ways = [network.horizon + 1.0]
+    for graph in able:
+        away = np.setdiff1d(np.flatnonzero(graph.start), states)
         if len(away):
-            ways.append(_distance(graph, away.tolist(), first.states))
-    return int(min([*ways, network.horizon + 1]))
-
-
-def _common(needs: Sequence[Sequence[Lasting]]) -> list[Bound]:
-    """What every column of a choice needs, if each needs one thing only."""
-    bounds = {need.bound for mine in needs for need in mine}
-    return list(bounds) if len(bounds) == 1 and all(len(mine) == 1 for mine in needs) else []
-
-
-def _begins(
-    before: Sequence[Sequence[Lasting]], after: Sequence[Sequence[Lasting]], relay: Relay, way: int
-) -> Ints:
-    """The first time at which the second witness may come, for each of the first ones."""
-    shifts = _shifts(after, relay)
-    return np.array([need.last + way - max(shifts) for (need,) in before], dtype=np.int64)
-
-
-def _crossed(
-    before: Sequence[Sequence[Lasting]], after: Sequence[Sequence[Lasting]], relay: Relay
-) -> bool:
-    """Whether the second witness may be needed before the first."""
-    soonest = min(_shifts(after, relay))
-    return any(relay.low[place] + soonest < need.first for place, (need,) in enumerate(before))
-
-
-def _shifts(after: Sequence[Sequence[Lasting]], relay: Relay) -> list[int]:
-    """Steps from each time of a relay to when its witness is needed."""
-    return [need.first - time for (need,), time in zip(after, relay.times.tolist(), strict=True)]
-
-
-def _way(first: Bound, second: Bound, network: Network) -> int:
-    """Steps between two demands that not enough agents are there to meet apart; else 0."""
-    if not set(first.states).isdisjoint(second.states):
-        return 0
-    able = [*network.having(first.capability), *network.having(second.capability)]
-    team = {id(item): item.graph.agents for item in able}
-    if first.amount + second.amount <= sum(team.values()):
-        return 0
-    both = [
-        item
-        for item in network.having(first.capability)
-        if any(item is other for other in network.having(second.capability))
-    ]
-    ways = [_distance(item.graph, first.states, second.states) for item in both]
-    return int(min([*ways, network.horizon + 1]))
-
-
-def _distance(graph: ClassGraph, here: Sequence[int], there: Sequence[int]) -> float:
-    """Fewest steps from one of some states to one of others."""
-    return float(graph.lengths.nearest(here)[np.array(there)].min())
+            ways.append(graph.lengths.nearest(away)[states].min())
+    return int(min(ways))

@@ -8,41 +8,22 @@ row allow. The tight encoding is judged against this one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import singledispatchmethod
 
 import numpy as np
 
-from tsplan.encode.count_atoms import Bound, Requirement
-from tsplan.encode.flow_network import Network
-from tsplan.logic import (
-    Always,
-    And,
-    Constant,
-    Count,
-    Eventually,
-    Formula,
-    Or,
-    Release,
-    Until,
-    walk,
-)
+from tsplan.encode.atom_encoders import AtomEncoder, Atoms, Bound
+from tsplan.logic import Always, And, Constant, Eventually, Formula, Or, Release, Until, walk
 from tsplan.milp.model import Draft
 
 
 class ReferenceEncoder:
     """One 0/1 column for every (node, step) of a formula in positive normal form."""
 
-    def __init__(
-        self,
-        draft: Draft,
-        network: Network,
-        requirement: Callable[[Count], Requirement],
-        rho: tuple[int, int, int],
-    ) -> None:
+    def __init__(self, draft: Draft, atoms: Atoms, rho: tuple[int, int, int]) -> None:
         self._draft = draft
-        self._network = network
-        self._requirement = requirement
+        self._atoms = atoms
         self._rho, self._rho_low, self._rho_high = rho
         self._columns: dict[tuple[Formula, int], int] = {}
         self._bounds: dict[tuple[Bound, int], int] = {}
@@ -53,24 +34,20 @@ class ReferenceEncoder:
         for node in walk(root):
             for step in range(latest[node] + 1):
                 self._columns[node, step] = self._column(node, step)
-        self._draft.rows(
-            [0], [self._columns[root, 0]], 1.0, lower=1.0, upper=1.0, kind="root", node=root, step=0
-        )
+        column = self._columns[root, 0]
+        self._draft.rows([0], [column], 1.0, lower=1.0, upper=1.0, kind="root", node=root, step=0)
 
     @singledispatchmethod
     def _column(self, node: Formula, step: int) -> int:
-        raise TypeError(f"no reference encoding is registered for {type(node).__name__}")
+        """The column of an atom; those of other nodes are registered."""
+        encoder, needed = self._atoms.of(node)
+        parts = [self._bound(encoder, bound, step) for bound in needed.bounds]
+        return self._all(parts, node, step) if needed.every else self._any(parts, node, step)
 
     @_column.register
     def _(self, node: Constant, step: int) -> int:
         fixed = float(node.value)
         return int(self._draft.columns(1, lower=fixed, upper=fixed, integer=True)[0])
-
-    @_column.register
-    def _(self, node: Count, step: int) -> int:
-        needed = self._requirement(node)
-        parts = [self._bound(bound, step) for bound in needed.bounds]
-        return self._all(parts, node, step) if needed.every else self._any(parts, node, step)
 
     @_column.register
     def _(self, node: And, step: int) -> int:
@@ -92,91 +69,63 @@ class ReferenceEncoder:
 
     @_column.register
     def _(self, node: Until, step: int) -> int:
-        cases = []
-        for time in range(step + node.low, step + node.high + 1):
-            left = [self._columns[node.left, before] for before in range(step, time)]
-            cases.append(self._all([*left, self._columns[node.right, time]], node, step))
-        return self._any(cases, node, step)
+        cases = self._cases(node, step)
+        return self._any([self._all(case, node, step) for case in cases], node, step)
 
     @_column.register
     def _(self, node: Release, step: int) -> int:
-        cases = []
-        for time in range(step + node.low, step + node.high + 1):
-            left = [self._columns[node.left, before] for before in range(step, time)]
-            cases.append(self._any([*left, self._columns[node.right, time]], node, step))
-        return self._all(cases, node, step)
+        cases = self._cases(node, step)
+        return self._all([self._any(case, node, step) for case in cases], node, step)
 
-    def _bound(self, bound: Bound, step: int) -> int:
+    def _cases(self, node: Until | Release, step: int) -> list[list[int]]:
+        """For each step of the window the right side there and the left side at those before."""
+        left = [self._columns[node.left, time] for time in range(step, step + node.high)]
+        window = range(node.low, node.high + 1)
+        return [[*left[:late], self._columns[node.right, step + late]] for late in window]
+
+    def _bound(self, encoder: AtomEncoder, bound: Bound, step: int) -> int:
         """1 exactly when the bound holds with `rho` to spare, by two rows with derived M."""
         if (bound, step) in self._bounds:
             return self._bounds[bound, step]
         column = int(self._draft.columns(1, upper=1.0, integer=True)[0])
         self._bounds[bound, step] = column
-        states = np.array(bound.states, dtype=np.int64)
-        present, constant = self._network.present(states, bound.capability, step)
-        sign = -1.0 if bound.upper else 1.0
-        most = sum(item.graph.agents for item in self._network.having(bound.capability))
-        # slack = sign * (n - amount) - rho; the column is 1 exactly when slack >= 0
-        shift = sign * (constant - bound.amount)
-        ends = (shift, shift + sign * most)
-        low, high = min(ends) - self._rho_high, max(ends) - self._rho_low
-        members = [*present.tolist(), self._rho, column]
-        values = np.append(np.full(len(present), sign), [-1.0, 0.0])
-        down, up = min(low, 0.0), max(high + 1.0, 0.0)
-        at_least, at_most = values.copy(), values.copy()
-        at_least[-1], at_most[-1] = down, -up
-        self._draft.rows(
-            np.zeros(len(members)), members, at_least, lower=down - shift, upper=np.inf, kind="atom"
-        )
-        self._draft.rows(
-            np.zeros(len(members)), members, at_most, lower=-np.inf, upper=-1.0 - shift, kind="atom"
+        members, factor, constant, low, high = encoder.slack(bound, step)
+        # the column is 1 exactly when slack - rho >= 0, that is: when it is not -1 or less
+        spare = (0, members, factor), (0, self._rho, -1.0)
+        down, up = min(low - self._rho_high, 0.0), max(high - self._rho_low + 1.0, 0.0)
+        self._draft.sums(*spare, (0, column, down), lower=down - constant, kind="atom")
+        self._draft.sums(
+            *spare, (0, column, -up), lower=-np.inf, upper=-1.0 - constant, kind="atom"
         )
         return column
 
     def _all(self, parts: Sequence[int], node: Formula, step: int) -> int:
         """1 exactly when all parts are 1: `z <= each`, `z >= sum - (count - 1)`."""
-        column = int(self._draft.columns(1, upper=1.0, integer=True)[0])
-        self._tie((column, parts), (-np.inf, 0.0), (1.0 - len(parts), np.inf), (node, step))
-        return column
+        return self._tied(parts, (-np.inf, 0.0), (1.0 - len(parts), np.inf), (node, step))
 
     def _any(self, parts: Sequence[int], node: Formula, step: int) -> int:
         """1 exactly when some part is 1: `z >= each`, `z <= sum`."""
-        column = int(self._draft.columns(1, upper=1.0, integer=True)[0])
-        self._tie((column, parts), (0.0, np.inf), (-np.inf, 0.0), (node, step))
-        return column
+        return self._tied(parts, (0.0, np.inf), (-np.inf, 0.0), (node, step))
 
-    def _tie(
+    def _tied(
         self,
-        members: tuple[int, Sequence[int]],
+        parts: Sequence[int],
         single: tuple[float, float],
         total: tuple[float, float],
         place: tuple[Formula, int],
-    ) -> None:
-        """Rows `single[0] <= z - part <= single[1]` and `total[0] <= z - sum <= total[1]`."""
-        (column, parts), (node, step) = members, place
-        count = len(parts)
-        index = np.arange(count)
+    ) -> int:
+        """A column z: `single[0] <= z - part <= single[1]`, `total[0] <= z - sum <= total[1]`."""
+        column, count = int(self._draft.columns(1, upper=1.0, integer=True)[0]), len(parts)
+        # one row for each part, and the last one for their sum
+        index = np.concatenate([np.tile(np.arange(count), 2), np.full(count + 1, count)])
+        members = [*[column] * count, *parts, column, *parts]
+        values = np.repeat([1.0, -1.0, 1.0, -1.0], [count, count, 1, count])
+        lower, upper = ([one] * count + [all_] for one, all_ in zip(single, total, strict=True))
+        node, step = place
         self._draft.rows(
-            np.concatenate([index, index]),
-            np.concatenate([np.full(count, column), np.array(parts, dtype=np.int64)]),
-            np.repeat([1.0, -1.0], count),
-            lower=np.full(count, single[0]),
-            upper=single[1],
-            kind="logic",
-            node=node,
-            step=step,
+            index, members, values, lower=lower, upper=upper, kind="logic", node=node, step=step
         )
-        values = [1.0, *([-1.0] * count)]
-        self._draft.rows(
-            np.zeros(count + 1),
-            [column, *parts],
-            values,
-            lower=total[0],
-            upper=total[1],
-            kind="logic",
-            node=node,
-            step=step,
-        )
+        return column
 
 
 def _latest(root: Formula) -> dict[Formula, int]:
@@ -185,9 +134,7 @@ def _latest(root: Formula) -> dict[Formula, int]:
     latest = dict.fromkeys(order, -1)
     latest[root] = 0
     for node in reversed(order):
-        if latest[node] < 0:
-            continue
-        for child, shift in _reach(node):
+        for child, shift in _reach(node) if latest[node] >= 0 else ():
             latest[child] = max(latest[child], latest[node] + shift)
     return latest
 

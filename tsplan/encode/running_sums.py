@@ -8,26 +8,45 @@ window is then the difference of two. The chain costs columns, so short sums are
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TypeAlias
 
 import numpy as np
 
 from tsplan.milp.model import Draft, Floats, Ints
 
-Terms: TypeAlias = tuple[Ints, Ints, Floats]
-"""Triplets: which sum, which column, and its coefficient."""
+Sums: TypeAlias = tuple[Ints, Ints, Floats]
+"""Terms of several sums: which sum, which column, and its factor."""
 
 _WORTH = 4  # entries written out for each that the chain needs: columns are dearer than entries
+
+
+def unfolded(first: Ints, length: Ints) -> tuple[Ints, Ints]:
+    """Every position of the runs that begin at `first` and are `length` long, and whose it is.
+
+    >>> run, position = unfolded(np.array([5, 0]), np.array([2, 3]))
+    >>> run.tolist(), position.tolist()
+    ([0, 0, 1, 1, 1], [5, 6, 0, 1, 2])
+    """
+    run = np.repeat(np.arange(len(length)), length)
+    return run, np.arange(len(run)) + (first - np.cumsum(length) + length)[run]
+
+
+def chain_pays(written: int, changes: int, sums: int) -> bool:
+    """Whether a chain over so many changes is far shorter than so many entries written out."""
+    return written > _WORTH * (3 * changes + 2 * sums)
 
 
 class RunningSums:
     """Sums of `value * column` over entries at positions; entries may share a position."""
 
-    def __init__(self, position: Ints, column: Ints, value: Floats) -> None:
+    def __init__(
+        self, position: Ints | Sequence[int], column: Ints, value: Floats | float = 1.0
+    ) -> None:
         order = np.argsort(position, kind="stable")
         self._position = np.asarray(position)[order]
         self._column = np.asarray(column)[order]
-        self._value = np.asarray(value, dtype=np.float64)[order]
+        self._value = np.broadcast_to(np.asarray(value, dtype=np.float64), order.shape)[order]
         self.positions, self._place = np.unique(self._position, return_inverse=True)
         self._chain: Ints | None = None
 
@@ -40,41 +59,34 @@ class RunningSums:
         """Whether there are columns of running totals."""
         return self._chain is not None
 
-    def over(self, draft: Draft, low: Ints, high: Ints) -> Terms:
+    def over(self, draft: Draft, low: Ints, high: Ints) -> Sums:
         """The sums over the positions `low[i] .. high[i]`, by a chain where that is far shorter."""
         begin, end = self._runs(low, high)
-        written = int((end - begin).sum())
-        if self._chain is None and written > _WORTH * (3 * len(self._position) + 2 * len(begin)):
+        if chain_pays(int((end - begin).sum()), len(self._position), len(begin)):
             self.chain(draft)
         return self.known(low, high)
 
-    def known(self, low: Ints, high: Ints) -> Terms:
+    def known(self, low: Ints, high: Ints) -> Sums:
         """The same sums with the columns there are."""
         begin, end = self._runs(low, high)
         if self._chain is None:
-            count = end - begin
-            index = np.repeat(np.arange(len(begin)), count)
-            entry = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count - begin, count)
+            index, entry = unfolded(begin, end - begin)
             return index, self._column[entry], self._value[entry]
         last, before = np.flatnonzero(end > begin), np.flatnonzero((end > begin) & (begin > 0))
         return (
             np.concatenate([last, before]),
             self._chain[self._place[np.concatenate([end[last], begin[before]]) - 1]],
-            np.concatenate([np.ones(len(last)), -np.ones(len(before))]),
+            np.repeat([1.0, -1.0], [len(last), len(before)]),
         )
 
     def chain(self, draft: Draft) -> Ints:
         """The running total up to and with each of `positions`, as columns."""
         if self._chain is None:
-            count = len(self.positions)
-            self._chain = draft.columns(count)
-            own, after = np.arange(count), np.arange(1, count)
-            draft.rows(
-                np.concatenate([own, after, self._place]),
-                np.concatenate([self._chain, self._chain[:-1], self._column]),
-                np.concatenate([np.ones(count), -np.ones(len(after)), -self._value]),
-                lower=np.zeros(count),
-                upper=0.0,
+            self._chain = draft.columns(len(self.positions))
+            draft.define(
+                self._chain,
+                (np.arange(1, len(self._chain)), self._chain[:-1], 1.0),
+                (self._place, self._column, self._value),
                 kind="running total",
             )
         return self._chain

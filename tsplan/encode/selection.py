@@ -8,6 +8,7 @@ stands for "always". Which columns exclude each other is told by their ancestry
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
@@ -16,13 +17,14 @@ import numpy as np
 
 from tsplan.encode.exclusion import Lineage, common, exclusive, families
 from tsplan.encode.running_sums import RunningSums
-from tsplan.milp.model import Draft, Ints
+from tsplan.encode.step_runs import ALWAYS, Literal, Span, by_column
+from tsplan.milp.model import INFINITY, Block, Draft, Ints
 
 __all__ = ["ALWAYS", "Choices", "Lineage", "Literal", "Relay", "Timed", "exclusive"]
 
-Literal: TypeAlias = tuple[int, ...]
-ALWAYS: Literal = ()
 Timed: TypeAlias = tuple[Ints, Sequence[int]]  # columns of a choice and the steps they stand for
+
+_WRITTEN = 4  # literals written out for each change of who asks
 
 
 class Relay(NamedTuple):
@@ -61,37 +63,37 @@ class Choices:
         self.relays: list[Relayed] = []
         self.refuted = False
 
-    def choose(self, parent: Literal, steps: Sequence[int], kind: str) -> Ints:
-        """Columns of which exactly one is 1 where `parent` is 1, and none elsewhere.
+    # --- columns ---------------------------------------------------------------------------------
+
+    def choose(
+        self, parent: Literal, steps: Sequence[int], kind: str, *, exactly: bool = True
+    ) -> Ints:
+        """Columns of which exactly one (else: at most one) is 1 where `parent` is, none elsewhere.
 
         There is one for each of `steps`: when what the option stands for begins.
         """
-        columns = self._options(parent, steps, kind, exactly=True)
-        self.groups.append(columns)
-        return columns
-
-    def optional(self, parent: Literal, steps: Sequence[int], kind: str) -> Ints:
-        """Columns of which at most one is 1 where `parent` is 1, and none elsewhere."""
-        columns = self._options(parent, steps, kind, exactly=False)
-        if len(columns) > 1:
-            self.groups.append(columns)
-        return columns
-
-    def _options(self, parent: Literal, steps: Sequence[int], kind: str, *, exactly: bool) -> Ints:
-        columns = self._draft.columns(len(steps), upper=1.0, integer=True)
-        total = 0.0 if parent else 1.0
-        self._draft.rows(
-            np.zeros(len(columns) + len(parent), dtype=np.int64),
-            np.concatenate([columns, _array(parent)]),
-            np.concatenate([np.ones(len(columns)), -np.ones(len(parent))]),
-            lower=total if exactly else -np.inf,
-            upper=total,
-            kind=kind,
-        )
+        columns = self._decided(steps)
+        one = 0.0 if parent else 1.0
+        self._total(columns, parent, one if exactly else -INFINITY, one, kind)
         above = self.lineage(parent)
         for column in columns.tolist():
             self._lineage[column] = {**above, self._count: (column, column)}
         self._count += 1
+        if exactly or len(columns) > 1:
+            self.groups.append(columns)
+        return columns
+
+    def free(self, steps: Sequence[int]) -> Ints:
+        """Columns that exclude nothing: each may be 1 whenever its own sub-formula holds."""
+        columns = self._decided(steps)
+        for column in columns.tolist():
+            self._lineage[column] = {self._count: (column, column)}
+            self._count += 1
+        self._free.update(columns.tolist())
+        return columns
+
+    def _decided(self, steps: Sequence[int]) -> Ints:
+        columns = self._draft.columns(len(steps), upper=1.0, integer=True)
         self.columns += columns.tolist()
         self.steps += steps
         return columns
@@ -106,105 +108,36 @@ class Choices:
         has as many columns as there are times.
         """
         columns = self.choose(tuple(waiting.columns.tolist()), waiting.times.tolist(), kind)
-        ones = np.ones(max(len(columns), len(waiting.columns)))
-        own = RunningSums(waiting.times, columns, ones[: len(columns)])
         place = np.arange(len(waiting.columns))
-        theirs = RunningSums(place, waiting.columns, ones[: len(place)])
+        own, theirs = RunningSums(waiting.times, columns), RunningSums(place, waiting.columns)
         relayed = Relayed(waiting, columns, own, theirs)
         self.relays.append(relayed)
-        self._not_before(relayed, waiting.low, kind)
+        self.not_before(relayed, waiting.low, kind)
         done = np.searchsorted(waiting.times, waiting.high, side="right")
         last = np.append(done[1:] > done[:-1], True) & (done < len(columns))
         self._ahead(own, waiting.high[last], theirs, place[last], kind)
         return columns
 
-    def not_before(self, relayed: Relayed, low: Ints) -> None:
+    def not_before(self, relayed: Relayed, low: Ints, kind: str = "precedence") -> None:
         """The windows of a relay begin no sooner than `low` says, which does not go back either."""
-        self._not_before(relayed, low, "precedence")
-
-    def _not_before(self, relayed: Relayed, low: Ints, kind: str) -> None:
         times = relayed.waiting.times
         begun = np.searchsorted(low, times, side="right")
         # of rows about the same parents the last says most; about all, the choice says it already
         last = np.append(begun[1:] > begun[:-1], True) & (begun < len(low))
         self._ahead(relayed.theirs, begun[last] - 1, relayed.own, times[last], kind)
 
-    def _ahead(
-        self, more: RunningSums, until: Ints, less: RunningSums, to: Ints, kind: str
-    ) -> None:
-        """The total of `more` up to `until[i]` is at least that of `less` up to `to[i]`."""
-        if not len(until):
-            return
-        lowest = np.full(len(until), -1)
-        index, columns, values = more.over(self._draft, lowest, until)
-        other, taken, amounts = less.over(self._draft, lowest, to)
-        self._draft.rows(
-            np.concatenate([index, other]),
-            np.concatenate([columns, taken]),
-            np.concatenate([values, -amounts]),
-            lower=np.zeros(len(until)),
-            upper=np.inf,
-            kind=kind,
-        )
+    def running(self, changes: RunningSums, above: Sequence[int]) -> list[Span]:
+        """The totals of `changes`, each as a literal for as long as it lasts.
 
-    def free(self, steps: Sequence[int]) -> Ints:
-        """Columns that exclude nothing: each may be 1 whenever its own sub-formula holds."""
-        columns = self._draft.columns(len(steps), upper=1.0, integer=True)
-        for column in columns.tolist():
-            self._lineage[column] = {self._count: (column, column)}
-            self._free.add(column)
-            self._count += 1
-        self.columns += columns.tolist()
-        self.steps += steps
-        return columns
-
-    def cover(self, columns: Ints, parent: Literal, kind: str) -> None:
-        """At least one of `columns` is 1 where `parent` is 1."""
-        self._draft.rows(
-            np.zeros(len(columns) + len(parent), dtype=np.int64),
-            np.concatenate([columns, _array(parent)]),
-            np.concatenate([np.ones(len(columns)), -np.ones(len(parent))]),
-            lower=0.0 if parent else 1.0,
-            upper=np.inf,
-            kind=kind,
-        )
-
-    def cover_windows(
-        self, timed: Timed, windows: tuple[Ints, Ints], parents: Sequence[Literal], kind: str
-    ) -> None:
-        """At least one column of each window of times is 1 where its parent is 1."""
-        columns, times = timed
-        sums = RunningSums(np.asarray(times), columns, np.ones(len(columns)))
-        index, members, values = sums.over(self._draft, *windows)
-        above = [column for parent in parents for column in parent]
-        which = np.repeat(np.arange(len(parents)), [len(parent) for parent in parents])
-        self._draft.rows(
-            np.concatenate([index, which]),
-            np.concatenate([members, np.array(above, dtype=np.int64)]),
-            np.concatenate([values, -np.ones(len(above))]),
-            lower=np.array([0.0 if parent else 1.0 for parent in parents]),
-            upper=np.inf,
-            kind=kind,
-        )
-
-    def follow(self, before: Timed, after: Timed, gap: int, kind: str) -> None:
-        """The witness of `after` comes at most `gap` steps later than that of `before`."""
-        (earlier, first), (later, second) = before, after
-        done = RunningSums(np.asarray(second), later, np.ones(len(later)))
-        begun = RunningSums(np.asarray(first), earlier, np.ones(len(earlier)))
-        self._ahead(done, np.asarray(first) + gap, begun, np.asarray(first), kind)
-
-    def running(self, changes: RunningSums, above: Sequence[int]) -> Ints:
-        """A column for every total of `changes`, which is 1 while one of `above` is at work.
-
-        These columns may be parents of others, but nothing is decided by them.
+        A total is 1 while one of `above` is at work, and 0 otherwise. Its column may be a parent
+        of others, but nothing is decided by it.
         """
-        totals = changes.chain(self._draft)
-        lineage = common(self._lineage[column] for column in above)
-        for column in totals.tolist():
-            self._lineage[column] = lineage
-            self._free.add(column)
-        return totals
+        totals = changes.chain(self._draft).tolist()
+        self._lineage |= dict.fromkeys(totals, self.lineage(above))
+        self._free.update(totals)
+        first = changes.positions.tolist()
+        runs = zip(first, first[1:], totals, strict=False)
+        return [Span(begin, after - 1, (total,)) for begin, after, total in runs]
 
     def waiting(
         self, asked: Mapping[int, Sequence[Literal]], ends: Mapping[int, int], kind: str
@@ -216,29 +149,65 @@ class Choices:
         """
         steps = range(min(asked), max(ends, default=min(asked)))
         columns = self._draft.columns(len(steps), upper=1.0).tolist()
-        rows: list[tuple[list[int], list[int]]] = []  # what is at least what, for one row each
-        for place, (step, column) in enumerate(zip(steps, columns, strict=True)):
+        rows = Block(kind)
+        before: Sequence[Literal] = ()
+        for step, column in zip(steps, columns, strict=True):
             more = [column, ends[step]] if step in ends else [column]
-            before = [[columns[place - 1]]] if place else []
-            rows += [(more, list(less)) for less in (*before, *asked.get(step, ()))]
-            self._lineage[column] = {}
-            self._free.add(column)
-        index = [row for row, (more, less) in enumerate(rows) for _ in (*more, *less)]
-        members = [column for more, less in rows for column in (*more, *less)]
-        signs = [sign for more, less in rows for sign in [1.0] * len(more) + [-1.0] * len(less)]
-        lower = np.array([0.0 if less else 1.0 for _, less in rows])
-        self._draft.rows(index, members, np.array(signs), lower=lower, upper=np.inf, kind=kind)
+            for less in (*before, *asked.get(step, ())):
+                rows.add((0, more, 1.0), (0, less, -1.0), lower=0.0 if less else 1.0)
+            before = [(column,)]
+        rows.write(self._draft)
+        self._lineage |= {column: {} for column in columns}
+        self._free.update(columns)
         return list(zip(steps, columns, strict=True))
+
+    # --- rows ------------------------------------------------------------------------------------
+
+    def _total(self, columns: Ints, parent: Literal, lower: float, upper: float, kind: str) -> None:
+        """Bounds on the sum of `columns` less the parent."""
+        terms = (0, columns, 1.0), (0, parent, -1.0)
+        self._draft.sums(*terms, lower=lower, upper=upper, kind=kind)
+
+    def cover(self, columns: Ints, parent: Literal, kind: str) -> None:
+        """At least one of `columns` is 1 where `parent` is 1."""
+        self._total(columns, parent, 0.0 if parent else 1.0, INFINITY, kind)
+
+    def cover_windows(
+        self, timed: Timed, windows: tuple[Ints, Ints], parents: Sequence[Literal], kind: str
+    ) -> None:
+        """At least one column of each window of times is 1 where its parent is 1."""
+        columns, times = timed
+        sums = RunningSums(times, columns).over(self._draft, *windows)
+        lower = np.array([0.0 if parent else 1.0 for parent in parents])
+        self._draft.sums(sums, less(parents), lower=lower, kind=kind)
+
+    def follow(self, before: Timed, after: Timed, gap: int, kind: str) -> None:
+        """The witness of `after` comes at most `gap` steps later than that of `before`."""
+        (earlier, first), (later, second) = before, after
+        begun, done = RunningSums(first, earlier), RunningSums(second, later)
+        self._ahead(done, np.asarray(first) + gap, begun, np.asarray(first), kind)
+
+    def _ahead(
+        self, more: RunningSums, until: Ints, less: RunningSums, to: Ints, kind: str
+    ) -> None:
+        """The total of `more` up to `until[i]` is at least that of `less` up to `to[i]`."""
+        if not len(until):
+            return
+        lowest = np.full(len(until), -1)
+        ahead = more.over(self._draft, lowest, until)
+        index, columns, values = less.over(self._draft, lowest, to)
+        self._draft.sums(ahead, (index, columns, -values), count=len(until), kind=kind)
 
     def refute(self, literal: Literal, kind: str) -> None:
         """The literal cannot be 1; an impossible `ALWAYS` refutes the whole problem."""
-        if not literal:
+        if literal:
+            self._draft.sums((0, literal, 1.0), upper=0.0, kind=kind)
+        else:
             self.refuted = True
-            return
-        zeros = np.zeros(len(literal), dtype=np.int64)
-        self._draft.rows(zeros, _array(literal), 1.0, lower=0.0, upper=0.0, kind=kind)
 
-    def lineage(self, literal: Literal) -> Lineage:
+    # --- ancestry --------------------------------------------------------------------------------
+
+    def lineage(self, literal: Iterable[int]) -> Lineage:
         """Choices that all columns of a literal descend from, with the options they came by."""
         return common(self._lineage[column] for column in literal)
 
@@ -267,6 +236,49 @@ class Choices:
         columns = {column for literal in unique for column in literal}
         return [tuple(family) for family in self.families(columns)]
 
+    def by_step(self, spans: Sequence[Span]) -> list[tuple[int, Literal]]:
+        """Every step with each of its literals, exclusive ones added up; steps are in order.
 
-def _array(literal: Literal) -> Ints:
-    return np.array(literal, dtype=np.int64)
+        Where the literals of all steps together would be far longer than the list of who begins
+        and ends, each family of exclusive columns has a column for its running total instead.
+        """
+        if not spans:
+            return []
+        written = sum((last - first + 1) * len(literal) for first, last, literal in spans)
+        changes = sum(len(literal) for _, _, literal in spans)
+        steps = max(span.last for span in spans) - min(span.first for span in spans) + 1
+        long = written > _WRITTEN * (2 * changes + 3 * steps)
+        found: dict[int, list[Literal]] = defaultdict(list)
+        for first, last, literal in self._as_totals(spans) if long else spans:
+            for step in range(first, last + 1):
+                found[step].append(literal)
+        return [
+            (step, literal)
+            for step in sorted(found)
+            for literal in (found[step] if long else self.merged(found[step]))
+        ]
+
+    def _as_totals(self, spans: Sequence[Span]) -> list[Span]:
+        """The spans by `ALWAYS`, and for each family of exclusive columns its running totals."""
+        asked = by_column(spans)
+        found = asked.pop(ALWAYS, [])
+        for family in self.families(column for (column,) in asked):
+            mine = [span for column in family for span in asked[(column,)]]
+            if len(mine) == 1:
+                found += mine
+                continue
+            first, last, columns = np.array([(*ends, column) for *ends, (column,) in mine]).T
+            ends = np.concatenate([first, last + 1])
+            changes = RunningSums(ends, np.tile(columns, 2), np.repeat([1.0, -1.0], len(mine)))
+            totals = self.running(changes, columns.tolist())
+            at = np.array([span.first for span in totals])
+            busy = np.searchsorted(np.sort(first), at, "right") > np.searchsorted(np.sort(last), at)
+            found += [span for span, some in zip(totals, busy.tolist(), strict=True) if some]
+        return found
+
+
+def less(literals: Sequence[Literal]) -> tuple[Ints, Ints, float]:
+    """The terms that take a literal each from as many rows."""
+    index = np.repeat(np.arange(len(literals)), [len(literal) for literal in literals])
+    columns = [column for literal in literals for column in literal]
+    return index, np.array(columns, dtype=np.int64), -1.0

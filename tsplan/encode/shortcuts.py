@@ -23,7 +23,7 @@ import numpy as np
 
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.milp.model import Bools, Ints
-from tsplan.search.clock import Clock
+from tsplan.stopping import Deadline
 from tsplan.ts.reachability import Lengths, quickest
 
 _CROWDED = 40  # states for each goal below which searches nearby are faster than compiled code
@@ -54,7 +54,7 @@ class _Moves:
 
 
 def shortcuts(
-    graph: ClassGraph, kept: Kept, longest: float, clock: Clock
+    graph: ClassGraph, kept: Kept, longest: float, clock: Deadline
 ) -> tuple[Ints, Ints, list[Ints]]:
     """Tails, heads and ways (edges in order) of all shortcuts that take at most `longest` steps.
 

@@ -10,15 +10,15 @@ until then is asked of every option for as long as it takes. Where that would be
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from tsplan.encode.encoder_rules import Asker, sorted_out
 from tsplan.encode.running_sums import RunningSums
 from tsplan.encode.selection import Literal
-from tsplan.encode.step_runs import Span, stretches
-from tsplan.logic import Formula, Release, Until
+from tsplan.encode.step_runs import Span, steps_of
+from tsplan.logic import Release, Until
 from tsplan.milp.model import Ints
 
 _COPIES = 4  # columns of single choices for each of a common one
@@ -27,42 +27,41 @@ _FEW = 2000  # columns of single choices that are never too many: they make the 
 
 def until(asker: Asker, node: Until, spans: Sequence[Span]) -> None:
     """Require an until: the right side at a step of the window, the left side before it."""
-    rest: list[tuple[int, Literal]] = []
+    rest: list[Span] = []
     for family, again in _groups(asker, spans):
-        steps = np.array([step for step, _ in family], dtype=np.int64)
-        last = np.array([_last_change(asker, node, step) for step, _ in family], dtype=np.int64)
-        window = np.stack([steps + node.low, last], axis=1)
+        lost = [asker.outlook.first_impossible(node.left, span.first) for span in family]
+        begun = np.array([span.first for span in family])
+        window = np.stack([begun + node.low, np.minimum(begun + node.high, lost)], axis=1)
         if _few(window) or len(family) == 1:
             rest += family
         elif again:
             _shared_until(asker, node, family, window)
         else:
-            _relayed_until(asker, node, [Span(s, s, literal) for s, literal in family], window)
-    for step, literal in rest:
-        low, high = step + node.low, _last_change(asker, node, step)
-        times = [t for t in range(low, high + 1) if asker.outlook.possible(node.right, t)]
+            _relayed_until(asker, node, family, window)
+    for step, _, literal in rest:
+        last = min(step + node.high, asker.outlook.first_impossible(node.left, step))
+        times = asker.times(node.right, [(step + node.low, last)])
         for time, option in zip(times, asker.options(literal, times, "until"), strict=True):
             asker.ask(node.right, Span(time, time, option))
             if time > step:
                 asker.ask(node.left, Span(step, time - 1, option))
 
 
-def _groups(asker: Asker, spans: Sequence[Span]) -> list[tuple[list[tuple[int, Literal]], bool]]:
-    """Requests by step: of families that exclude each other, and of columns that ask again."""
+def _groups(asker: Asker, spans: Sequence[Span]) -> list[tuple[list[Span], bool]]:
+    """Requests of single steps: families that exclude each other, and of columns that ask again."""
     once, again = sorted_out(spans)
     single = []
     for family in asker.families(once):
         merged: dict[int, Literal] = {}
         for step, _, literal in family:
             merged[step] = merged.get(step, ()) + literal
-        single.append(list(merged.items()))
-    repeated = asker.each([span for runs in again.values() for span in runs])
-    return [*((family, False) for family in single), *([(repeated, True)] if repeated else [])]
+        single.append((_at(merged.items()), False))
+    repeated = _at(asker.choices.by_step([span for runs in again.values() for span in runs]))
+    return [*single, *([(repeated, True)] if repeated else [])]
 
 
-def _last_change(asker: Asker, node: Until, step: int) -> int:
-    """The last step at which the left side of an until may give way."""
-    return min(step + node.high, asker.outlook.first_impossible(node.left, step))
+def _at(requests: Iterable[tuple[int, Literal]]) -> list[Span]:
+    return [Span(step, step, literal) for step, literal in requests]
 
 
 def _few(window: Ints) -> bool:
@@ -74,19 +73,11 @@ def _few(window: Ints) -> bool:
 
 def _relayed_until(asker: Asker, node: Until, family: Sequence[Span], window: Ints) -> None:
     """One change-over for a family; who has begun and not changed needs the left side."""
-    chosen = asker.relayed(family, window, _times(asker, node.right, window), "until")
-    for time, option in chosen:
-        asker.ask(node.right, Span(time, time, option))
-    if chosen:
-        begun = [(span.first, span.literal) for span in family]
-        for span in _between(asker, begun, chosen):
-            asker.ask(node.left, span)
-
-
-def _times(asker: Asker, node: Formula, window: Ints) -> list[int]:
-    """The steps of the windows at which a formula may hold."""
-    runs = [(low, high) for low, high in window.tolist() if low <= high]
-    return [time for time in asker.union(runs) if asker.outlook.possible(node, time)]
+    times = asker.times(node.right, window.tolist())
+    chosen = asker.relayed(family, window, times, "until")
+    asker.ask_at(node.right, chosen)
+    for span in _between(asker, [(span.first, span.literal) for span in family], chosen):
+        asker.ask(node.left, span)
 
 
 def _between(
@@ -95,55 +86,49 @@ def _between(
     ended: Sequence[tuple[int, Literal]],
 ) -> list[Span]:
     """Literals of those that have begun and not ended, and how long each is that."""
-    entries = [(step, column, 1.0) for step, literal in begun for column in literal]
-    entries += [(step, column, -1.0) for step, literal in ended for column in literal]
-    step, column, sign = (np.array(part) for part in zip(*entries, strict=True))
+    if not ended:
+        return []
+    entries = [(step, column, 1) for step, literal in begun for column in literal]
+    entries += [(step, column, -1) for step, literal in ended for column in literal]
+    step, column, sign = np.array(entries).T
     above = [column for _, literal in begun for column in literal]
-    return stretches(RunningSums(step, column, sign), above, asker.choices)
+    return asker.choices.running(RunningSums(step, column, sign), above)
 
 
-def _shared_until(
-    asker: Asker, node: Until, family: Sequence[tuple[int, Literal]], window: Ints
-) -> None:
+def _shared_until(asker: Asker, node: Until, family: Sequence[Span], window: Ints) -> None:
     """Change-overs for all requests: the first in a window ends every request that waits for one.
 
     Who waits at a step is a column of its own: whose window begins there, or who waited at the step
     before, and finds no change-over.
     """
-    times = _times(asker, node.right, window)
-    columns = asker.choices.free(times)
-    literals = [literal for _, literal in family]
-    asker.choices.cover_windows((columns, times), (window[:, 0], window[:, 1]), literals, "until")
-    for time, column in zip(times, columns.tolist(), strict=True):
-        asker.ask(node.right, Span(time, time, (column,)))
+    requests = [(span.first, span.literal) for span in family]
+    changes = asker.shared(node.right, requests, window, "until")
     asked: dict[int, list[Literal]] = {}
-    for step, literal in family:
+    for step, literal in requests:
         if node.low:
             asker.ask(node.left, Span(step, step + node.low - 1, literal))
         asked.setdefault(step + node.low, []).append(literal)
-    changes = dict(zip(times, columns.tolist(), strict=True))
-    for step, column in asker.choices.waiting(asked, changes, "until"):
-        asker.ask(node.left, Span(step, step, (column,)))
+    waiting = asker.choices.waiting(asked, changes, "until")
+    asker.ask_at(node.left, [(step, (column,)) for step, column in waiting])
 
 
 def release(asker: Asker, node: Release, spans: Sequence[Span]) -> None:
     """Require a release: the right side throughout the window, or up to a step of the left side."""
-    rest: list[tuple[int, Literal]] = []
+    rest: list[Span] = []
     for family, again in _groups(asker, spans):
-        steps = np.array([step for step, _ in family], dtype=np.int64)
-        window = np.stack([steps, steps + node.high], axis=1)
+        begun = np.array([span.first for span in family])
+        window = np.stack([begun, begun + node.high], axis=1)
         if _few(window) or len(family) == 1 or again:
             rest += family
         else:
-            _relayed_release(asker, node, [Span(s, s, literal) for s, literal in family], window)
-    for step, literal in rest:
+            _relayed_release(asker, node, family, window)
+    for step, _, literal in rest:
         first, last = step + node.low, step + node.high
         held = min(last, asker.outlook.first_impossible(node.right, first))
-        times = [t for t in range(step, held) if asker.outlook.possible(node.left, t)]
+        times = asker.times(node.left, [(step, held - 1)])
         never = [last] if asker.outlook.possible_throughout(node.right, first, last) else []
         options = asker.options(literal, times + never, "release")
-        for time, option in zip(times, options, strict=False):
-            asker.ask(node.left, Span(time, time, option))
+        asker.ask_at(node.left, zip(times, options, strict=False))
         for time, option in zip(times + never, options, strict=True):
             if time >= first:
                 asker.ask(node.right, Span(first, time, option))
@@ -154,9 +139,7 @@ def _relayed_release(asker: Asker, node: Release, family: Sequence[Span], window
 
     Held ends are releases by the left side, or the last step of a window without one.
     """
-    late = family
-    if node.low:
-        late = _released_early(asker, node, family, window)
+    late = _not_released_early(asker, node, family, window) if node.low else family
     lost = [asker.outlook.first_impossible(node.right, s.first + node.low) - 1 for s in late]
     held = np.stack([window[:, 0] + node.low, np.minimum(window[:, 1], lost)], axis=1)
     unreleased: dict[int, Literal] = {}
@@ -164,8 +147,8 @@ def _relayed_release(asker: Asker, node: Release, family: Sequence[Span], window
         unreleased[end] = unreleased.get(end, ()) + span.literal
     latest = int(window[:, 1].max())  # a release at the very end of a window changes nothing
     runs = [(low, high) for low, high in held.tolist() if low <= high]
-    able = {t for t in asker.union(runs) if t < latest and asker.outlook.possible(node.left, t)}
-    times = sorted(able | (set(asker.union(runs)) & unreleased.keys()))
+    able = {time for time in asker.times(node.left, runs) if time < latest}
+    times = sorted(able | (set(steps_of(runs).tolist()) & unreleased.keys()))
     chosen = asker.relayed(late, held, times, "release")
     for time, option in chosen:
         released = option
@@ -176,13 +159,12 @@ def _relayed_release(asker: Asker, node: Release, family: Sequence[Span], window
             released = both[0] if both else ()
         if released:
             asker.ask(node.left, Span(time, time, released))
-    if chosen:
-        begun = [(span.first + node.low, span.literal) for span in late]
-        for span in _between(asker, begun, [(time + 1, option) for time, option in chosen]):
-            asker.ask(node.right, span)
+    begun = [(span.first + node.low, span.literal) for span in late]
+    for span in _between(asker, begun, [(time + 1, option) for time, option in chosen]):
+        asker.ask(node.right, span)
 
 
-def _released_early(
+def _not_released_early(
     asker: Asker, node: Release, family: Sequence[Span], window: Ints
 ) -> list[Span]:
     """Let some be released before the right side is needed; literals of those that are not."""
@@ -192,7 +174,6 @@ def _released_early(
         early.append(Span(first, last, options[0]))
         late.append(Span(first, last, options[1]))
     before = np.stack([window[:, 0], window[:, 0] + node.low - 1], axis=1)
-    times = _times(asker, node.left, before)
-    for time, option in asker.relayed(early, before, times, "release"):
-        asker.ask(node.left, Span(time, time, option))
+    times = asker.times(node.left, before.tolist())
+    asker.ask_at(node.left, asker.relayed(early, before, times, "release"))
     return late

@@ -19,23 +19,14 @@ from this step to that, under this literal, at least (at most) so many agents he
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import singledispatchmethod
 from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.encode.count_atoms import Requirement
-from tsplan.encode.encoder_rules import (
-    Asker,
-    Cover,
-    Demand,
-    Lasting,
-    Visit,
-    Witnesses,
-    sorted_out,
-)
+from tsplan.encode.encoder_rules import Asker, Cover, Demand, Witnesses, sorted_out
 from tsplan.encode.robustness_bound import Outlook
 from tsplan.encode.selection import ALWAYS, Choices, Literal, Timed
 from tsplan.encode.step_runs import Span, joined
@@ -44,7 +35,6 @@ from tsplan.logic import (
     Always,
     And,
     Constant,
-    Count,
     Eventually,
     Formula,
     Or,
@@ -54,7 +44,7 @@ from tsplan.logic import (
 )
 from tsplan.milp.model import Draft, Ints
 
-__all__ = ["Cover", "Demand", "Lasting", "Request", "Visit", "Ways", "WitnessEncoder", "Witnesses"]
+__all__ = ["Cover", "Demand", "Request", "Ways", "WitnessEncoder", "Witnesses"]
 
 Request: TypeAlias = tuple[Formula, int, Literal]
 """A formula that must hold at a step where a literal is 1."""
@@ -74,16 +64,10 @@ class Ways:
 class WitnessEncoder(Asker):
     """Hands requirements from the root of a formula down to its atoms."""
 
-    def __init__(
-        self,
-        draft: Draft,
-        outlook: Outlook,
-        requirement: Callable[[Count], Requirement],
-        ways: Ways = Ways(),
-    ) -> None:
+    def __init__(self, draft: Draft, outlook: Outlook, ways: Ways = Ways()) -> None:
         super().__init__(Choices(draft), outlook)
         self._ways = ways
-        self._requirement = requirement
+        self._atoms = outlook.atoms
         self.result = Witnesses(self.choices)
 
     def encode(self, root: Formula) -> Witnesses:
@@ -103,24 +87,22 @@ class WitnessEncoder(Asker):
 
     @singledispatchmethod
     def _pass_on(self, node: Formula, spans: list[Span]) -> None:
-        raise TypeError(f"no tight encoding is registered for {type(node).__name__}")
+        """What is asked of an atom; other nodes are registered."""
+        encoder, needed = self._atoms.of(node)
+        if needed.every:
+            for span in spans:
+                self.result.lasting += [Demand(bound, *span) for bound in needed.bounds]
+            return
+        best = [(bound, encoder.best(bound)) for bound in needed.bounds]
+        for step, literal in self.choices.by_step(spans):
+            able = [bound for bound, most in best if self.outlook.within_reach(most, step)]
+            options = self.options(literal, [step] * len(able), "some state")
+            for bound, option in zip(able, options, strict=True):
+                self.result.lasting.append(Demand(bound, step, step, option))
 
     @_pass_on.register
     def _(self, node: Constant, spans: list[Span]) -> None:
         """True asks for nothing; false was refuted when it was asked for."""
-
-    @_pass_on.register
-    def _(self, node: Count, spans: list[Span]) -> None:
-        needed = self._requirement(node)
-        if needed.every:
-            for span in spans:
-                self.result.lasting += [Lasting(bound, *span) for bound in needed.bounds]
-            return
-        for step, literal in self.each(spans):
-            able = [b for b in needed.bounds if self.outlook.within_reach(b, step)]
-            options = self.options(literal, [step] * len(able), "some state")
-            for bound, option in zip(able, options, strict=True):
-                self.result.lasting.append(Lasting(bound, step, step, option))
 
     @_pass_on.register
     def _(self, node: And, spans: list[Span]) -> None:
@@ -135,7 +117,7 @@ class WitnessEncoder(Asker):
 
     @_pass_on.register
     def _(self, node: Or, spans: list[Span]) -> None:
-        for step, literal in self.each(spans):
+        for step, literal in self.choices.by_step(spans):
             able = [child for child in node.children if self.outlook.possible(child, step)]
             options = self.options(literal, [step] * len(able), "or")
             for child, option in zip(able, options, strict=True):
@@ -144,64 +126,47 @@ class WitnessEncoder(Asker):
     @_pass_on.register
     def _(self, node: Eventually, spans: list[Span]) -> None:
         once, again = sorted_out(spans)
+        repeated = [span for runs in again.values() for span in runs]
         if self._ways.chain and len(again) <= _CHAINS:
             for literal, runs in again.items():
                 self._chain(node, literal, runs)
         elif (self._ways.share or self._ways.chain) and again:
-            self._share(node, [span for runs in again.values() for span in runs])
+            self._share(node, repeated)
         elif again:
-            rest = [*once, *(span for runs in again.values() for span in runs)]
-            for step, literal in self.each(rest):
-                self._witness(node.child, literal, self._times(node, step), "eventually")
+            for step, literal in self.choices.by_step([*once, *repeated]):
+                times = self.times(node.child, [(step + node.low, step + node.high)])
+                options = self.options(literal, times, "eventually")
+                self.ask_at(node.child, zip(times, options, strict=True))
             return
         for family in self.families(once):
             window = np.array([(s.first + node.low, s.first + node.high) for s in family])
             if not self._visited(node.child, family, window):
-                self._eventually(node, family, window)
-
-    def _eventually(self, node: Eventually, family: Sequence[Span], window: Ints) -> None:
-        """One witness for a family of requests, each in a window of its own."""
-        possible = self.outlook.possible
-        times = [time for time in self.union(window.tolist()) if possible(node.child, time)]
-        for time, option in self.relayed(family, window, times, "eventually"):
-            self.ask(node.child, Span(time, time, option))
+                times = self.times(node.child, window.tolist())
+                self.ask_at(node.child, self.relayed(family, window, times, "eventually"))
 
     def _visited(self, child: Formula, family: Sequence[Span], window: Ints) -> bool:
         """Require one agent to be somewhere in a window, if that is all that is wanted."""
-        if not self._ways.visits or not isinstance(child, Count) or (window != window[0]).any():
+        if not self._ways.visits or child not in self._atoms or (window != window[0]).any():
             return False
-        needed = self._requirement(child)
-        if not needed.every or any(b.upper or b.amount != 1 for b in needed.bounds):
-            return False
-        if len(needed.bounds) > 1:  # at several places at the same step
-            return False
-        literal = tuple(column for span in family for column in span.literal)
-        first, last = window[0].tolist()
-        self.result.visits.append(Visit(needed.bounds[0], first, last, literal))
-        return True
-
-    def _witness(self, child: Formula, literal: Literal, times: Sequence[int], kind: str) -> None:
-        options = self.options(literal, times, kind)
-        for time, option in zip(times, options, strict=True):
-            self.ask(child, Span(time, time, option))
+        bound = self._atoms.of(child)[1].visit
+        if bound is not None:
+            literal = tuple(column for span in family for column in span.literal)
+            first, last = window[0].tolist()
+            self.result.visits.append(Demand(bound, first, last, literal))
+        return bound is not None
 
     def _share(self, node: Eventually, spans: list[Span]) -> None:
         """Witnesses shared between windows: a free column per step at which the child may hold."""
-        asked = self.each(joined(spans))
-        runs = [(first + node.low, last + node.high) for first, last, _ in spans]
-        times = [t for t in self.union(runs) if self.outlook.possible(node.child, t)]
-        columns = self.choices.free(times)
-        steps = np.array([step for step, _ in asked], dtype=np.int64)
-        windows = steps + node.low, steps + node.high
+        asked = self.choices.by_step(joined(spans))
+        window = np.array([(step + node.low, step + node.high) for step, _ in asked])
+        shared = self.shared(node.child, asked, window, "eventually")
+        times, columns = np.array(list(shared.items()), dtype=np.int64).reshape(-1, 2).T
+        begin = np.searchsorted(times, window[:, 0], side="left").tolist()
+        end = np.searchsorted(times, window[:, 1], side="right").tolist()
         literals = [literal for _, literal in asked]
-        self.choices.cover_windows((columns, times), windows, literals, "eventually")
-        begin = np.searchsorted(times, windows[0], side="left").tolist()
-        end = np.searchsorted(times, windows[1], side="right").tolist()
         self.result.covers += [
             Cover(columns, *place) for place in zip(begin, end, literals, strict=True)
         ]
-        for time, column in zip(times, columns.tolist(), strict=True):
-            self.ask(node.child, Span(time, time, (column,)))
 
     def _chain(self, node: Eventually, literal: Literal, runs: Sequence[Span]) -> None:
         """As few witnesses as can cover the windows of all steps, each no later than it must be."""
@@ -213,8 +178,7 @@ class WitnessEncoder(Asker):
         for link in range(links):
             earliest = max(begin, end - (links - 1 - link) * length)
             latest = min(end + length - 1, begin + (link + 1) * length - 1)
-            span = range(earliest, latest + 1)
-            times = [time for time in span if self.outlook.possible(node.child, time)]
+            times = self.times(node.child, [(earliest, latest)])
             if not times:
                 self.choices.refute(literal, "chain")
                 return
@@ -222,12 +186,9 @@ class WitnessEncoder(Asker):
             if former is not None:
                 self.choices.follow(former, (columns, times), length, "chain")
             former = (columns, times)
-            for time, column in zip(times, columns.tolist(), strict=True):
-                self.ask(node.child, Span(time, time, (column,)))
-
-    def _times(self, node: Eventually, step: int) -> list[int]:
-        span = range(step + node.low, step + node.high + 1)
-        return [time for time in span if self.outlook.possible(node.child, time)]
+            self.ask_at(
+                node.child, [(t, (c,)) for t, c in zip(times, columns.tolist(), strict=True)]
+            )
 
     @_pass_on.register
     def _(self, node: Until, spans: list[Span]) -> None:

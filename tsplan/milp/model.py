@@ -19,6 +19,9 @@ Floats: TypeAlias = npt.NDArray[np.float64]
 Ints: TypeAlias = npt.NDArray[np.int64]
 Bools: TypeAlias = npt.NDArray[np.bool_]
 
+Terms: TypeAlias = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
+"""Entries of rows: the rows' numbers, columns and factors; one number stands for many."""
+
 INFINITY = float("inf")
 
 _Block: TypeAlias = tuple[npt.NDArray[Any], ...]
@@ -86,14 +89,20 @@ class Model:
 
     def with_row(self, coefficients: Floats, lower: float, upper: float, kind: str) -> Model:
         """The model and one more row, given densely: `lower <= coefficients @ x <= upper`."""
-        row = sparse.csr_array(coefficients.reshape(1, -1))
-        count = self.matrix.shape[0]
+        return self.with_rows(sparse.csr_array(coefficients.reshape(1, -1)), lower, upper, kind)
+
+    def with_rows(
+        self, rows: sparse.csr_array, lower: npt.ArrayLike, upper: npt.ArrayLike, kind: str
+    ) -> Model:
+        """The model and more rows `lower <= rows @ x <= upper`; bounds are scalars or arrays."""
+        count, more = self.matrix.shape[0], rows.shape[0]
+        low, high = _spread((lower, upper), more)
         return replace(
             self,
-            matrix=sparse.csr_array(sparse.vstack([self.matrix, row], format="csr")),
-            row_lower=np.append(self.row_lower, lower),
-            row_upper=np.append(self.row_upper, upper),
-            tags=(*self.tags, Tag(kind, count, count + 1)),
+            matrix=sparse.csr_array(sparse.vstack([self.matrix, rows], format="csr")),
+            row_lower=np.append(self.row_lower, low),
+            row_upper=np.append(self.row_upper, high),
+            tags=(*self.tags, Tag(kind, count, count + more)),
         )
 
     def violation(self, values: Floats) -> float:
@@ -172,6 +181,41 @@ class Draft:
         self._tags.append(Tag(kind, self.row_count, self.row_count + count, node, step))
         self.row_count += count
 
+    def sums(
+        self,
+        *terms: Terms,
+        kind: str,
+        lower: npt.ArrayLike = 0.0,
+        upper: npt.ArrayLike = INFINITY,
+        count: int = 1,
+    ) -> None:
+        """Add rows `lower <= sum of the terms <= upper`.
+
+        There are as many as there are bounds, or `count` where both bounds are single numbers.
+
+        >>> draft = Draft()
+        >>> x, y = draft.columns(3), draft.columns(1)
+        >>> draft.sums((range(3), x, 1.0), (range(3), y[0], -1.0), count=3, kind="x >= y")
+        >>> draft.build().matrix.toarray()[2].tolist()
+        [0.0, 0.0, 1.0, -1.0]
+        """
+        low = np.full(count, lower) if np.ndim(lower) == np.ndim(upper) == 0 else lower
+        self.rows(*joined_terms(terms), lower=low, upper=upper, kind=kind)
+
+    def define(
+        self, columns: Ints, *terms: Terms, kind: str, constant: npt.ArrayLike = 0.0
+    ) -> None:
+        """Add rows that make `columns[i]` the sum of the terms of row i, and the constant."""
+        index, members, factors = joined_terms(terms)
+        self.sums(
+            (np.arange(len(columns)), columns, 1.0),
+            (index, members, -factors),
+            lower=constant,
+            upper=constant,
+            count=len(columns),
+            kind=kind,
+        )
+
     def _grow(self, columns: int, entries: int) -> None:
         self.column_count += columns
         self.entry_count += entries
@@ -197,24 +241,30 @@ class Block:
     def __init__(self, kind: str) -> None:
         self._kind = kind
         self._count = 0
-        self._pieces: list[_Block] = []
+        self._pieces: list[Terms] = []
         self._lower: list[Floats] = []
 
-    def add(
-        self, index: npt.ArrayLike, column: npt.ArrayLike, value: Floats, lower: Floats
-    ) -> None:
-        """More rows as triplets; `index` counts from 0 within the piece."""
-        rows = np.asarray(index, dtype=np.int64) + self._count
-        self._pieces.append((rows, np.asarray(column, dtype=np.int64), value))
-        self._lower.append(lower)
-        self._count += len(lower)
+    def add(self, *terms: Terms, lower: npt.ArrayLike) -> None:
+        """More rows, one for each number of `lower`; the terms' rows count from 0 here."""
+        index, columns, factors = joined_terms(terms)
+        self._pieces.append((index + self._count, columns, factors))
+        self._lower.append(np.atleast_1d(np.asarray(lower, dtype=np.float64)))
+        self._count += len(self._lower[-1])
 
     def write(self, draft: Draft) -> None:
         """Draft the rows collected so far."""
         if self._pieces:
-            index, column, value = _stacked(self._pieces, np.int64, np.int64, np.float64)
-            lower = np.concatenate(self._lower)
-            draft.rows(index, column, value, lower=lower, upper=np.inf, kind=self._kind)
+            draft.sums(*self._pieces, lower=np.concatenate(self._lower), kind=self._kind)
+
+
+def joined_terms(terms: Sequence[Terms]) -> tuple[Ints, Ints, Floats]:
+    """All entries of some terms: rows' numbers, columns and factors, each as one array."""
+    sizes = (np.size(term[1] if np.ndim(term[1]) else term[0]) for term in terms)
+    blocks = [
+        tuple(np.full(n, part) for part in term) for n, term in zip(sizes, terms, strict=True)
+    ]
+    index, columns, factors = _stacked(blocks, np.int64, np.int64, np.float64)
+    return index, columns, factors
 
 
 def _spread(numbers: Sequence[npt.ArrayLike], count: int) -> _Block:

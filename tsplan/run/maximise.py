@@ -10,19 +10,20 @@ from math import floor, lcm
 import numpy as np
 
 from tsplan.encode.encoded import Encoded, Point, Setting
+from tsplan.encode.expressions import Expression
 from tsplan.encode.options import Idea
-from tsplan.encode.partial.conflict_graph import Rivals, without_rivalry
-from tsplan.encode.partial.linear import Sum
+from tsplan.encode.partial.conflict_graph import Rivals
 from tsplan.encode.partial.partial_model import Claimed, Wish, claimed, valued
-from tsplan.encode.partial.scaling import aim_at, below, by_depth, chunks
 from tsplan.exact import exact
 from tsplan.logic import Formula
 from tsplan.logic.witness_steps import spots
 from tsplan.milp.model import Floats
+from tsplan.search.clique_cuts import without_rivalry
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Reached, Tell
 from tsplan.search.neighbourhood import Improving
+from tsplan.search.scaling import aim_at, below, by_depth, chunks
 from tsplan.search.search import Found, Search
 from tsplan.search.target import Target
 from tsplan.stopping import StoppedBy
@@ -87,7 +88,7 @@ class Settling:
         encoded = model.encoded
         for level in sorted(levels, reverse=True):
             entries = levels[level]
-            total = Sum.total((model.worth[number], weight) for number, weight in entries)
+            total = Expression.total((model.worth[number], weight) for number, weight in entries)
             most = _total(entries)
             units = lcm(*(wishes[n].denominator * weight.denominator for n, weight in entries))
             aim = aim_at(total, units, encoded.model.size.columns)

@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 
 from tsplan.encode.encoded import Point
-from tsplan.encode.own_constraints import worth
 from tsplan.encode.read_back import listed, moves_of
 from tsplan.errors import SolverError
 from tsplan.exact import digits
@@ -16,6 +15,7 @@ from tsplan.mission import Mission
 from tsplan.plans.decomposition import paths_of
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import AgentPlan, Plan
+from tsplan.run.own_terms import worth
 from tsplan.run.problem import Problem, Tuning
 from tsplan.run.run import Listener, Result, Run, Tell, Ways, claimed_depths
 from tsplan.search.clock import Clock

@@ -13,11 +13,11 @@ from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.objectives import OwnSum
 from tsplan.encode.options import ALL_IDEAS, Idea
-from tsplan.encode.own_constraints import checked_term, checked_terms, within_reach, worth
 from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
+from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort

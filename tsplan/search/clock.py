@@ -7,16 +7,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
-from tsplan.stopping import StoppedBy
+from tsplan.stopping import Halted, StoppedBy
 
-
-class Halted(Exception):  # noqa: N818 - nothing has gone wrong
-    """The run ends before what was being made is ready; the words say why if it is not its time."""
-
-    def __init__(self, reason: StoppedBy, words: str = "") -> None:
-        super().__init__(words or reason.value)
-        self.reason = reason
-        self.words = words
+__all__ = ["Clock", "Halted"]
 
 
 @dataclass(frozen=True)

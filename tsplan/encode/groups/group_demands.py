@@ -11,10 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from tsplan.encode.demand_rows import Staffing
+from tsplan.encode.demand_rows import DemandRows
 from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.encode.joint_demands import Together
-from tsplan.encode.witness import Lasting, Witnesses
+from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.encode.witness import Demand, Witnesses
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission.mission import SwarmBounds
 
@@ -25,7 +26,7 @@ def most_groups(agents: int, bounds: SwarmBounds, together: int | None) -> int:
     return min(limit for limit in limits if limit is not None)
 
 
-def some_wanted(witnesses: Witnesses) -> list[Lasting]:
+def some_wanted(witnesses: Witnesses) -> list[Demand]:
     """Where the formula wants agents, it wants some group or robot."""
     return [
         replace(need, bound=replace(need.bound, amount=1))
@@ -49,12 +50,12 @@ def group_network(entered: Sequence[ClassColumns], most: Sequence[int], robots: 
     return Network((*classes, *robots.classes), robots.horizon)
 
 
-def presence_rows(network: Network, witnesses: Witnesses, draft: Draft) -> Staffing:
+def presence_rows(network: Network, witnesses: Witnesses, draft: Draft) -> DemandRows:
     """Where the formula wants agents there is some group, and there are enough groups for it."""
     some = some_wanted(witnesses)
-    staffing = Staffing(network, draft)
     # one group may become several in a region, so its visits as a whole say nothing
-    staffing.write(Witnesses(witnesses.choices, some, witnesses.covers), cuts=True, together=False)
+    staffing = DemandRows(network, draft, ALL_IDEAS - {Idea.TOGETHER, Idea.LAZY})
+    staffing.write(Witnesses(witnesses.choices, some, witnesses.covers))
     for capability in {need.bound.capability for need in some}:
         mine = [need for need in some if need.bound.capability == capability]
         Together(mine, witnesses.choices).rule_out(network.agents(capability))

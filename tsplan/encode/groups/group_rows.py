@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
-from tsplan.encode.count_atoms import Bound
-from tsplan.encode.demand_rows import Staffing
+from tsplan.encode.atom_encoders import Bound
+from tsplan.encode.demand_rows import DemandRows
 from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.encode.groups.group_demands import (
     group_network,
@@ -85,7 +85,7 @@ def occupied_rows(
     together: int | None,
     witnesses: Witnesses,
     draft: Draft,
-) -> Staffing:
+) -> DemandRows:
     """Where the formula wants agents there is a group or robot; where it wants none, no group."""
     entered = [swarm.places.entered for swarm in swarms]
     most = [most_groups(swarm.size, swarm.bounds, together) for swarm in swarms]

@@ -98,8 +98,7 @@ def tokens(setting: Setting) -> Tokens:
         entered.append(columns)
     robots = _robots(setting)
     network = Network((*entered, *robots.classes), setting.horizon)
-    read = setting.requirement(0)
-    encoder = WitnessEncoder(draft, Outlook(setting.goal, network, read), read)
+    encoder = WitnessEncoder(draft, Outlook(setting.goal, setting.atoms(network)))
     witnesses = only_of(encoder.encode(setting.goal), robots)
     most = [
         most_groups(item.graph.agents, item.bounds, setting.together)

@@ -20,7 +20,7 @@ from tsplan.encode.selection import Choices
 from tsplan.encode.witness import Request
 from tsplan.logic import Eventually, Formula, Or, positive
 from tsplan.logic.witness_steps import Spot, reach
-from tsplan.milp.model import Draft, Ints
+from tsplan.milp.model import INFINITY, Draft, Ints, Terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,22 +85,11 @@ def _cover(column: int, above: Sequence[int], draft: Draft, *, leaf: bool) -> in
     """A column that is 1 where a pair or an ancestor of it is claimed; never both are."""
     if not above:
         return column
-    count = len(above)
-    index = np.arange(count)
-    members = [np.asarray(above), np.full(count, column)]
-    if leaf:
-        draft.rows(
-            np.tile(index, 2), np.concatenate(members), 1.0,
-            lower=np.full(count, -np.inf), upper=1.0, kind="claim",
-        )  # fmt: skip
-        return column
-    cover = int(draft.columns(1, upper=1.0)[0])
-    draft.rows(
-        np.tile(index, 3),
-        np.concatenate([*members, np.full(count, cover)]),
-        np.repeat([1.0, 1.0, -1.0], count),
-        lower=np.full(count, -np.inf),
-        upper=0.0,
-        kind="claim",
-    )
+    every = range(len(above))
+    either: tuple[Terms, ...] = (every, above, 1.0), (every, column, 1.0)
+    cover, total = column, 1.0
+    if not leaf:
+        cover, total = int(draft.columns(1, upper=1.0)[0]), 0.0
+        either = (*either, (every, cover, -1.0))
+    draft.sums(*either, lower=-INFINITY, upper=total, count=len(above), kind="claim")
     return cover

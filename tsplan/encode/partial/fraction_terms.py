@@ -23,7 +23,9 @@ from fractions import Fraction
 from functools import singledispatchmethod
 from typing import TypeAlias
 
-from tsplan.encode.partial.linear import Ledger, Sum
+import numpy as np
+
+from tsplan.encode.expressions import Expression
 from tsplan.encode.selection import ALWAYS, Choices, Literal, exclusive
 from tsplan.encode.witness import Request
 from tsplan.logic import (
@@ -38,13 +40,67 @@ from tsplan.logic import (
     positive,
     walk,
 )
-from tsplan.milp.model import Draft
+from tsplan.milp.model import Draft, Terms
 
 Key: TypeAlias = tuple[Formula, int, Literal]
-Asked: TypeAlias = Mapping[int, Sequence[Literal]]
+"""A node that is valued at a step under a literal."""
+
+Asked: TypeAlias = Sequence[tuple[int, Literal]]
 
 _ONE = Fraction(1)
 _MOST_GROUPS = 4  # of literals under which a node is valued at one step
+
+
+class _Values:
+    """What each key is worth, as a sum of columns and of other keys, and rows that bound columns.
+
+    Keys are entered before the keys they are made of.
+    """
+
+    def __init__(self, draft: Draft) -> None:
+        self._draft = draft
+        self._parts: dict[Key, tuple[Expression, Sequence[tuple[Key, Fraction]]]] = {}
+        self._bounds: list[tuple[Sequence[int], Sequence[int], Sequence[Key]]] = []
+
+    def enter(
+        self,
+        key: Key,
+        own: Expression | Iterable[int] = (),
+        others: Iterable[tuple[Key, Fraction]] = (),
+    ) -> None:
+        """A key is worth `own` (columns stand for their sum) and the other keys times factors."""
+        own = own if isinstance(own, Expression) else Expression.sum_of(own)
+        self._parts[key] = (own, tuple(others))
+
+    def columns(
+        self, count: int, most: Sequence[int] = (), keys: Sequence[Key] | None = None
+    ) -> list[int]:
+        """New columns from 0 to 1; with `keys` bounded as by `bound`."""
+        columns: list[int] = self._draft.columns(count, upper=1.0).tolist()
+        if keys is not None:
+            self.bound(columns, most, keys)
+        return columns
+
+    def bound(self, columns: Sequence[int], most: Sequence[int], keys: Sequence[Key] = ()) -> None:
+        """The columns together are at most the columns `most` and what the keys are worth."""
+        self._bounds.append((columns, most, keys))
+
+    def write(self) -> Mapping[Key, Expression]:
+        """Write the rows of all bounds; what every key is worth in columns."""
+        worth: dict[Key, Expression] = {}
+        for key, (own, others) in reversed(self._parts.items()):
+            parts = [(worth[other], factor) for other, factor in others]
+            worth[key] = Expression.total([(own, _ONE), *parts]) if parts else own
+        terms: list[Terms] = []
+        lower: list[float] = []
+        for row, (columns, most, keys) in enumerate(self._bounds):
+            total = Expression.total((worth[key], _ONE) for key in keys)
+            terms += [(row, most, 1.0), (row, columns, -1.0)]
+            terms += [(row, column, float(factor)) for column, factor in total.terms]
+            lower.append(-float(total.constant))
+        if lower:
+            self._draft.sums(*terms, lower=np.array(lower), kind="fraction")
+        return worth
 
 
 class FractionEncoder:
@@ -56,28 +112,28 @@ class FractionEncoder:
     def __init__(
         self, draft: Draft, choices: Choices, hopeful: Callable[[Formula, int], bool]
     ) -> None:
-        self._draft = draft
         self._choices = choices
         self._hopeful = hopeful
-        self._ledger = Ledger()
+        self._values = _Values(draft)
         self._asked: dict[Formula, dict[int, dict[Literal, None]]] = defaultdict(
             lambda: defaultdict(dict)
         )
         self.requests: list[Request] = []
 
-    def encode(self, tree: Formula) -> Sum:
+    def encode(self, tree: Formula) -> Expression:
         """What is at most the fraction of a tree at step 0, and equal to it at its greatest."""
         top = self._ask(tree, 0, ALWAYS)
         for node in reversed(list(walk(tree))):
-            asked = self._asked.pop(node, None)
-            if asked is not None:
-                groups = {
-                    step: self._grouped(node, step, tuple(asked[step])) for step in sorted(asked)
-                }
+            asked = self._asked.pop(node, {})
+            groups = [
+                (step, literal)
+                for step in sorted(asked)
+                for literal in self._grouped(node, step, tuple(asked[step]))
+            ]
+            if groups:
                 self._value(node, groups)
-        worth = self._ledger.resolve()
-        self._ledger.write(self._draft, worth)
-        return worth[top[0]] if top else Sum()
+        worth = self._values.write()
+        return worth[top[0]] if top else Expression()
 
     def _ask(self, node: Formula, step: int, literal: Literal) -> list[Key]:
         """The key of a node's value; none where it is worth nothing."""
@@ -98,33 +154,23 @@ class FractionEncoder:
             else:
                 groups.append([literal])
         if len(groups) > _MOST_GROUPS or (ALWAYS in literals and len(groups) > 1):
-            self._share_freely(node, step, literals)
+            # the node is valued once, whatever those who ask are
+            for literal in literals:
+                if literal != ALWAYS:
+                    columns = self._values.columns(1, literal, ())
+                    self._values.bound(columns, (), [(node, step, ALWAYS)])
+                    self._values.enter((node, step, literal), columns)
             return [ALWAYS]
-        merged = []
+        merged: list[Literal] = []
         for group in groups:
             union = tuple(sorted({column for literal in group for column in literal}))
             merged.append(union if len(group) > 1 else group[0])
             if len(group) > 1:
-                self._share_out(node, step, group, union)
+                shares = self._values.columns(len(group), (), [(node, step, union)])
+                for column, literal in zip(shares, group, strict=True):
+                    self._values.enter((node, step, literal), [column])
+                    self._values.bound([column], literal)
         return list(dict.fromkeys(merged))
-
-    def _share_freely(self, node: Formula, step: int, literals: Sequence[Literal]) -> None:
-        """Literals that do not exclude each other: the node is valued once, whatever they are."""
-        for literal in literals:
-            if literal != ALWAYS:
-                columns = self._draft.columns(1, upper=1.0).tolist()
-                self._ledger.enter((node, step, literal), Sum.of(columns))
-                self._ledger.tie(columns, Sum.of(literal))
-                self._ledger.tie(columns, Sum(), [(node, step, ALWAYS)])
-
-    def _share_out(
-        self, node: Formula, step: int, group: Sequence[Literal], union: Literal
-    ) -> None:
-        columns = self._draft.columns(len(group), upper=1.0).tolist()
-        for column, literal in zip(columns, group, strict=True):
-            self._ledger.enter((node, step, literal), Sum.of([column]))
-            self._ledger.tie([column], Sum.of(literal))
-        self._ledger.tie(columns, Sum(), [(node, step, union)])
 
     @singledispatchmethod
     def _value(self, node: Formula, asked: Asked) -> None:
@@ -132,147 +178,131 @@ class FractionEncoder:
 
     @_value.register
     def _(self, node: Constant, asked: Asked) -> None:
-        for step, literal in _each(asked):
-            held = Sum.of(literal) if literal else Sum({}, _ONE)
-            self._ledger.enter((node, step, literal), held)
+        for step, literal in asked:
+            always: Expression = Expression((), _ONE)
+            self._values.enter((node, step, literal), literal or always)
 
     @_value.register
     def _(self, node: Count, asked: Asked) -> None:
-        for step, literal in _each(asked):
-            self._enter_whole(node, literal, [(node, step)], step)
+        for step, literal in asked:
+            self._enter_whole((node, step, literal), [(node, step)])
 
     @_value.register
     def _(self, node: And, asked: Asked) -> None:
-        for step, literal in _each(asked):
-            self._mean(node, step, literal, [(child, step) for child in node.children])
+        for step, literal in asked:
+            self._mean((node, step, literal), [(child, step) for child in node.children])
 
     @_value.register
     def _(self, node: Always, asked: Asked) -> None:
-        for step, literal in _each(asked):
+        for step, literal in asked:
             window = range(step + node.low, step + node.high + 1)
-            self._mean(node, step, literal, [(node.child, later) for later in window])
+            self._mean((node, step, literal), [(node.child, later) for later in window])
 
-    def _mean(
-        self,
-        node: Formula,
-        step: int,
-        literal: Literal,
-        parts: Sequence[tuple[Formula, int]],
-    ) -> None:
+    def _mean(self, key: Key, parts: Sequence[tuple[Formula, int]]) -> None:
         each = Fraction(1, len(parts))
-        keys = [key for part in parts for key in self._ask(*part, literal)]
-        self._ledger.enter((node, step, literal), Sum(), [(key, each) for key in keys])
+        below = [part for place in parts for part in self._ask(*place, key[2])]
+        self._values.enter(key, (), [(part, each) for part in below])
 
     @_value.register
     def _(self, node: Or, asked: Asked) -> None:
-        for step, literal in _each(asked):
+        for step, literal in asked:
             options = [(child, step) for child in node.children if self._hopeful(child, step)]
-            self._best(node, step, literal, options)
+            self._best((node, step, literal), options)
 
     @_value.register
     def _(self, node: Eventually, asked: Asked) -> None:
-        windows: dict[Literal, list[int]] = defaultdict(list)
-        for step, literal in _each(asked):
-            windows[literal].append(step)
-        for literal, steps in windows.items():
-            if len(steps) > 1:
-                self._pick(node, literal, steps)
+        windows: dict[Literal, dict[int, list[int]]] = defaultdict(dict)
+        for step, literal in asked:
+            times = range(step + node.low, step + node.high + 1)
+            windows[literal][step] = [time for time in times if self._hopeful(node.child, time)]
+        for literal, found in windows.items():
+            if len(found) > 1:
+                self._pick(node, literal, found)
             else:
-                options = [(node.child, time) for time in self._times(node, steps[0])]
-                self._best(node, steps[0], literal, options)
+                ((step, window),) = found.items()
+                self._best((node, step, literal), [(node.child, time) for time in window])
 
-    def _times(self, node: Eventually, step: int) -> list[int]:
-        window = range(step + node.low, step + node.high + 1)
-        return [time for time in window if self._hopeful(node.child, time)]
-
-    def _best(
-        self,
-        node: Formula,
-        step: int,
-        literal: Literal,
-        options: Sequence[tuple[Formula, int]],
-    ) -> None:
+    def _best(self, key: Key, options: Sequence[tuple[Formula, int]]) -> None:
         """The value of the one option that is chosen."""
         if all(is_whole(child) for child, _ in options):
-            self._enter_whole(node, literal, options, step)
+            self._enter_whole(key, options)
             return
-        if len(options) == 1:
-            chosen: list[Literal] = [literal]
-        else:
-            columns = self._choices.optional(literal, [time for _, time in options], "best")
-            chosen = [(column,) for column in columns.tolist()]
+        chosen = [key[2]]
+        if len(options) > 1:
+            chosen = [(column,) for column in self._choose(key[2], options, "best")]
         pairs = zip(options, chosen, strict=True)
-        keys = [key for option, under in pairs for key in self._ask(*option, under)]
-        self._ledger.enter((node, step, literal), Sum(), [(key, _ONE) for key in keys])
+        below = [part for option, under in pairs for part in self._ask(*option, under)]
+        self._values.enter(key, (), [(part, _ONE) for part in below])
 
-    def _enter_whole(
-        self,
-        node: Formula,
-        literal: Literal,
-        options: Sequence[tuple[Formula, int]],
-        step: int,
-    ) -> None:
-        """Options that are all or nothing: the indicator of the one chosen is the value."""
+    def _choose(
+        self, literal: Literal, options: Sequence[tuple[Formula, int]], kind: str
+    ) -> list[int]:
+        """Columns of which at most one is 1 where the literal is; one for each option."""
         times = [time for _, time in options]
-        if len(options) == 1 and not literal:
-            columns = self._choices.free(times)
-        else:
-            columns = self._choices.optional(literal, times, "part")
-        for (child, time), column in zip(options, columns.tolist(), strict=True):
-            self.requests.append((positive(child), time, (column,)))
-        self._ledger.enter((node, step, literal), Sum.of(columns.tolist()))
+        columns: list[int] = self._choices.choose(literal, times, kind, exactly=False).tolist()
+        return columns
 
-    def _pick(self, node: Eventually, literal: Literal, steps: Sequence[int]) -> None:
+    def _enter_whole(self, key: Key, options: Sequence[tuple[Formula, int]]) -> None:
+        """Options that are all or nothing: the indicator of the one chosen is the value."""
+        if len(options) == 1 and not key[2]:
+            columns = self._choices.free([options[0][1]]).tolist()
+        else:
+            columns = self._choose(key[2], options, "part")
+        for (child, time), column in zip(options, columns, strict=True):
+            self.requests.append((positive(child), time, (column,)))
+        self._values.enter(key, columns)
+
+    def _pick(
+        self, node: Eventually, literal: Literal, windows: Mapping[int, Sequence[int]]
+    ) -> None:
         """Windows of one literal: each picks from what the child is worth at its steps."""
-        times = {step: self._times(node, step) for step in steps}
+        child, values = node.child, self._values
         keys = {
-            time: self._ask(node.child, time, literal)
-            for time in sorted({time for window in times.values() for time in window})
+            time: self._ask(child, time, literal)
+            for time in sorted({time for window in windows.values() for time in window})
         }
-        for step, window in times.items():
-            if is_whole(node.child):
-                columns = self._draft.columns(1, upper=1.0).tolist()
-                self._ledger.tie(columns, Sum(), [key for time in window for key in keys[time]])
+        for step, window in windows.items():
+            if is_whole(child):
+                columns = values.columns(1, (), [key for time in window for key in keys[time]])
                 if literal:
-                    self._ledger.tie(columns, Sum.of(literal))
+                    values.bound(columns, literal)
             else:
-                options = self._choices.optional(literal, window, "window").tolist()
-                columns = self._draft.columns(len(window), upper=1.0).tolist()
+                options = self._choose(literal, [(child, time) for time in window], "window")
+                columns = values.columns(len(window))
                 for time, option, column in zip(window, options, columns, strict=True):
-                    self._ledger.tie([column], Sum.of([option]))
-                    self._ledger.tie([column], Sum(), keys[time])
-            self._ledger.enter((node, step, literal), Sum.of(columns))
+                    values.bound([column], [option])
+                    values.bound([column], (), keys[time])
+            values.enter((node, step, literal), columns)
 
     @_value.register
     def _(self, node: Until, asked: Asked) -> None:
-        for step, literal in _each(asked):
+        for step, literal in asked:
             self._until(node, step, literal)
 
     def _until(self, node: Until, step: int, literal: Literal) -> None:
         """One switch step; the left side's value at a step is shared out between later switches."""
-        switches = list(range(step + node.low, step + node.high + 1))
-        chosen = self._choices.optional(literal, switches, "switch").tolist()
+        window = range(step + node.low, step + node.high + 1)
+        options = self._choose(literal, [(node.right, time) for time in window], "switch")
+        switches = [
+            (switch, column, Fraction(1, switch - step + 1))
+            for switch, column in zip(window, options, strict=True)
+        ]
         parts = [
-            (key, Fraction(1, switch - step + 1))
-            for switch, column in zip(switches, chosen, strict=True)
+            (key, share)
+            for switch, column, share in switches
             for key in self._ask(node.right, switch, (column,))
         ]
-        own: dict[int, Fraction] = {}
+        own: list[tuple[int, Fraction]] = []
         for time in range(step, step + node.high):
-            later = [
-                (switch, column)
-                for switch, column in zip(switches, chosen, strict=True)
-                if switch > time
-            ]
-            keys = self._ask(node.left, time, tuple(column for _, column in later))
+            later = [(option, share) for switch, option, share in switches if switch > time]
+            keys = self._ask(node.left, time, tuple(option for option, _ in later))
             if not keys:
                 continue
-            columns = self._draft.columns(len(later), upper=1.0).tolist()
-            self._ledger.tie(columns, Sum(), keys)
-            for (switch, option), column in zip(later, columns, strict=True):
-                self._ledger.tie([column], Sum.of([option]))
-                own[column] = Fraction(1, switch - step + 1)
-        self._ledger.enter((node, step, literal), Sum(own), parts)
+            columns = self._values.columns(len(later), (), keys)
+            for (option, share), column in zip(later, columns, strict=True):
+                self._values.bound([column], [option])
+                own.append((column, share))
+        self._values.enter((node, step, literal), Expression(tuple(own)), parts)
 
 
 def is_whole(node: Formula) -> bool:
@@ -282,9 +312,3 @@ def is_whole(node: Formula) -> bool:
     if isinstance(node, Or):
         return all(is_whole(child) for child in node.children)
     return isinstance(node, Count | Constant)
-
-
-def _each(asked: Asked) -> Iterable[tuple[int, Literal]]:
-    for step, literals in asked.items():
-        for literal in literals:
-            yield step, literal

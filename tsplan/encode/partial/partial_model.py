@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from tsplan.encode.assemble import assembled
 from tsplan.encode.encoded import Encoded, Setting
+from tsplan.encode.expressions import Expression
 from tsplan.encode.flow_network import Network
 from tsplan.encode.partial.conflict_graph import Rivals, team_rows
 from tsplan.encode.partial.depth_claims import Claims, claim
 from tsplan.encode.partial.fraction_terms import FractionEncoder
-from tsplan.encode.partial.linear import Sum
 from tsplan.encode.robustness_bound import Outlook
 from tsplan.encode.selection import ALWAYS
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
@@ -61,12 +61,12 @@ class Valued:
 
     encoded: Encoded
     rivals: Rivals
-    worth: tuple[Sum, ...]
+    worth: tuple[Expression, ...]
 
 
 def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
     """The model in which `demand` holds and every wish is worth its fraction, or 1 as a whole."""
-    worth: list[Sum] = []
+    worth: list[Expression] = []
     demands: list[Demand] = []
 
     def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
@@ -79,7 +79,7 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
                 requests += parts.requests
             else:
                 (column,) = encoder.choices.free([0]).tolist()
-                worth.append(Sum.of([column]))
+                worth.append(Expression.sum_of([column]))
                 requests.append((wish.whole, 0, (column,)))
         witnesses = encoder.encode_all(requests)
         team_rows(witnesses.demands, network, draft)

@@ -10,7 +10,7 @@ from math import prod
 import numpy as np
 
 from tsplan.encode.encoded import Encoded
-from tsplan.encode.partial.linear import Sum
+from tsplan.encode.expressions import Expression
 from tsplan.milp.model import INFINITY
 from tsplan.search.target import Target
 
@@ -20,10 +20,10 @@ MOST_UNITS = 20_000
 _HALF = 0.5
 
 
-def aim_at(total: Sum, units: int, columns: int) -> Target:
+def aim_at(total: Expression, units: int, columns: int) -> Target:
     """A sum that is to be as large as possible; its values are multiples of one over `units`."""
     unit = Fraction(1, units)
-    return Target.of(total.columns, columns, total.constant, maximise=True, unit=unit)
+    return Target.of(dict(total.terms), columns, total.constant, maximise=True, unit=unit)
 
 
 def below(encoded: Encoded, target: Target, value: Fraction) -> Encoded:

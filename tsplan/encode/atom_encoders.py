@@ -1,0 +1,98 @@
+"""How the atoms of a formula are encoded: one encoder for each class of atoms.
+
+The encodings of formulas know no agents. They ask the encoder of an atom's class which bounds the
+atom means, what these could be at best, and by how much they hold. Where a margin is a level, it is
+added to the bounds' amounts; where it is a column, `Slack` is compared with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple, Protocol, TypeAlias
+
+import numpy as np
+
+from tsplan.logic import Formula
+from tsplan.milp.model import Floats, Ints
+
+Site: TypeAlias = tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """At least (or, if `upper`, at most) `amount` agents with a capability at a set of states."""
+
+    states: Site
+    capability: str | None
+    upper: bool
+    amount: int
+
+
+@dataclass(frozen=True, slots=True)
+class Requirement:
+    """Bounds that must all hold, or of which one must."""
+
+    bounds: tuple[Bound, ...]
+    every: bool
+
+    @property
+    def visit(self) -> Bound | None:
+        """The one bound, where it is enough that a single agent comes by."""
+        (first, *others) = self.bounds
+        single = self.every and not others and not first.upper and first.amount == 1
+        return first if single else None
+
+
+class Slack(NamedTuple):
+    """By how much a bound holds: `factor * sum of the columns + constant`, from `low` to `high`."""
+
+    columns: Ints
+    factor: float
+    constant: float
+    low: float
+    high: float
+
+
+class AtomEncoder(Protocol):
+    """Encodes the atoms of one class."""
+
+    def requirement(self, atom: Any) -> Requirement:
+        """The bounds an atom means."""
+
+    def best(self, bound: Bound) -> Floats:
+        """By how much a bound holds at best, at every step."""
+
+    def slack(self, bound: Bound, step: int) -> Slack:
+        """By how much a bound holds at a step."""
+
+
+@dataclass(frozen=True, eq=False)
+class Atoms:
+    """The atoms of a problem with steps `0 .. horizon`, and their encoders by class."""
+
+    encoders: Mapping[type[Formula], AtomEncoder]
+    horizon: int
+
+    @cached_property
+    def _read(self) -> dict[Formula, tuple[AtomEncoder, Requirement]]:
+        return {}
+
+    def of(self, node: Formula) -> tuple[AtomEncoder, Requirement]:
+        """The encoder of an atom, and what it means; TypeError for what no encoder knows."""
+        if node not in self._read:
+            if type(node) not in self.encoders:
+                raise TypeError(f"no encoding is registered for {type(node).__name__}")
+            encoder = self.encoders[type(node)]
+            self._read[node] = encoder, encoder.requirement(node)
+        return self._read[node]
+
+    def __contains__(self, node: object) -> bool:
+        return type(node) in self.encoders
+
+    def best(self, atom: Formula) -> Floats:
+        """By how much an atom holds at best, at every step."""
+        encoder, needed = self.of(atom)
+        values = np.array([encoder.best(bound) for bound in needed.bounds])
+        return np.asarray(values.min(axis=0) if needed.every else values.max(axis=0))
