@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pydantic import TypeAdapter
+from tests.test_logic_registrations import operations
 
 import tsplan
-from tests.test_logic_registrations import operations
 from tsplan import Edge, Group, Mission, State, TransitionSystem, encode
 from tsplan.checking import measures
 from tsplan.encode.objectives import ModelObjective

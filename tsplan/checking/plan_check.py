@@ -26,7 +26,7 @@ from tsplan.words import known
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from tsplan.mission.mission import Agent, Mission
+    from tsplan.mission import Agent, Mission
     from tsplan.plans.plan import AgentPlan
 
 _SHOWN = 20  # findings of one kind that are listed before the rest is only counted

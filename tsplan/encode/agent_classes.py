@@ -17,8 +17,7 @@ import numpy as np
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.exact import exact
 from tsplan.milp.model import Floats, Ints
-from tsplan.mission import Group
-from tsplan.mission.mission import SwarmBounds
+from tsplan.mission import Group, SwarmBounds
 from tsplan.ts import TransitionSystem
 
 

@@ -1,19 +1,11 @@
 """Missions: a map, a team, a formula and what to optimise."""
 
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission.mission import (
-    LANGUAGES,
-    ORDERS,
-    TASK_INTERVALS,
-    Agent,
-    Group,
-    Mission,
-    Preference,
-    SwarmBounds,
-    SwarmRules,
-)
+from tsplan.mission.mission import Mission, Preference
 from tsplan.mission.objectives import OBJECTIVES, Objective, register
 from tsplan.mission.read import load_mission, mission_from_text
+from tsplan.mission.team import Agent, Group, SwarmBounds, SwarmRules
+from tsplan.mission.vocabulary import LANGUAGES, ORDERS, TASK_INTERVALS
 
 __all__ = [
     "LANGUAGES",

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from tsplan.exact import MOST_EXACT, digits, exact
-from tsplan.mission.findings import Problem
-
-if TYPE_CHECKING:
-    from tsplan.mission.mission import Group
-    from tsplan.ts import Edge, TransitionSystem
+from tsplan.mission.findings import Fault
+from tsplan.mission.team import Group
+from tsplan.ts import Edge, TransitionSystem
 
 _DECIMALS = 10**15
 """Decimal numbers of up to 15 digits are told apart in double precision."""
 
 
-def cost_problems(
+def cost_faults(
     system: TransitionSystem, team: Sequence[Group], horizon: int, objective: Sequence[str]
-) -> list[Problem]:
+) -> list[Fault]:
     """The costs that have more digits than the cost of a plan can be told with.
 
     Costs are counted in the largest unit of which all are multiples. What a plan can come to must
@@ -36,8 +33,8 @@ def cost_problems(
     fine = [edge for edge in priced if exact(edge.cost or 0) % needed] or priced
     if not fine:  # durations alone add up to too much
         what = f"the cost of a plan can come to {float(most):.3g}, too much to be told exactly"
-        return [Problem(("objective", objective.index("cost")), what, "use 'travel' instead")]
-    return [_problem(system, edge, most, needed) for edge in fine]
+        return [Fault(("objective", objective.index("cost")), what, "use 'travel' instead")]
+    return [_fault(system, edge, most, needed) for edge in fine]
 
 
 def _most(system: TransitionSystem, agents: int, horizon: int) -> Fraction:
@@ -66,7 +63,7 @@ def _coarser(most: Fraction) -> Fraction:
     return Fraction(10) ** power
 
 
-def _problem(system: TransitionSystem, edge: Edge, most: Fraction, needed: Fraction) -> Problem:
+def _fault(system: TransitionSystem, edge: Edge, most: Fraction, needed: Fraction) -> Fault:
     what = (
         f"cost: {digits(edge.cost or 0)} from '{edge.source}' to '{edge.target}' has digits that "
         f"are lost in the cost of a plan, which can come to {float(most):.3g}"
@@ -81,4 +78,4 @@ def _problem(system: TransitionSystem, edge: Edge, most: Fraction, needed: Fract
         lost = len(str(unit)) - 1
         last = "digit" if lost == 1 else f"{lost} digits"
         remedy = f"drop the last {last} of all costs: count them in units of {unit:,}"
-    return Problem(("map",), what, remedy, at=system.places.get(edge.pair))
+    return Fault(("map",), what, remedy, at=system.places.get(edge.pair))

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from tsplan.errors import MOST_TOLD, InputError
-from tsplan.mission.findings import FORMULA, Place, Problem, preferred
-from tsplan.mission.mission import LANGUAGES, default_language
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from tsplan.document import Document
-    from tsplan.errors import Finding
-    from tsplan.logic import Formula
-    from tsplan.logic.text_spans import Way, Written
+from tsplan.document import Document
+from tsplan.document.compose import Node
+from tsplan.errors import MOST_TOLD, Finding, InputError
+from tsplan.logic import TRUE, Formula, conjunction, parse_with_places
+from tsplan.logic.text_spans import Way, Written
+from tsplan.mission.findings import FORMULA, Fault, Place, preferred
+from tsplan.mission.vocabulary import LANGUAGES, default_language
 
 
 class Text(NamedTuple):
@@ -41,8 +38,6 @@ def spelled_out(document: Document) -> Document:
     A text or a list of texts stands for `{formula: ..., language: ...}`, with the language that
     missions of this kind have by default. The parts keep their places.
     """
-    from tsplan.document.compose import Node  # noqa: PLC0415  (the reader is slow to import)
-
     root = document.root
     node = root.children.get("spec") if isinstance(root.children, dict) else None
     if node is None or not isinstance(node.value, str | list | bool) or not node.value:
@@ -72,21 +67,19 @@ class Formulas:
     formula: Formula | None = None
     text: str = ""
     where: Place = FORMULA
-    wishes: dict[int, tuple[Formula, str] | None] = field(default_factory=dict)
+    soft: dict[int, tuple[Formula, str] | None] = field(default_factory=dict)
     texts: list[Text] = field(default_factory=list)
 
     def read(self) -> None:
         """Read every formula of the file."""
-        from tsplan.logic import TRUE  # noqa: PLC0415  (the parser is slow to import)
-
         spec = self.document.data.get("spec") if isinstance(self.document.data, dict) else None
         if not isinstance(spec, dict):
             return
         prefer = spec.get("prefer")
-        wishes = prefer if isinstance(prefer, list) else []
-        for number, wish in enumerate(wishes):
-            if isinstance(wish, dict) and "formula" in wish:
-                self.wishes[number] = self._formula_at(preferred(number))
+        entries = prefer if isinstance(prefer, list) else []
+        for number, entry in enumerate(entries):
+            if isinstance(entry, dict) and "formula" in entry:
+                self.soft[number] = self._formula_at(preferred(number))
         if "formula" in spec and "must" in spec:
             what = "the formula is there twice, as 'formula' and as 'must'"
             self._report(("spec", "must"), what, "keep one of them")
@@ -94,7 +87,7 @@ class Formulas:
         if self.where[-1] in spec:
             read = self._formula_at(self.where)
             self.formula, self.text = (None, "") if read is None else read
-        elif wishes:
+        elif entries:
             self.formula, self.text = TRUE, "true"
         else:
             self._report(("spec",), "'formula' is missing", "add 'formula: ...'")
@@ -103,26 +96,24 @@ class Formulas:
         """Every formula that could be read, with its place in the file."""
         if self.formula is not None:
             yield self.where, self.formula
-        for number, read in self.wishes.items():
+        for number, read in self.soft.items():
             if read is not None:
                 yield preferred(number), read[0]
 
-    def place(self, problem: Problem) -> tuple[int | None, int | None]:
+    def place(self, fault: Fault) -> tuple[int | None, int | None]:
         """Line and column of what is wrong in the mission, or in a part of a formula."""
-        if problem.node is not None and len(self.findings) <= MOST_TOLD:  # nobody is told more
+        if fault.node is not None and len(self.findings) <= MOST_TOLD:  # nobody is told more
             for text in self.texts:
-                begin = text.find(problem.node, problem.way) if text.of == problem.path else None
+                begin = text.find(fault.node, fault.way) if text.of == fault.path else None
                 if begin is not None:
                     return self.document.character(text.path, begin)
-        return self.document.place(problem.path)
+        return self.document.place(fault.path)
 
     def _report(self, path: Place, message: str, remedy: str) -> None:
         self.findings.append(self.document.finding(path, message, remedy))
 
     def _formula_at(self, where: Place) -> tuple[Formula, str] | None:
         """A formula and its text; a list of texts means their conjunction."""
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-
         given = self.document.at(where)
         entries = given if isinstance(given, list) else [given]
         paths: list[Place] = [
@@ -142,7 +133,7 @@ class Formulas:
             return None
         known = [text for text in texts if text is not None]
         text = known[0] if len(known) == 1 else " && ".join(f"({text})" for text in known)
-        return formulas[0] if len(formulas) == 1 else logic.And(tuple(formulas)), text
+        return conjunction(formulas), text
 
     def _text(self, value: Any, path: Place) -> str | None:
         if isinstance(value, bool):
@@ -165,8 +156,6 @@ class Formulas:
             yield replace(item, source=self.document.source, line=place[0], column=place[1])
 
     def _parsed(self, text: str, path: Place, where: Place) -> Formula | None:
-        from tsplan.logic.parsing import parse_with_places  # noqa: PLC0415  (slow to import)
-
         language = str(self.document.data["spec"].get("language"))
         known = next((name for name in LANGUAGES if name == language), None)
         if known is None:

@@ -19,12 +19,13 @@ from tsplan.limits import (
     Range,
     complaints,
 )
-from tsplan.mission.findings import Place, Problem
+from tsplan.mission.findings import Fault, Place
+from tsplan.mission.team import SwarmRules
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from tsplan.mission.mission import Mission, SwarmRules
+    from tsplan.mission.mission import Mission
 
 _COUNT = Range(1, LARGEST, whole=True)
 _FROM_0 = Range(0, LARGEST, whole=True)
@@ -34,10 +35,10 @@ _SHARE = Range(0, 1)
 _WEIGHT = Range(LEAST_WEIGHT, MOST_WEIGHT)
 
 
-def number_problems(mission: Mission) -> list[Problem]:
+def number_faults(mission: Mission) -> list[Fault]:
     """Numbers of a mission that are none, or too small or too large."""
-    problems = [
-        Problem(("solver", name), words, "leave it out for its default")
+    faults = [
+        Fault(("solver", name), words, "leave it out for its default")
         for name, words in complaints(asdict(mission.solver)).items()
     ]
     found: list[tuple[Place, str | None]] = []
@@ -53,7 +54,7 @@ def number_problems(mission: Mission) -> list[Problem]:
     found.append((("horizon",), _STEPS.complaint(mission.horizon)))
     if mission.swarm is not None:
         found += _swarm_numbers(mission.swarm)
-    return problems + [Problem(place, words) for place, words in found if words is not None]
+    return faults + [Fault(place, words) for place, words in found if words is not None]
 
 
 def _swarm_numbers(rules: SwarmRules) -> Iterator[tuple[Place, str | None]]:

@@ -11,110 +11,25 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
-from math import ceil
-from numbers import Integral
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, cast
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from tsplan import display
+from tsplan import display, logic
 from tsplan.errors import Finding, MissionError
+from tsplan.logic import Formula
+from tsplan.logic.fraction import tree_of
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission.objectives import DEFAULT_OBJECTIVE
+from tsplan.mission.mission_checks import mission_faults
+from tsplan.mission.mission_writer import mission_to_yaml, save_mission
+from tsplan.mission.name_resolution import with_named_classes, with_named_states
+from tsplan.mission.objectives import default_objective
+from tsplan.mission.team import Agent, Group, SwarmBounds, SwarmRules
+from tsplan.mission.vocabulary import Language, Order, TaskInterval, default_language
+from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from tsplan.document import Document
-    from tsplan.logic import Formula
-    from tsplan.ts import TransitionSystem
-
-Language: TypeAlias = Literal["catl", "mtl", "stl"]
-TaskInterval: TypeAlias = Literal["closed", "half-open"]
-Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
-
-LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl")
-TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
-ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
-
-
-class Agent(NamedTuple):
-    """One robot of the team, before it has a path."""
-
-    id: str
-    class_name: str
-    capabilities: frozenset[str]
-    start: str
-
-
-@dataclass(frozen=True, slots=True)
-class Group:
-    """Robots of one class with the same capabilities: how many of them start at which state."""
-
-    class_name: str
-    capabilities: frozenset[str]
-    starts: tuple[tuple[str, int], ...]
-
-    def __post_init__(self) -> None:
-        """Bring names into the form in which they are compared."""
-        object.__setattr__(self, "class_name", nfc(self.class_name))
-        object.__setattr__(self, "capabilities", frozenset(map(nfc, self.capabilities)))
-        starts = tuple((nfc(state), _whole(count)) for state, count in self.starts)
-        object.__setattr__(self, "starts", starts)
-
-    @property
-    def count(self) -> int:
-        """How many robots the group has."""
-        return sum(count for _, count in self.starts)
-
-    @classmethod
-    def of(
-        cls,
-        class_name: str,
-        starts: Mapping[str, int] | Iterable[tuple[str, int]],
-        capabilities: Iterable[str] = (),
-    ) -> Group:
-        """A group from any mapping or pairs of start states and counts.
-
-        >>> Group.of("scout", {"q1": 3}, ["Vis"]).count
-        3
-        """
-        pairs = starts.items() if isinstance(starts, Mapping) else starts
-        return cls(class_name, frozenset(capabilities), tuple(pairs))
-
-
-@dataclass(frozen=True, slots=True)
-class SwarmBounds:
-    """How a swarm may divide: at most `most` sub-swarms (None: any number) of `least` or more."""
-
-    most: int | None = None
-    least: int = 1
-
-
-@dataclass(frozen=True)
-class SwarmRules:
-    """What makes classes of the team swarms, each of which moves as sub-swarms.
-
-    `each` has the bounds of every swarm by its class name; other classes are ordinary robots.
-    `together` bounds the sub-swarms of all swarms at one step, and `margin` is the head-room by
-    which the counts of a plan are kept away from what the formula needs: a Fraction is one of the
-    agents that are counted, a whole number is of agents. `Mission.goal` is tightened by it already.
-    """
-
-    each: Mapping[str, SwarmBounds] = field(hash=False)
-    together: int | None = None
-    margin: Fraction | int = Fraction(0)
-
-    def __post_init__(self) -> None:
-        """Bring names into the form in which they are compared."""
-        object.__setattr__(self, "each", {nfc(name): item for name, item in self.each.items()})
-
-    def spare(self, agents: int) -> int:
-        """The head-room, in agents, of a demand on a swarm of so many `agents`.
-
-        >>> SwarmRules({}, margin=Fraction(1, 20)).spare(130)
-        7
-        """
-        return self.margin if isinstance(self.margin, int) else ceil(self.margin * agents)
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,15 +38,20 @@ class Preference:
 
     Levels are settled one after the other, the highest first; within a level the summed weights
     of what is met are maximised. A `partial` preference counts by its fraction, any other one as
-    a whole or not at all.
+    a whole or not at all. Without a `name`, it is called by its text.
     """
 
     formula: Formula
-    text: str
+    text: str = ""
     weight: Fraction = Fraction(1)
     name: str = ""
     level: int = 0
     partial: bool = False
+
+    def __post_init__(self) -> None:
+        """Complete what is written of the formula."""
+        object.__setattr__(self, "text", nfc(self.text or str(self.formula)))
+        object.__setattr__(self, "name", nfc(self.name or self.text.strip()))
 
 
 @dataclass(frozen=True)
@@ -162,37 +82,32 @@ class Mission:
     text: str
     formula: Formula
     horizon: int
-    objective: tuple[str, ...] = DEFAULT_OBJECTIVE
+    objective: tuple[str, ...] = default_objective(swarms=False)
     task_interval: TaskInterval = "closed"
     solver: SolverChoice = field(default_factory=SolverChoice)
     swarm: SwarmRules | None = None
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()
-    digest: str = ""
-    warnings: tuple[Finding, ...] = ()
+    digest: str = field(default="", compare=False)
+    warnings: tuple[Finding, ...] = field(default=(), compare=False)
     parse_seconds: float = field(default=0.0, compare=False, repr=False)
     origin: Document | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        from tsplan.mission.mission_checks import problems_of  # noqa: PLC0415  (imports this module)
-        from tsplan.mission.named_parts import (  # noqa: PLC0415  (imports this module)
-            with_named_classes,
-            with_named_states,
-        )
-
-        team = with_named_classes(self.team, self.system, self._formulas)
-        object.__setattr__(self, "team", team)
-        object.__setattr__(self, "system", with_named_states(self.system, self._formulas))
+        """Bring everything into one form, and refuse what does not fit together."""
+        formulas = (self.formula, *(soft.formula for soft in self.prefer))
+        team = with_named_classes(self.team, self.swarm, self.system, formulas)
+        robots = [group for group in team if self.group_bounds(group.class_name) is None]
+        swarms = [group for group in team if self.group_bounds(group.class_name) is not None]
+        object.__setattr__(self, "name", nfc(self.name))
+        object.__setattr__(self, "text", nfc(self.text or str(self.formula)))
+        object.__setattr__(self, "team", (*robots, *swarms))
+        object.__setattr__(self, "system", with_named_states(self.system, formulas))
         if self.prefer and "preferences" not in self.objective:
             object.__setattr__(self, "objective", ("preferences", *self.objective))
-        errors = [problem for problem in problems_of(self) if problem.serious]
+        errors = [fault.finding() for fault in mission_faults(self) if fault.serious]
         if errors:
-            raise MissionError(problem.finding() for problem in errors)
-
-    @property
-    def _formulas(self) -> tuple[Formula, ...]:
-        """The formula and those that are preferred."""
-        return self.formula, *(wish.formula for wish in self.prefer)
+            raise MissionError(errors)
 
     @cached_property
     def counted(self) -> Formula:
@@ -200,24 +115,19 @@ class Mission:
 
         A percentage is one of all agents that its atom counts.
         """
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
+        return self._resolved(logic.translate(self.formula, interval=self.task_interval))
 
-        plain = logic.translate(self.formula, interval=self.task_interval)
-        return plain if self.swarm is None else logic.resolve_percent(plain, self.having)
+    def _resolved(self, formula: Formula) -> Formula:
+        """A formula without percentages, which only missions with swarms have."""
+        return formula if self.swarm is None else logic.resolve_percent(formula, self.having)
 
     def tree(self, formula: Formula) -> Formula:
         """The tree of a formula of the mission whose fraction counts, percentages resolved."""
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-        from tsplan.logic.fraction import tree_of  # noqa: PLC0415
-
-        plain = formula if self.swarm is None else logic.resolve_percent(formula, self.having)
-        return tree_of(plain, self.task_interval)
+        return tree_of(self._resolved(formula), self.task_interval)
 
     @cached_property
     def goal(self) -> Formula:
         """The formula that is encoded: over counts, in positive normal form, with its margin."""
-        from tsplan import logic  # noqa: PLC0415  (the parser is slow to import)
-
         formula = logic.positive(self.counted)
         if self.swarm is not None and self.swarm.margin:
             formula = logic.tighten(formula, self.having, self.swarm.spare)
@@ -307,40 +217,46 @@ class Mission:
         another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
         and that of swarms "mtl". Raises MissionError with all findings.
         """
-        from tsplan.mission.values import mission_from_values  # noqa: PLC0415  (imports this)
+        from tsplan.mission.values import mission_from_values  # noqa: PLC0415  (makes missions)
 
-        given = {"formula": formula, "must": must}
-        spec: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
-        wishes = list(prefer)
-        values = {
-            "name": name,
-            "map": map,
-            "team": None if team is None else list(team),
-            "swarm": swarm,
-            "swarms": None if swarms is None else list(swarms),
-            "max_subswarms": max_subswarms,
-            "margin": margin,
-            "spec": {
-                "language": language or default_language(team=bool(team)),
-                **spec,
-                **({"prefer": wishes} if wishes else {}),
-            },
-            "objective": None if objective is None else list(objective),
-            "task_interval": task_interval,
-            "horizon": horizon,
-            "solver": solver,
+        team = None if team is None else list(team)
+        spec = {
+            "language": language or default_language(team=bool(team)),
+            "formula": formula,
+            "must": must,
+            "prefer": list(prefer) or None,
         }
-        return mission_from_values(cast("Mapping[str, Any]", values))
+        return mission_from_values(
+            {
+                "name": name,
+                "map": map,
+                "team": team,
+                "swarm": swarm,
+                "swarms": None if swarms is None else list(swarms),
+                "max_subswarms": max_subswarms,
+                "margin": margin,
+                "spec": {key: value for key, value in spec.items() if value is not None},
+                "objective": None if objective is None else list(objective),
+                "task_interval": task_interval,
+                "horizon": horizon,
+                "solver": solver,
+            }
+        )
 
+    def to_yaml(self) -> str:
+        """The mission as a mission file with its map inside, which is read as the same mission.
 
-def _whole(value: Any) -> Any:
-    """A whole number of any kind as Python's own; what is none is left to the checks."""
-    return int(value) if isinstance(value, Integral) and not isinstance(value, bool) else value
+        Raises MissionError for a number that no file can say exactly.
+        """
+        return mission_to_yaml(self)
 
+    def save(self, path: str | Path, *, map_file: str | None = None) -> None:
+        """Write a mission file, at once or not at all; its map inside, or to a file beside it.
 
-def default_language(*, team: bool) -> Language:
-    """The language of a formula where none is named: of a team, or else of swarms."""
-    return "catl" if team else "mtl"
+        Raises MissionError for a number that no file can say exactly, or where the place cannot be
+        written (of the map, MapError).
+        """
+        save_mission(self, Path(path), map_file)
 
 
 def digest_of(text: str) -> str:

@@ -20,9 +20,9 @@ from tsplan.limits import (
     MOST_THREADS,
     MOST_WEIGHT,
 )
-from tsplan.mission.mission import ORDERS
+from tsplan.mission.mission_writer import FORMAT
+from tsplan.mission.vocabulary import ORDERS, Language, TaskInterval
 
-FORMAT = "tsplan-mission/1"
 _SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
 
 
@@ -89,6 +89,7 @@ class Swarm(_Part):
     at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
     max_subswarms: Count | None = None
     min_subswarm: Count = 1
+    capabilities: list[Name] = []
 
 
 class NamedSwarm(Swarm):
@@ -97,7 +98,7 @@ class NamedSwarm(Swarm):
     name: Name
 
 
-class Wish(_Part):
+class SoftFormula(_Part):
     """A preferred formula; the formula itself is read elsewhere."""
 
     formula: Any
@@ -110,10 +111,10 @@ class Wish(_Part):
 class Spec(_Part):
     """The formula and its language. The formula itself is read elsewhere, with its places."""
 
-    language: Literal["catl", "mtl", "stl"]
+    language: Language
     formula: Any = None
     must: Any = None
-    prefer: list[Wish] = []
+    prefer: list[SoftFormula] = []
 
 
 class Solver(_Part):
@@ -140,7 +141,7 @@ class MissionFile(_Part):
     margin: Annotated[Any, BeforeValidator(_margin)] = 0
     spec: Spec
     objective: list[Annotated[Name, BeforeValidator(_aim)]] | None = None
-    task_interval: Literal["closed", "half-open"] = "closed"
+    task_interval: TaskInterval = "closed"
     horizon: Whole | None = None
     solver: Solver | None = None
 

@@ -75,8 +75,7 @@ for _objective in (
 ):
     register(_objective)
 
-DEFAULT_OBJECTIVE = ("travel",)
-"""What a mission of a team asks for where it names no objective."""
 
-DEFAULT_SWARM_OBJECTIVE = ("splits", "travel")
-"""What a mission with a swarm asks for where it names no objective."""
+def default_objective(*, swarms: bool) -> tuple[str, ...]:
+    """What a mission asks for where it names no objective: one with swarms, or without."""
+    return ("splits", "travel") if swarms else ("travel",)

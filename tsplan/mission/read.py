@@ -3,48 +3,43 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from tsplan.document import Document, parse_document, read_document
+from tsplan.document.files import beside
+from tsplan.document.kinds import MISSION, misfit
+from tsplan.document.validation import salvaged, validated
 from tsplan.errors import Finding, InputError, MissionError
+from tsplan.logic import Formula
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission.costs import cost_problems
-from tsplan.mission.findings import Entry, Place, Problem
+from tsplan.mission.costs import cost_faults
+from tsplan.mission.findings import Entry, Fault, Place, moved, preferred
+from tsplan.mission.formula_checks import formula_faults, formula_horizon, horizon_faults
 from tsplan.mission.formulas import Formulas, spelled_out
-from tsplan.mission.mission import (
-    ORDERS,
-    Group,
-    Mission,
-    Order,
-    Preference,
-    SwarmBounds,
-    SwarmRules,
+from tsplan.mission.mission import Mission, Preference
+from tsplan.mission.mission_checks import objective_faults, preference_faults
+from tsplan.mission.mission_schema import (
+    STAND_INS,
+    Member,
+    MissionFile,
+    SoftFormula,
+    Swarm,
 )
-from tsplan.mission.mission_checks import (
-    formula_horizon,
-    formula_problems,
-    horizon_problems,
-    map_problems,
-    moved,
-    objective_problems,
-    team_problems,
-    wish_problems,
-)
-from tsplan.mission.named_parts import with_named_classes
-from tsplan.mission.objectives import DEFAULT_OBJECTIVE, DEFAULT_SWARM_OBJECTIVE
-from tsplan.mission.swarm_rules import KINDS, ONE_SWARM, kind_problems, total_problems
+from tsplan.mission.name_resolution import with_named_classes
+from tsplan.mission.objectives import default_objective
+from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
+from tsplan.mission.team_checks import map_faults, team_faults
+from tsplan.mission.vocabulary import ORDERS, Order
+from tsplan.ts import TransitionSystem
+from tsplan.ts.io.map_files import load_map, map_from_document
 from tsplan.words import nfc
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
-    from tsplan.document import Document
-    from tsplan.logic import Formula
-    from tsplan.mission.mission_schema import Member, MissionFile, Swarm, Wish
-    from tsplan.ts import TransitionSystem
+KINDS = ("team", "swarm", "swarms")
 
 
 def load_mission(path: str | Path) -> Mission:
@@ -52,36 +47,25 @@ def load_mission(path: str | Path) -> Mission:
 
     Raises MissionError with everything that is wrong with the file, its map and its formula.
     """
-    from tsplan.document import read_document  # noqa: PLC0415  (the reader is slow to import)
-
     return _in_one_family(lambda: mission_from_document(read_document(path), Path(path).parent))
 
 
 def mission_from_text(text: str, source: str = "mission", folder: str | Path = ".") -> Mission:
     """Read a mission from its text; maps are looked for in `folder`. Raises MissionError."""
-    from tsplan.document import parse_document  # noqa: PLC0415  (the reader is slow to import)
-
     return _in_one_family(lambda: mission_from_document(parse_document(text, source), Path(folder)))
 
 
-def _in_one_family(read: Any) -> Mission:
+def _in_one_family(read: Callable[[], Mission]) -> Mission:
     try:
-        mission: Mission = read()
-    except MissionError:
-        raise
+        return read()
     except InputError as error:
         raise MissionError(error.findings) from None
-    return mission
 
 
 def mission_from_document(
     document: Document, folder: Path, system: TransitionSystem | None = None
 ) -> Mission:
     """A mission from its document. With `system`, the document's own map is not read."""
-    from tsplan.document.kinds import MISSION, misfit  # noqa: PLC0415  (as below)
-    from tsplan.document.validation import salvaged, validated  # noqa: PLC0415  (slow to import)
-    from tsplan.mission.mission_schema import STAND_INS, MissionFile  # noqa: PLC0415  (needs pydantic)
-
     strange = misfit(document, (), MISSION)
     if strange is not None:
         raise MissionError([strange])
@@ -98,16 +82,10 @@ def mission_from_document(
         draft.judge(file)
     else:
         draft.judge_rest(*salvaged(document, MissionFile, STAND_INS))
-    serious = any(draft.known.get(finding, True) for finding in draft.findings)
     formula = draft.formulas.formula
-    if serious or file is None or draft.system is None or formula is None:
+    if draft.serious or file is None or draft.system is None or formula is None:
         raise MissionError(draft.in_order())
-    made = draft.mission(file, draft.system, formula)
-    for problem in cost_problems(made.system, made.team, made.horizon, made.objective):
-        draft.file(problem)
-    if draft.findings and any(draft.known.get(finding, True) for finding in draft.findings):
-        raise MissionError(draft.in_order())
-    return made
+    return draft.mission(file, draft.system, formula)
 
 
 @dataclass
@@ -117,20 +95,18 @@ class _Draft:
     document: Document
     findings: list[Finding]
     warnings: list[Finding] = field(default_factory=list)
-    known: dict[Finding, bool] = field(default_factory=dict)  # by whether they are serious
+    known: set[Finding] = field(default_factory=set)  # those that were faults
     system: TransitionSystem | None = None
     entries: list[Entry] | None = None  # None where what is said of them is wrong
     swarm: SwarmRules | None = None
     seconds: float = 0.0
+    horizon: int = 0
 
     def __post_init__(self) -> None:
         self.formulas = Formulas(self.document, self.findings)
 
     def read_map(self, folder: Path) -> TransitionSystem | None:
         """The map, inline or from the file beside the mission."""
-        from tsplan.document.files import beside  # noqa: PLC0415  (missions made in Python)
-        from tsplan.ts.io.map_files import load_map, map_from_document  # noqa: PLC0415  (slow to import)
-
         given = self.document.data.get("map") if isinstance(self.document.data, dict) else None
         if isinstance(given, dict):
             read = partial(map_from_document, self.document, ("map",))
@@ -150,12 +126,11 @@ class _Draft:
             return None
 
     def judge_kind(self) -> None:
-        """Report what a mission file says of teams and swarms that it cannot be for at once."""
-        for problem in kind_problems(self.document.data):
-            line, column = self.document.key_place(problem.path)
-            self.findings.append(
-                Finding(problem.message, problem.remedy, self.document.source, line, column)
-            )
+        """Report what a mission file says of teams and swarms that does not go together."""
+        if isinstance(self.document.data, dict):
+            self.findings += [
+                self.document.key_finding(*words) for words in misplaced(self.document.data)
+            ]
 
     def read_agents(self, file: MissionFile) -> None:
         """The groups of the team and of the swarms, and the rules of swarms."""
@@ -170,8 +145,9 @@ class _Draft:
         if file.swarm is not None:
             swarms = [(("swarm",), ONE_SWARM, file.swarm)]
         for path, name, entry in swarms:
-            able = frozenset({nfc(name)}) - taken if path[0] == "swarms" else frozenset()
-            team.append((path, Group(name, able, self._swarm_starts(entry, path))))
+            able = {nfc(name)} - taken if path[0] == "swarms" else set()
+            able |= self._words(entry.capabilities, (*path, "capabilities"))
+            team.append((path, Group(name, frozenset(able), self._swarm_starts(entry, path))))
         self.entries = team
         if swarms:
             each = {
@@ -187,8 +163,11 @@ class _Draft:
     def _swarm_starts(self, entry: Swarm, path: Place) -> tuple[tuple[str, int], ...]:
         if isinstance(self.document.at((*path, "at")), dict):
             starts = tuple(entry.at.items())
-            for problem in total_problems(entry.size, starts, path):
-                self.file(problem)
+            total = sum(entry.at.values())
+            if entry.size != total:
+                what = f"the size is {entry.size:,} and the start states hold {total:,}"
+                remedy = f"write {total} or correct the start states"
+                self._report((*path, "size"), what, remedy)
             return starts
         (state,) = entry.at
         return ((self._word(state, (*path, "at")), entry.size),)
@@ -203,11 +182,11 @@ class _Draft:
         else:
             (name,) = member.at
             starts = ((self._word(name, (*path, "at")), member.count or 1),)
-        able = [
-            self._word(name, (*path, "capabilities", n))
-            for n, name in enumerate(member.capabilities)
-        ]
-        return Group(self._word(member.class_name, (*path, "class")), frozenset(able), starts)
+        able = self._words(member.capabilities, (*path, "capabilities"))
+        return Group(self._word(member.class_name, (*path, "class")), able, starts)
+
+    def _words(self, names: Sequence[str], path: Place) -> frozenset[str]:
+        return frozenset(self._word(name, (*path, n)) for n, name in enumerate(names))
 
     def _word(self, value: str, path: Place) -> str:
         """A name as it is written: `01` is no number here."""
@@ -223,58 +202,65 @@ class _Draft:
 
     def judge(self, file: MissionFile) -> None:
         """Report what does not fit together, as far as the parts are known."""
+        faults: list[Fault] = []
         if self.entries is not None:
             formulas = [formula for _, formula in self.formulas.all()]
-            named = with_named_classes(self.team or (), self.system, formulas)
+            named = with_named_classes(self.team or (), self.swarm, self.system, formulas)
             places = (place for place, _ in self.entries)
             self.entries = list(zip(places, named, strict=True))
-        names, wishes = self.objective(file), self.preferences(file.spec.prefer)
-        problems = []
-        if self.entries is not None:
-            problems += objective_problems(names, self.swarm)
-            problems += wish_problems(names, wishes, self.swarm)
-            problems += team_problems(self.entries, self.system, self.swarm)
+            names, prefer = self.objective(file), self.preferences(file.spec.prefer)
+            faults += objective_faults(names, self.swarm)
+            faults += preference_faults(names, prefer, self.swarm)
+            faults += team_faults(self.entries, self.system, self.swarm)
         if self.system is not None and self.team is not None:
-            problems += map_problems(self.system, self.team)
+            faults += map_faults(self.system, self.team)
+        horizons = []
         for where, formula in self.formulas.all():
-            found = formula_problems(formula, self.system, self.team, self.swarm)
-            _, empty = formula_horizon(formula, file.task_interval)
-            found += empty or horizon_problems(formula, file.task_interval, file.horizon)
-            problems += moved(found, where)
-        for problem in problems:
-            self.file(problem)
+            found = [*formula_faults(formula, self.system, self.team, self.swarm)]
+            found += horizon_faults(formula, file.task_interval, file.horizon)
+            faults += moved(found, where)
+            horizons.append(formula_horizon(formula, file.task_interval) or 0)
+        self.horizon = max(horizons, default=0) if file.horizon is None else file.horizon
+        for fault in faults:
+            self.file(fault)
+        if not self.serious and self.system is not None and self.team is not None:
+            for fault in cost_faults(self.system, self.team, self.horizon, self.objective(file)):
+                self.file(fault)
 
     def objective(self, file: MissionFile) -> tuple[str, ...]:
         """The objectives, by default those of the mission's kind."""
         if file.objective is not None:
             return objective_names(file.objective)
-        return DEFAULT_OBJECTIVE if self.swarm is None else DEFAULT_SWARM_OBJECTIVE
+        return default_objective(swarms=self.swarm is not None)
 
-    def preferences(self, wishes: Iterable[Wish]) -> tuple[Preference, ...]:
-        """The preferences whose formulas could be read, named by their text if by nothing else."""
+    def preferences(self, entries: Iterable[SoftFormula]) -> tuple[Preference, ...]:
+        """The preferences whose formulas could be read."""
         made = []
-        for number, wish in enumerate(wishes):
-            read = self.formulas.wishes.get(number)
+        for number, entry in enumerate(entries):
+            read = self.formulas.soft.get(number)
             if read is not None:
-                formula, text = read
-                place = ("spec", "prefer", number, "name")
-                name = self._word(wish.name, place) if wish.name else text.strip()
-                weight = Fraction(str(wish.weight))
-                made.append(Preference(formula, text, weight, name, wish.level, wish.partial))
+                name = self._word(entry.name, preferred(number, "name")) if entry.name else ""
+                weight = Fraction(str(entry.weight))
+                made.append(Preference(*read, weight, name, entry.level, entry.partial))
         return tuple(made)
 
     def _report(self, path: Place, message: str, remedy: str) -> None:
-        self.file(Problem(path, message, remedy))
+        self.file(Fault(path, message, remedy))
 
-    def file(self, problem: Problem) -> None:
-        """Turn a problem into a finding at its place."""
-        at = problem.at or (self.document.source, *self.formulas.place(problem))
-        finding = Finding(problem.message, problem.remedy, *at)
+    def file(self, fault: Fault) -> None:
+        """Turn a fault into a finding at its place."""
+        at = fault.at or (self.document.source, *self.formulas.place(fault))
+        finding = Finding(fault.message, fault.remedy, *at)
         if finding not in self.known:
-            self.known[finding] = problem.serious
+            self.known.add(finding)
             self.findings.append(finding)
-            if not problem.serious:
+            if not fault.serious:
                 self.warnings.append(finding)
+
+    @property
+    def serious(self) -> bool:
+        """Whether anything was found that forbids planning."""
+        return len(self.findings) > len(self.warnings)
 
     def in_order(self) -> list[Finding]:
         """All findings, those of other files first, then by their place."""
@@ -283,11 +269,7 @@ class _Draft:
 
     def mission(self, file: MissionFile, system: TransitionSystem, formula: Formula) -> Mission:
         """The mission, when nothing serious is wrong."""
-        prefer = self.preferences(file.spec.prefer)
-        formulas = (formula, *(wish.formula for wish in prefer))
-        own = max(formula_horizon(item, file.task_interval)[0] or 0 for item in formulas)
-        order = objective_order(file.objective or ())
-        solver: Mapping[str, Any] = file.solver.model_dump() if file.solver else {}
+        solver: dict[str, Any] = file.solver.model_dump() if file.solver else {}
         return Mission(
             name=file.name,
             system=system,
@@ -295,18 +277,41 @@ class _Draft:
             language=file.spec.language,
             text=self.formulas.text,
             formula=formula,
-            horizon=file.horizon if file.horizon is not None else own,
+            horizon=self.horizon,
             objective=self.objective(file),
             task_interval=file.task_interval,
             solver=SolverChoice(**solver),
             swarm=self.swarm,
-            satisfaction=order,
-            prefer=prefer,
+            satisfaction=objective_order(file.objective or ()),
+            prefer=self.preferences(file.spec.prefer),
             digest=self.document.digest,
             warnings=tuple(self.warnings),
             parse_seconds=self.seconds,
             origin=self.document,
         )
+
+
+def misplaced(data: Mapping[str, Any]) -> Iterator[tuple[Place, str, str]]:
+    """Keys at the top of a mission file that are missing, too many, or belong elsewhere."""
+    given = [kind for kind in KINDS if kind in data]
+    single = "swarm" in given and "swarms" not in given
+    if not given:
+        remedy = "add 'team: ...', or 'swarm: ...' for a swarm that may split"
+        yield (), "'team' is missing", remedy
+    if "swarm" in given and "swarms" in given:
+        yield ("swarms",), "the mission has 'swarms' beside 'swarm'", "keep one of them"
+    if "margin" in data and given == ["team"]:
+        what = "'margin' is head-room for a swarm, and this mission has a team"
+        yield ("margin",), what, "remove it, or describe a swarm"
+    if "max_subswarms" in data and given == ["team"]:
+        what = "'max_subswarms' bounds swarms, and this mission has a team"
+        yield ("max_subswarms",), what, "remove it, or describe a swarm"
+    if "max_subswarms" in data and single:
+        what = "'max_subswarms' stands here only to bound several swarms together"
+        yield ("max_subswarms",), what, "write it inside 'swarm'"
+    if "min_subswarm" in data:
+        what = "'min_subswarm' is a bound of one swarm"
+        yield ("min_subswarm",), what, "write it inside the swarm"
 
 
 _ORDERED = {f"satisfaction: {order}": order for order in ORDERS}

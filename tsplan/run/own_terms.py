@@ -7,9 +7,9 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from tsplan.asked import known_name, step_within
 from tsplan.encode.expressions import Constraint, CountTerm
 from tsplan.errors import Finding, MissionError
+from tsplan.parameters import known_name, step_within
 from tsplan.plans.presence import counted
 from tsplan.ts import TransitionSystem
 

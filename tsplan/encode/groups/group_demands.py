@@ -17,7 +17,7 @@ from tsplan.encode.joint_demands import Together
 from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.encode.witness import Demand, Witnesses
 from tsplan.milp.model import Draft, Floats, Ints
-from tsplan.mission.mission import SwarmBounds
+from tsplan.mission import SwarmBounds
 
 
 def most_groups(agents: int, bounds: SwarmBounds, together: int | None) -> int:

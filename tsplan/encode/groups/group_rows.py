@@ -27,7 +27,7 @@ from tsplan.encode.groups.occupancy import Occupancy, bound_groups, occupancy, s
 from tsplan.encode.selection import Literal
 from tsplan.encode.witness import Demand, Witnesses
 from tsplan.milp.model import Draft, Floats, Ints
-from tsplan.mission.mission import SwarmBounds
+from tsplan.mission import SwarmBounds
 
 
 @dataclass(frozen=True, eq=False)

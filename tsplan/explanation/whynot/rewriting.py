@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -21,14 +21,15 @@ from tsplan.explanation.whynot.mission_numbers import Number
 from tsplan.explanation.whynot.occurrences import Occurrence, Way
 from tsplan.explanation.whynot.soft_constraints import file_path, group_bounds, robot_entries
 from tsplan.logic import Count, Formula, Release, Until, Window
-from tsplan.logic.text import number_text, quoted
+from tsplan.logic.text import quoted
 from tsplan.mission import mission_from_text
-from tsplan.ts.io.flow_style import word
+from tsplan.mission.mission_writer import group_entry, margin_text
+from tsplan.ts.io.flow_style import flow
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 if TYPE_CHECKING:
     from tsplan.document import Document
-    from tsplan.mission import Group, Mission, SwarmBounds
+    from tsplan.mission import Group, Mission
 
 
 class Written(NamedTuple):
@@ -50,7 +51,7 @@ class _Edit:
 def rewritten(original: Mission, changed: Mission, folder: Path, target: Path) -> Written:
     """The file of a changed mission. The original came from `folder`, the file goes to `target`."""
     content = original.origin.content if original.origin is not None else ""
-    text = _anew(changed)
+    text = changed.to_yaml()
     if original.origin is not None:
         edits = _edits(original, changed, original.origin, (folder, target))
         edited = _edited(content, edits)
@@ -169,9 +170,7 @@ def _swarm_edits(original: Mission, changed: Mission, document: Document) -> Ite
 
 def _bound(value: Fraction | int | None) -> str:
     """A bound as a mission file says it; a fraction of the swarm as a percentage."""
-    return (
-        f"{number_text(float(100 * value))}%" if isinstance(value, Fraction) else json.dumps(value)
-    )
+    return "null" if value is None else margin_text(value)
 
 
 def _team(mission: Mission) -> str:
@@ -181,13 +180,7 @@ def _team(mission: Mission) -> str:
 
 
 def _member(group: Group) -> str:
-    if len(group.starts) == 1:
-        ((state, count),) = group.starts
-        where = f"count: {count}, at: {word(state)}"
-    else:
-        where = "at: {" + ", ".join(f"{word(s)}: {n}" for s, n in group.starts) + "}"
-    able = ", ".join(word(name) for name in sorted(group.capabilities))
-    return f"{{class: {word(group.class_name)}, {where}, capabilities: [{able}]}}"
+    return flow(group_entry(group))
 
 
 def _map_edits(
@@ -216,76 +209,3 @@ def _exchanged(document: Document, path: tuple[str | int, ...], text: str) -> _E
     begin, end = document.span(path)
     kept = document.content[begin:end].rstrip()
     return _Edit(begin, begin + len(kept), text)
-
-
-# --- a new text ------------------------------------------------------------------------------
-
-
-def _who(mission: Mission) -> list[str]:
-    """The team, or the swarms with their bounds."""
-    rules = mission.swarm
-    if rules is None:
-        return ["team:", *(f"  - {_member(group)}" for group in mission.team)]
-    entries = [_swarm(group, rules.each[group.class_name]) for group in mission.team]
-    if mission.capabilities:
-        named = zip(mission.team, entries, strict=True)
-        lines = [f"  - {{name: {word(group.class_name)}, {entry}}}" for group, entry in named]
-        lines.insert(0, "swarms:")
-    else:
-        lines = [f"swarm: {{{entry}}}" for entry in entries]
-    if rules.together is not None:
-        lines.append(f"max_subswarms: {rules.together}")
-    return [*lines, *([f"margin: {_bound(rules.margin)}"] if rules.margin else [])]
-
-
-def _swarm(group: Group, bounds: SwarmBounds) -> str:
-    """The size, the start and the bounds of one swarm."""
-    where = ", ".join(f"{word(state)}: {count}" for state, count in group.starts)
-    most = "" if bounds.most is None else f", max_subswarms: {bounds.most}"
-    return f"size: {group.count}, at: {{{where}}}{most}, min_subswarm: {bounds.least}"
-
-
-def _wishes(mission: Mission) -> list[str]:
-    """What is preferred beside the formula, one entry a line."""
-    lines = ["  prefer:"] if mission.prefer else []
-    for wish in mission.prefer:
-        entry = {
-            "formula": wish.text,
-            "weight": float(wish.weight),
-            "level": wish.level,
-            "partial": wish.partial,
-            **({"name": wish.name} if wish.name else {}),
-        }
-        lines.append(f"    - {json.dumps(entry, ensure_ascii=False, allow_nan=False)}")
-    return lines
-
-
-def _objectives(mission: Mission) -> list[str | dict[str, str]]:
-    """The objectives; that of satisfaction with its order."""
-    return [
-        {name: mission.satisfaction} if name == "satisfaction" else name
-        for name in mission.objective
-    ]
-
-
-def _anew(mission: Mission) -> str:
-    """A whole mission file, with its map inside."""
-    lines = [
-        "format: tsplan-mission/1",
-        f"name: {json.dumps(mission.name, ensure_ascii=False)}",
-        "map:",
-        *(f"  {line}" for line in map_to_yaml(mission.system).splitlines()),
-        *_who(mission),
-        "spec:",
-        f"  language: {mission.language}",
-        "  must: |" if mission.prefer else "  formula: |",
-        f"    {mission.formula}",
-        *_wishes(mission),
-        f"objective: {json.dumps(_objectives(mission))}",
-        f"task_interval: {mission.task_interval}",
-        f"horizon: {mission.horizon}",
-    ]
-    solver = {key: value for key, value in asdict(mission.solver).items() if value is not None}
-    if solver:
-        lines.append(f"solver: {json.dumps(solver, allow_nan=False)}")
-    return "\n".join(lines) + "\n"

@@ -8,14 +8,15 @@ and the class its own name as a capability, in its team. Whatever reads the miss
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable
+from tsplan.logic.symbols import capabilities, labels
+from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 
+if TYPE_CHECKING:
     from tsplan.logic import Formula
-    from tsplan.mission.mission import Group
     from tsplan.ts import TransitionSystem
 
 
@@ -30,8 +31,6 @@ def with_named_states(system: TransitionSystem, formulas: Iterable[Formula]) -> 
     >>> with_named_states(yard, [parse("F[0,2] gate")]).labels
     mappingproxy({'gate': ('gate',)})
     """
-    from tsplan.logic.symbols import labels  # noqa: PLC0415  (the parser is slow to import)
-
     named = {
         name
         for formula in formulas
@@ -48,21 +47,25 @@ def with_named_states(system: TransitionSystem, formulas: Iterable[Formula]) -> 
 
 
 def with_named_classes(
-    team: Iterable[Group], system: TransitionSystem | None, formulas: Iterable[Formula]
+    team: Iterable[Group],
+    swarm: SwarmRules | None,
+    system: TransitionSystem | None,
+    formulas: Iterable[Formula],
 ) -> tuple[Group, ...]:
     """The team in which every class that a formula or the map names has its name as a capability.
 
-    A name that some robot has as a capability means that capability.
+    A name that some robot has as a capability means that capability. Swarms have their names
+    always, but for a single one that has no name of its own.
 
     >>> from tsplan.logic import parse
     >>> from tsplan.mission import Group
-    >>> with_named_classes([Group.of("scout", {"q1": 3})], None, [parse("sum(A, scout) > 1")])
+    >>> with_named_classes([Group.of("scout", {"q1": 3})], None, None, [parse("sum(A, scout) > 1")])
     (Group(class_name='scout', capabilities=frozenset({'scout'}), starts=(('q1', 3),)),)
     """
-    from tsplan.logic.symbols import capabilities  # noqa: PLC0415  (the parser is slow to import)
-
     team = tuple(team)
     named = {name for formula in formulas for name in capabilities(formula)}
+    if swarm is not None and set(swarm.each) != {ONE_SWARM}:
+        named.update(swarm.each)
     if system is not None:
         named.update(*(state.needs for state in system.states.values()))
         named.update(*(edge.needs for edge in system.edges.values()))

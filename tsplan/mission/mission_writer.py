@@ -1,0 +1,174 @@
+"""Missions as files: what is written is read as the same mission.
+
+The entries of a file are made here for missions from Python values, too (`mission.values`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import asdict
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tsplan.document.files import write_whole
+from tsplan.errors import Finding, FormulaError, MissionError
+from tsplan.logic import Formula, Percent, parse
+from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
+from tsplan.mission.vocabulary import Language
+from tsplan.ts.io.flow_style import flow, word
+from tsplan.ts.io.map_files import save_map
+from tsplan.ts.io.tsplan_yaml import map_to_yaml
+
+if TYPE_CHECKING:
+    from tsplan.milp.solver_choice import SolverChoice
+    from tsplan.mission.mission import Mission, Preference
+
+FORMAT = "tsplan-mission/1"
+
+_FINEST = 15  # digits after the point of a percentage that a file may have
+
+
+def mission_to_yaml(mission: Mission, map_file: str | None = None) -> str:
+    """The text of a mission file; the map stands in it, or is the file that is named."""
+    return "".join(f"{line}\n" for line in _lines(mission, map_file))
+
+
+def save_mission(mission: Mission, path: Path, map_file: str | None = None) -> None:
+    """Write a mission to a file, and its map to a file beside it if one is named."""
+    text = mission_to_yaml(mission, map_file)
+    if map_file is not None:
+        save_map(mission.system, path.parent / map_file)
+    write_whole(path, text.encode(), MissionError)
+
+
+def _lines(mission: Mission, map_file: str | None) -> Iterator[str]:
+    yield f"format: {FORMAT}"
+    if mission.name:
+        yield f"name: {word(mission.name)}"
+    if map_file is None:
+        yield "map:"
+        yield from (f"  {line}" for line in map_to_yaml(mission.system).splitlines())
+    else:
+        yield f"map: {word(map_file)}"
+    yield from _team_lines(mission)
+    yield "spec:"
+    yield f"  language: {mission.language}"
+    text = written_formula(mission.formula, mission.text, mission.language)
+    yield f"  {'must' if mission.prefer else 'formula'}: {_scalar(text)}"
+    if mission.prefer:
+        yield "  prefer:"
+        for soft in mission.prefer:
+            yield f"    - {flow(preference_entry(soft, mission.language))}"
+    aims = [
+        {name: mission.satisfaction} if name == "satisfaction" else name
+        for name in mission.objective
+    ]
+    yield f"objective: {flow(aims)}"
+    if mission.task_interval != "closed":
+        yield f"task_interval: {mission.task_interval}"
+    yield f"horizon: {mission.horizon}"
+    if solver := solver_entry(mission.solver):
+        yield f"solver: {flow(solver)}"
+
+
+def _team_lines(mission: Mission) -> Iterator[str]:
+    """The robots, and the swarms with what bounds them."""
+    rules = mission.swarm
+    swarms = [group for group in mission.team if mission.group_bounds(group.class_name)]
+    robots = [group for group in mission.team if not mission.group_bounds(group.class_name)]
+    if robots:
+        yield "team:"
+        yield from (f"  - {flow(group_entry(group))}" for group in robots)
+    if rules is None:
+        return
+    if len(swarms) == 1 and ONE_SWARM == swarms[0].class_name not in swarms[0].capabilities:
+        entry = swarm_entry(swarms[0], rules)
+        if rules.together is not None:  # it bounds this one
+            entry["max_subswarms"] = min(rules.together, entry.get("max_subswarms", rules.together))
+        yield f"swarm: {flow(entry)}"
+    else:
+        yield "swarms:"
+        for swarm in swarms:
+            yield f"  - {flow({'name': swarm.class_name, **swarm_entry(swarm, rules)})}"
+        if rules.together is not None:
+            yield f"max_subswarms: {rules.together}"
+    if rules.margin:
+        yield f"margin: {margin_text(rules.margin)}"
+
+
+def group_entry(group: Group) -> dict[str, Any]:
+    """The entry of a group of robots."""
+    starts: dict[str, Any] = {"at": dict(group.starts)}
+    if len(group.starts) == 1:
+        ((state, count),) = group.starts
+        starts = {"count": count, "at": state}
+    able = {"capabilities": sorted(group.capabilities)} if group.capabilities else {}
+    return {"class": group.class_name, **starts, **able}
+
+
+def swarm_entry(swarm: Group, rules: SwarmRules) -> dict[str, Any]:
+    """The entry of a swarm but for its name, which is one of its capabilities anyway."""
+    bounds = rules.each[swarm.class_name]
+    entry: dict[str, Any] = {"size": swarm.count, "at": dict(swarm.starts)}
+    if bounds.most is not None:
+        entry["max_subswarms"] = bounds.most
+    if bounds.least > 1:
+        entry["min_subswarm"] = bounds.least
+    able = sorted(swarm.capabilities - {swarm.class_name})
+    return {**entry, "capabilities": able} if able else entry
+
+
+def preference_entry(soft: Preference, language: Language) -> dict[str, Any]:
+    """The entry of a formula that is preferred."""
+    weight = float(soft.weight)
+    if Fraction(str(weight)) != soft.weight:
+        what = f"the weight {soft.weight} of '{soft.name}' has no end as a decimal number"
+        raise MissionError([Finding(what, "choose a weight of at most 15 digits")])
+    return {
+        "formula": written_formula(soft.formula, soft.text, language),
+        "name": soft.name,
+        "weight": weight,
+        "level": soft.level,
+        "partial": soft.partial,
+    }
+
+
+def solver_entry(solver: SolverChoice) -> dict[str, Any]:
+    """What is asked of the solver."""
+    return {key: value for key, value in asdict(solver).items() if value is not None}
+
+
+def margin_text(margin: Fraction | int) -> str:
+    """A margin: a number of agents, or an exact percentage."""
+    if isinstance(margin, int):
+        return str(margin)
+    try:
+        text = str(Percent(100 * margin))
+    except ValueError:
+        text = ""
+    if not text or len(text.rstrip("%").partition(".")[2]) > _FINEST:
+        what = f"the margin {margin} is no percentage of {_FINEST} digits after the point"
+        raise MissionError([Finding(what, "round it up")])
+    return text
+
+
+def written_formula(formula: Formula, text: str, language: Language) -> str:
+    """A text that is read as the formula: the one it has, or else its own print."""
+    try:
+        if parse(text, language) is formula:
+            return text
+    except FormulaError:
+        pass
+    printed = str(formula)
+    parse(printed, language)  # a task, for example, cannot be written in another language
+    return printed
+
+
+def _scalar(text: str) -> str:
+    """A formula as a block of lines if that is easier to read, else in quotes if it needs any."""
+    lines = text.split("\n")
+    plain = text == text.strip() and all(line.isprintable() for line in lines)
+    if plain and (len(lines) > 1 or '"' in text or "\\" in text):
+        return "\n".join(["|-", *(f"    {line}" for line in lines)])
+    return word(text)

@@ -1,0 +1,106 @@
+"""Who acts: robots in groups, and the swarms among their classes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import ceil
+from numbers import Integral
+from typing import Any, NamedTuple
+
+from tsplan.words import nfc
+
+ONE_SWARM = "swarm"
+"""The class of a swarm that has no name of its own."""
+
+
+class Agent(NamedTuple):
+    """One robot of the team, before it has a path."""
+
+    id: str
+    class_name: str
+    capabilities: frozenset[str]
+    start: str
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Robots of one class with the same capabilities: how many of them start at which state."""
+
+    class_name: str
+    capabilities: frozenset[str]
+    starts: tuple[tuple[str, int], ...]
+
+    def __post_init__(self) -> None:
+        """Bring names into the form in which they are compared; name every state once."""
+        object.__setattr__(self, "class_name", nfc(self.class_name))
+        object.__setattr__(self, "capabilities", frozenset(map(nfc, self.capabilities)))
+        starts = tuple((nfc(state), _whole(count)) for state, count in self.starts)
+        if all(type(count) is int for _, count in starts):  # the checks tell of others
+            total: Counter[str] = Counter()
+            for state, count in starts:
+                total[state] += count
+            starts = tuple(total.items())
+        object.__setattr__(self, "starts", starts)
+
+    @property
+    def count(self) -> int:
+        """How many robots the group has."""
+        return sum(count for _, count in self.starts)
+
+    @classmethod
+    def of(
+        cls,
+        class_name: str,
+        starts: Mapping[str, int] | Iterable[tuple[str, int]],
+        capabilities: Iterable[str] = (),
+    ) -> Group:
+        """A group from any mapping or pairs of start states and counts.
+
+        >>> Group.of("scout", {"q1": 3}, ["Vis"]).count
+        3
+        """
+        pairs = starts.items() if isinstance(starts, Mapping) else starts
+        return cls(class_name, frozenset(capabilities), tuple(pairs))
+
+
+def _whole(value: Any) -> Any:
+    """A whole number of any kind as Python's own; what is none is left to the checks."""
+    return int(value) if isinstance(value, Integral) and not isinstance(value, bool) else value
+
+
+@dataclass(frozen=True, slots=True)
+class SwarmBounds:
+    """How a swarm may divide: at most `most` sub-swarms (None: any number) of `least` or more."""
+
+    most: int | None = None
+    least: int = 1
+
+
+@dataclass(frozen=True)
+class SwarmRules:
+    """What makes classes of the team swarms, each of which moves as sub-swarms.
+
+    `each` has the bounds of every swarm by its class name; other classes are ordinary robots.
+    `together` bounds the sub-swarms of all swarms at one step, and `margin` is the head-room by
+    which the counts of a plan are kept away from what the formula needs: a Fraction is one of the
+    agents that are counted, a whole number is of agents. `Mission.goal` is tightened by it already.
+    """
+
+    each: Mapping[str, SwarmBounds] = field(hash=False)
+    together: int | None = None
+    margin: Fraction | int = Fraction(0)
+
+    def __post_init__(self) -> None:
+        """Bring names into the form in which they are compared."""
+        object.__setattr__(self, "each", {nfc(name): item for name, item in self.each.items()})
+
+    def spare(self, agents: int) -> int:
+        """The head-room, in agents, of a demand on a swarm of so many `agents`.
+
+        >>> SwarmRules({}, margin=Fraction(1, 20)).spare(130)
+        7
+        """
+        return self.margin if isinstance(self.margin, int) else ceil(self.margin * agents)

@@ -1,0 +1,148 @@
+"""Whether the team fits together: counts, starts, names, bounds of swarms, classes of the map."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+
+from tsplan.errors import Nearest, nearest
+from tsplan.limits import MOST_ROBOTS
+from tsplan.mission.findings import Entry, Fault, Place
+from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
+from tsplan.ts import TransitionSystem
+
+
+def entries_of(team: Sequence[Group], swarm: SwarmRules | None) -> list[Entry]:
+    """The groups of a team with the places that a mission file has for them."""
+    swarms = {} if swarm is None else swarm.each
+    made: dict[str, list[Entry]] = {"team": [], "swarms": []}
+    for group in team:
+        kind = "swarms" if group.class_name in swarms else "team"
+        made[kind].append(((kind, len(made[kind])), group))
+    if [group.class_name for _, group in made["swarms"]] == [ONE_SWARM]:
+        made["swarms"] = [(("swarm",), group) for _, group in made["swarms"]]
+    return made["team"] + made["swarms"]
+
+
+def team_faults(
+    entries: Sequence[Entry], system: TransitionSystem | None, swarm: SwarmRules | None
+) -> Iterator[Fault]:
+    """Counts, classes and start states; without a map, only what does not need it."""
+    if not entries:
+        yield Fault(("team",), "the team is empty", "add at least one robot")
+    for place, group in entries:
+        if not group.starts:
+            yield Fault((*place, "at"), "no start state", "say where the robots start")
+        for state, count in group.starts:
+            if count < 1:
+                what, remedy = f"{count} robots at '{state}'", "a count is a whole number from 1"
+                yield Fault((*place, "at", state), what, remedy)
+    size = sum(group.count for _, group in entries)
+    if size > MOST_ROBOTS:
+        path, remedy = entries[0][0][:1], f"at most {MOST_ROBOTS:,} are planned"
+        yield Fault(path, f"a team of {size:,} robots", remedy)
+    if system is not None:
+        yield from _start_faults(entries, system)
+    yield from _class_faults([entry for entry in entries if entry[0][0] == "team"])
+    if swarm is not None:
+        yield from _swarm_faults(entries, swarm)
+
+
+def _start_faults(entries: Sequence[Entry], system: TransitionSystem) -> Iterator[Fault]:
+    """Start states that are none, that a class may not be at, or where more start than fit."""
+    closest = Nearest(system.states)
+    starting: Counter[str] = Counter()
+    last: dict[str, Place] = {}
+    for place, group in entries:
+        for name, count in group.starts:
+            path = (*place, "at", name)
+            state = system.states.get(name)
+            starting[name] += count
+            last[name] = path
+            if state is None:
+                yield Fault(path, f"the map has no state '{name}'", closest(name))
+            elif missing := ", ".join(sorted(state.needs - group.capabilities)):
+                what = f"class '{group.class_name}' may not be at '{name}', which needs {missing}"
+                yield Fault(
+                    path, what, f"start elsewhere or give the class the capability {missing}"
+                )
+    for name, count in starting.items():
+        capacity = system.states[name].capacity if name in system.states else None
+        if capacity is not None and count > capacity:
+            what = f"{count} robots start at '{name}', which holds {capacity}"
+            remedy = "start some of them elsewhere or raise the state's capacity"
+            yield Fault(last[name], what, remedy)
+
+
+def _class_faults(entries: Sequence[Entry]) -> Iterator[Fault]:
+    """Entries of one class that differ in their capabilities (a warning)."""
+    first: dict[str, Group] = {}
+    for place, group in entries:
+        known = first.setdefault(group.class_name, group)
+        if known.capabilities != group.capabilities:
+            what = (
+                f"class '{group.class_name}' has other capabilities here than in an earlier entry"
+            )
+            remedy = "both are kept apart; give them different class names if that is meant"
+            yield Fault((*place, "capabilities"), what, remedy, serious=False)
+
+
+def map_faults(system: TransitionSystem, team: Sequence[Group]) -> Iterator[Fault]:
+    """Durations and costs that the map gives to classes the team does not have (warnings)."""
+    classes = {group.class_name for group in team} | {"default"}
+    unknown: dict[str, str] = {}
+    for edge in system.edges.values():
+        if isinstance(edge.duration, Mapping):
+            for name in edge.duration:
+                if name not in classes:
+                    unknown.setdefault(name, f"{edge.source} to {edge.target}")
+    for name, where in unknown.items():
+        what = f"the map gives a duration to class '{name}' (edge {where}), which the team lacks"
+        yield Fault(("map",), what, nearest(name, classes - {"default"}), serious=False)
+
+
+# --- swarms ----------------------------------------------------------------------------------
+
+
+def _swarm_faults(entries: Sequence[Entry], rules: SwarmRules) -> Iterator[Fault]:
+    """Names that repeat, rules without a swarm, and what makes every plan impossible (warnings)."""
+    classes = Counter(group.class_name for _, group in entries)
+    if not rules.each or not rules.each.keys() <= classes.keys():
+        remedy = f"give bounds for {', '.join(sorted(classes)) or 'none'}"
+        yield Fault(("swarm",), "the rules are not about the swarms", remedy)
+        return
+    robots = {group.class_name for place, group in entries if place[0] == "team"}
+    swarms = [(place, group) for place, group in entries if place[0] != "team"]
+    for place, group in swarms:
+        name = group.class_name
+        if classes[name] > 1:
+            what = f"several swarms are called '{name}'"
+            if name in robots:
+                what = f"a class of the team is called '{name}', as the swarm is"
+            yield Fault((*place, "name"), what, "give each a name of its own")
+        yield from _impossible(group, rules.each[name], place)
+    begin = sum(len(group.starts) for _, group in swarms)
+    if rules.together is not None and begin > rules.together:
+        what = f"the swarms start in {begin} places, and together only {rules.together} are allowed"
+        yield Fault(("max_subswarms",), what, _HOPELESS, serious=False)
+
+
+_HOPELESS = "no plan is possible; raise the bound or start together"
+
+
+def _impossible(group: Group, bounds: SwarmBounds, place: Place) -> Iterator[Fault]:
+    """Bounds that the start already breaks."""
+    most, least = bounds.most, bounds.least
+    if least > group.count:
+        what = f"a sub-swarm needs {least:,} agents, and there are {group.count:,} in all"
+        remedy = "no plan is possible; lower the bound"
+        yield Fault((*place, "min_subswarm"), what, remedy, serious=False)
+        return
+    for state, count in group.starts:
+        if 0 < count < least:
+            what = f"{count:,} agents start at '{state}', and a sub-swarm needs {least:,}"
+            remedy = "no plan is possible; lower 'min_subswarm' or start together"
+            yield Fault((*place, "at", state), what, remedy, serious=False)
+    if most is not None and len(group.starts) > most:
+        what = f"the swarm starts in {len(group.starts)} places, and only {most} are allowed"
+        yield Fault((*place, "max_subswarms"), what, _HOPELESS, serious=False)

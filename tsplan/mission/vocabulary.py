@@ -1,0 +1,18 @@
+"""The words of missions: languages, readings of tasks, orders of satisfaction."""
+
+from __future__ import annotations
+
+from typing import Literal, TypeAlias
+
+Language: TypeAlias = Literal["catl", "mtl", "stl"]
+TaskInterval: TypeAlias = Literal["closed", "half-open"]
+Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
+
+LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl")
+TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
+ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
+
+
+def default_language(*, team: bool) -> Language:
+    """The language of a formula where none is named: with a team, or of swarms alone."""
+    return "catl" if team else "mtl"
