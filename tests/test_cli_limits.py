@@ -175,26 +175,23 @@ def test_a_wish_to_stop_is_no_time_limit(folder, limit):
 
 
 def test_memory_that_runs_out_in_process_leaves_the_best_plan(folder, monkeypatch):
-    from tsplan.run.planner import MissionRun  # noqa: PLC0415 - loads a solver
+    honest = tsplan.Problem.solve
 
-    honest = MissionRun.search
-
-    def search(self, effort, clock, tell):
-        found = honest(self, effort, clock, tell)
-        assert found.found is not None
+    def solve(self, effort, clock, tell):
+        assert honest(self, effort, clock, tell).point is not None
         raise MemoryError
 
-    monkeypatch.setattr(MissionRun, "search", search)
+    monkeypatch.setattr(tsplan.Problem, "solve", solve)
     plan = tsplan.plan(tsplan.load_mission("mission.yaml"))
     assert (plan.status, plan.stopped_by, plan.verified) == ("feasible", "memory", True)
     assert plan.objective[0].value == 4
-    monkeypatch.setattr(MissionRun, "prepare", lambda _: exhausted())
+    monkeypatch.setattr(tsplan.Problem, "prepared", lambda *_: exhausted())
     plan = tsplan.plan(tsplan.load_mission("mission.yaml"))
     assert (plan.status, plan.stopped_by) == ("no_plan_found", "memory")
 
 
 def test_events_and_plans_never_carry_what_is_infinite(folder):
-    from tsplan.run.planner import MissionRun  # noqa: PLC0415 - loads a solver
+    from tsplan.run.run import MissionRun  # noqa: PLC0415 - loads a solver
 
     heard = []
     mission = tsplan.load_mission("mission.yaml")

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import json
 import re
-from types import SimpleNamespace
 
 import pytest
 
 import tsplan
-import tsplan.run.planner
 from tests.swarm_lane import MOVES, SYSTEM, VALUES, mission
 from tsplan.cli import main
 from tsplan.errors import SolverError, TsplanError
 from tsplan.mission import Mission
-from tsplan.plans.decomposition import agents_of
+from tsplan.plans.decomposition import paths_of
+from tsplan.plans.plan import ObjectiveValue
+from tsplan.run import paths, run
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
-from tsplan.search.lexicographic import Reached
+from tsplan.search.lexicographic import Outcome
 from tsplan.stopping import StoppedBy
 
 MAP = """\
@@ -38,7 +38,7 @@ def answers(monkeypatch, told=(), **changes):
     """Let the encoder of swarms answer so, after telling something first."""
     answer = {
         "point": {"swarm": MOVES},
-        "reached": tuple(Reached(name, value, value) for name, value in VALUES.items()),
+        "reached": tuple(ObjectiveValue(name, value, value) for name, value in VALUES.items()),
         "proven": True,
         "infeasible": False,
         "stopped_by": None,
@@ -52,14 +52,15 @@ def answers(monkeypatch, told=(), **changes):
         for item in told:
             tell(*item)
         answer["stop"] = clock.over
-        return SimpleNamespace(**answer)
+        return Outcome(**{key: value for key, value in answer.items() if key != "stop"})
 
-    def ways(run, moves):
-        few = run._mission.size <= tsplan.run.planner.MOST_AGENTS
-        return {"moves": moves, "agents": agents_of(run._mission, moves) if few else ()}
+    def ways(setting, moves, seed):
+        few = setting.mission.size <= paths.MOST_AGENTS
+        made = paths_of(setting.mission, setting.mission.agents, moves["swarm"]) if few else ()
+        return {"moves": moves, "agents": made}
 
     monkeypatch.setattr(tsplan.Problem, "solve", solve)
-    monkeypatch.setattr(tsplan.run.planner.MissionRun, "ways", ways)
+    monkeypatch.setattr(run, "ways_of", ways)
     return answer
 
 
@@ -78,7 +79,7 @@ def test_an_answer_becomes_a_verified_plan(monkeypatch):
 
 def test_many_agents_get_no_paths_of_their_own(monkeypatch):
     answers(monkeypatch, reached=())
-    monkeypatch.setattr(tsplan.run.planner, "MOST_AGENTS", 11)
+    monkeypatch.setattr(paths, "MOST_AGENTS", 11)
     given = mission(objective=[])
     plan = tsplan.plan(given)
     assert plan.agents == ()
@@ -93,7 +94,12 @@ def test_other_ends(monkeypatch):
     answers(monkeypatch, **nothing, stopped_by=StoppedBy.TIME_LIMIT)
     plan = tsplan.plan(mission())
     assert (plan.status, plan.stopped_by) == ("no_plan_found", "time_limit")
-    answers(monkeypatch, proven=False, stopped_by=StoppedBy.GAP, reached=(Reached("splits", 2, 1),))
+    answers(
+        monkeypatch,
+        proven=False,
+        stopped_by=StoppedBy.GAP,
+        reached=(ObjectiveValue("splits", 2, 1),),
+    )
     plan = tsplan.plan(mission(objective=["splits"]))
     assert (plan.status, plan.stopped_by, plan.objective[0].bound) == ("feasible", "gap", 1)
 
@@ -102,10 +108,10 @@ def test_a_wrong_answer_is_never_shown(monkeypatch):
     answers(monkeypatch, point={"swarm": MOVES[:-1]})
     with pytest.raises(TsplanError, match="not conserved"):  # already on the way to paths
         tsplan.plan(mission())
-    monkeypatch.setattr(tsplan.run.planner, "MOST_AGENTS", 0)
+    monkeypatch.setattr(paths, "MOST_AGENTS", 0)
     with pytest.raises(SolverError, match="does not stand up to the check"):
         tsplan.plan(mission())
-    answers(monkeypatch, reached=(Reached("splits", 1, 1),))
+    answers(monkeypatch, reached=(ObjectiveValue("splits", 1, 1),))
     with pytest.raises(SolverError, match="called optimal at 2 with the bound 1"):
         tsplan.plan(mission(objective=["splits"]))
 

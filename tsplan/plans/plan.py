@@ -109,6 +109,11 @@ class ObjectiveValue(Record):
     value: Finite | None
     bound: Finite | None = None
 
+    @property
+    def proven(self) -> bool:
+        """Whether no plan does better."""
+        return self.value is not None and self.value == self.bound
+
 
 @dataclass(frozen=True, slots=True)
 class MissionRef(Record):

@@ -18,10 +18,11 @@ from tsplan.exact import exact
 from tsplan.logic import Formula
 from tsplan.logic.witness_steps import spots
 from tsplan.milp.model import Floats
+from tsplan.plans.plan import ObjectiveValue
 from tsplan.search.clique_cuts import without_rivalry
 from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
-from tsplan.search.lexicographic import Reached, Tell
+from tsplan.search.lexicographic import Tell
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.scaling import aim_at, below, by_depth, chunks
 from tsplan.search.search import Found, Search
@@ -37,7 +38,7 @@ class Settled:
     """The best point known, what is proven of each level, and what ended the search."""
 
     point: Point | None
-    levels: tuple[Reached, ...]
+    levels: tuple[ObjectiveValue, ...]
     proven: bool
     infeasible: bool
     stopped_by: StoppedBy | None
@@ -58,7 +59,7 @@ class Settling:
     name: str
     worth: Callable[[Point], float]
     _point: Point | None = field(default=None, init=False)
-    _levels: list[Reached] = field(default_factory=list, init=False)
+    _levels: list[ObjectiveValue] = field(default_factory=list, init=False)
     _proven: bool = field(default=True, init=False)
     _stopped: StoppedBy | None = field(default=None, init=False)
     _size: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), init=False)
@@ -100,7 +101,7 @@ class Settling:
             if found.objective is None:
                 return self._settled(infeasible=found.proven)
             reached = min(aim.own(found.objective if certain else found.bound), float(most))
-            self._levels.append(Reached(str(level), aim.own(found.objective), reached))
+            self._levels.append(ObjectiveValue(str(level), aim.own(found.objective), reached))
             kept = aim.kept(encoded.model, found.objective, "kept")
             encoded = replace(encoded, model=kept)
         return self._settled()
@@ -151,7 +152,7 @@ class Settling:
                 first = min(floor(-found.bound / unit), counts[chunk[0]])
                 bounds |= {**dict.fromkeys(chunk), chunk[0]: float(first)}
         values = {depth: known.get(depth, (0.0, 0.0))[0] for depth in range(len(counts))}
-        self._levels = [Reached(str(d), value, bounds.get(d)) for d, value in values.items()]
+        self._levels = [ObjectiveValue(str(d), value, bounds.get(d)) for d, value in values.items()]
         return self._settled()
 
     # --- search ------------------------------------------------------------------------------

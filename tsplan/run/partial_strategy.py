@@ -27,9 +27,10 @@ from tsplan.logic.fraction import shares
 from tsplan.logic.traces import CountTrace
 from tsplan.logic.witness_steps import Pair, demanded, levels, satisfied, spots
 from tsplan.mission import Mission
+from tsplan.plans.plan import ObjectiveValue
 from tsplan.run.maximise import Settled, Settling
 from tsplan.search.clock import Clock
-from tsplan.search.lexicographic import Outcome, Reached, Stages
+from tsplan.search.lexicographic import Outcome, Stages
 from tsplan.stopping import StoppedBy
 
 FIRST = frozenset({"satisfaction", "preferences"})
@@ -69,7 +70,7 @@ class Choice:
 
     settled: Settled
     goal: Formula
-    objective: Reached
+    objective: ObjectiveValue
 
 
 def plan_soft(stages: Stages) -> Outcome:
@@ -81,7 +82,7 @@ def plan_soft(stages: Stages) -> Outcome:
     tried = _whole(stages, settling) if mission.partial else None
     if tried is not None and tried.point is not None:
         whole = Settled(tried.point, (), True, False, None, tried.size)
-        choice = Choice(whole, mission.goal, Reached(first, 1.0, 1.0))
+        choice = Choice(whole, mission.goal, ObjectiveValue(first, 1.0, 1.0))
     else:
         refuted = tried is not None and tried.infeasible
         choice = _chosen(settling, stages.setting, refuted=refuted)
@@ -109,7 +110,10 @@ def _pursued(stages: Stages, choice: Choice, known: Point) -> Outcome:
     others = outcome.reached[1:] if implied else outcome.reached
     return Outcome(
         point=outcome.point or known,
-        reached=(choice.objective, *(others or (Reached(name, None, None) for name in names))),
+        reached=(
+            choice.objective,
+            *(others or (ObjectiveValue(name, None, None) for name in names)),
+        ),
         proven=settled.proven and outcome.proven,
         infeasible=False,
         stopped_by=_why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible),
@@ -198,7 +202,7 @@ def _satisfy(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
         trace = counts_of(setting, wish.tree, settled.point)
         find = satisfied if mission.satisfaction == "weighted" else _topmost
         goal = simplify(positive(demanded(find(wish.tree, trace))))
-    return Choice(settled, goal, Reached("satisfaction", value, bound))
+    return Choice(settled, goal, ObjectiveValue("satisfaction", value, bound))
 
 
 def _topmost(tree: Formula, trace: CountTrace) -> tuple[Pair, ...]:
@@ -220,7 +224,7 @@ def _prefer(settling: Settling, setting: Setting) -> Choice:
         trace = counts_of(setting, every, settled.point)
         pairs = [pair for wish in wishes for pair in _met(wish, trace)]
         demand = simplify(conjunction([demand, positive(demanded(pairs))]))
-    return Choice(settled, demand, Reached("preferences", value, bound))
+    return Choice(settled, demand, ObjectiveValue("preferences", value, bound))
 
 
 def _met(wish: Wish, trace: CountTrace) -> Iterable[Pair]:

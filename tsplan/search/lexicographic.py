@@ -20,6 +20,7 @@ from tsplan.encode.objectives import Availability, LevelObjective, ModelObjectiv
 from tsplan.encode.options import Idea
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats
+from tsplan.plans.plan import ObjectiveValue, Status
 from tsplan.search.chained_witnesses import chain_model, first_flows
 from tsplan.search.clock import Clock, Halted
 from tsplan.search.effort import Effort
@@ -36,32 +37,29 @@ GivenT = TypeVar("GivenT")
 _CHAIN_SECONDS = 15.0
 
 
-@dataclass(frozen=True)
-class Reached:
-    """What a plan comes to in one objective, and the true bound, both in its own unit."""
-
-    name: str
-    value: float | None
-    bound: float | None
-
-    @property
-    def proven(self) -> bool:
-        """Whether no plan does better."""
-        return self.value is not None and self.value == self.bound
-
-
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What all stages together know."""
+    """How a search ended: the best point, what is proven of each objective, the model's size.
 
-    point: Point | None
-    reached: tuple[Reached, ...]
-    proven: bool
-    infeasible: bool
-    stopped_by: StoppedBy | None
-    size: tuple[int, int, int, int]
-    levels: tuple[Reached, ...] = ()  # what an objective consists of that is settled in steps
+    `size` counts columns, integer columns, rows and nonzeros; `levels` has what an objective
+    consists of that is settled in steps.
+    """
+
+    point: Point | None = None
+    reached: tuple[ObjectiveValue, ...] = ()
+    proven: bool = False
+    infeasible: bool = False
+    stopped_by: StoppedBy | None = None
+    size: tuple[int, int, int, int] = (0, 0, 0, 0)
+    levels: tuple[ObjectiveValue, ...] = ()
     notes: tuple[str, ...] = ()
+
+    @property
+    def status(self) -> Status:
+        """What is known."""
+        if self.point is not None:
+            return Status.OPTIMAL if self.proven else Status.FEASIBLE
+        return Status.INFEASIBLE if self.infeasible else Status.NO_PLAN_FOUND
 
 
 @dataclass(eq=False)
@@ -94,10 +92,10 @@ class Stages:
         for number, objective in enumerate(self.objectives):
             done = found if number == 0 and opening is not None else None
             bound = self._guarded(objective.name, partial(self._stage, objective, done))
-            reached.append(Reached(objective.name, None, bound))
+            reached.append(ObjectiveValue(objective.name, None, bound))
         return self._outcome(tuple(reached), infeasible=False)
 
-    def _outcome(self, reached: tuple[Reached, ...], *, infeasible: bool) -> Outcome:
+    def _outcome(self, reached: tuple[ObjectiveValue, ...], *, infeasible: bool) -> Outcome:
         point = self.point
         if point is not None:
             if point.encoded.swarms:

@@ -1,0 +1,45 @@
+"""From a point of a model to what a plan says of everybody: moves of swarms, paths of agents."""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+import numpy as np
+
+from tsplan.encode.encoded import Point, Setting
+from tsplan.encode.read_back import listed, moves_of
+from tsplan.plans.decomposition import paths_of
+from tsplan.plans.moves import Move
+from tsplan.plans.plan import AgentPlan
+
+MOST_AGENTS = 1000
+"""Agents up to which every one of a swarm gets a path; for more, `tsplan.assign` makes them."""
+
+
+class Ways(TypedDict, total=False):
+    """Where everybody goes, as fields of a plan."""
+
+    agents: tuple[AgentPlan, ...]
+    moves: dict[str, tuple[Move, ...]]
+
+
+def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
+    """The moves of every swarm, and one path per agent in the order of the team.
+
+    Those of swarms are left out where there are more than `MOST_AGENTS` agents in all.
+    """
+    mission = setting.mission
+    begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
+    agents: dict[int, AgentPlan] = {}
+    moves: dict[str, tuple[Move, ...]] = {}
+    for item, entered in moves_of(setting, point):
+        made = listed(setting, item, entered)
+        if item.bounds is not None:
+            moves[mission.team[item.groups[0]].class_name] = made
+            if mission.size > MOST_AGENTS:
+                continue
+        spans = (range(begins[group], begins[group + 1]) for group in item.groups)
+        numbers = [number for span in spans for number in span]
+        members = [mission.agents[number] for number in numbers]
+        agents.update(zip(numbers, paths_of(mission, members, made, seed), strict=True))
+    return Ways(moves=moves, agents=tuple(agents[number] for number in sorted(agents)))
