@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tsplan import Mission, plan
+from tsplan.clock import Clock, Halted
 from tsplan.encode import memory as ceiling
 from tsplan.encode import shortcuts
 from tsplan.encode.assemble import prepare, reference, tight
@@ -19,7 +20,6 @@ from tsplan.encode.shortcuts import Kept
 from tsplan.milp.model import Draft
 from tsplan.mission import Group
 from tsplan.run.events import Incumbent
-from tsplan.search.clock import Clock, Halted
 from tsplan.stopping import StoppedBy
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid

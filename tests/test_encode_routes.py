@@ -11,7 +11,7 @@ from tests.seeds import seed_blocks
 from tests.test_encode_agree import answer
 from tsplan import Mission
 from tsplan.encode.assemble import prepare, tight
-from tsplan.encode.objectives import Travel
+from tsplan.encode.model_objectives import Travel
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem

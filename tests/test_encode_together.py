@@ -7,7 +7,7 @@ import numpy as np
 from tsplan import Mission, plan
 from tsplan.encode.assemble import prepare, tight
 from tsplan.encode.encoded import Encoded
-from tsplan.encode.objectives import Travel
+from tsplan.encode.model_objectives import Travel
 from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group

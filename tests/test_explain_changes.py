@@ -11,6 +11,7 @@ import tsplan
 from tests.explaining import check_change, check_explanation, plain
 from tests.seeds import sampled
 from tests.test_explain_conflicts import ROW, row
+from tsplan.clock import Clock
 from tsplan.explanation import Change, explain
 from tsplan.explanation.whynot import oracle
 from tsplan.explanation.whynot.changes import Least, Repairs, least
@@ -20,7 +21,6 @@ from tsplan.explanation.whynot.joint_repair import JointRepair
 from tsplan.mission import Group, Mission
 from tsplan.plans.plan import Plan
 from tsplan.run.problem import Problem
-from tsplan.search.clock import Clock
 from tsplan.testing import random_task_mission
 from tsplan.ts import Edge, State, TransitionSystem
 

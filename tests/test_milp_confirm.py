@@ -13,8 +13,9 @@ import pytest
 from scipy import sparse
 
 import tsplan
+from tsplan.clock import Clock
 from tsplan.encode.assemble import prepare, tight
-from tsplan.encode.objectives import Travel
+from tsplan.encode.model_objectives import Travel
 from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs
@@ -22,10 +23,9 @@ from tsplan.milp.model import Model
 from tsplan.milp.request import RawResult, Request
 from tsplan.milp.solution import Options, Solution, Status
 from tsplan.milp.solver import installed, solver
+from tsplan.milp.target import Target
 from tsplan.search import search
-from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
-from tsplan.search.target import Target
 from tsplan.stopping import StoppedBy
 from tsplan.testing import random_mission
 

@@ -17,7 +17,7 @@ from tests.test_logic_registrations import operations
 import tsplan
 from tsplan import Edge, Group, Mission, State, TransitionSystem, encode
 from tsplan.checking import measures
-from tsplan.encode.objectives import ModelObjective
+from tsplan.encode.model_objectives import ModelObjective
 from tsplan.logic import causes, evaluation, fraction, horizon, normal_form, simplification, text
 from tsplan.logic.nodes import And, Or, Pair
 from tsplan.milp import solver as solvers

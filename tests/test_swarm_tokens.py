@@ -10,13 +10,13 @@ import pytest
 import tsplan
 from tests.joint_plans import best
 from tsplan import Mission
+from tsplan.clock import Clock
 from tsplan.encode.assemble import prepare, tight
 from tsplan.encode.groups.token_flow import tokens
-from tsplan.encode.objectives import Splits
+from tsplan.encode.model_objectives import Splits
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import solver
-from tsplan.search.clock import Clock
 from tsplan.search.guided_restriction import fewest, guided
 from tsplan.ts import Edge, State, TransitionSystem
 

@@ -8,8 +8,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.agent_classes import AgentClass, MapArrays, agent_classes, map_arrays
-from tsplan.encode.capacities import capacity_rows
+from tsplan.encode.capacity_rows import capacity_rows
 from tsplan.encode.demand_rows import DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
@@ -24,7 +25,7 @@ from tsplan.encode.groups.group_rows import (
 )
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.memory import Watch
-from tsplan.encode.objectives import ModelObjective, model_objective
+from tsplan.encode.model_objectives import ModelObjective, model_objective
 from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.encode.own_constraints import constraint_rows, states_of, terms_of
 from tsplan.encode.precedence import legs_of, route_rows
@@ -34,7 +35,6 @@ from tsplan.encode.witness import Ways, WitnessEncoder, Witnesses
 from tsplan.logic import Count, Formula, capabilities, walk
 from tsplan.milp.model import Draft, Ints
 from tsplan.mission import Mission
-from tsplan.search.clock import Clock
 
 Sited: TypeAlias = tuple[SiteColumns, Family]
 """A family of demands at one site, and its columns."""

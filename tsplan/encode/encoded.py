@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.agent_classes import AgentClass, MapArrays
 from tsplan.encode.atom_encoders import Atoms
 from tsplan.encode.count_atoms import atoms_over
@@ -21,7 +22,6 @@ from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.logic import Formula
 from tsplan.milp.model import Draft, Floats, Ints, Model
 from tsplan.mission import Mission
-from tsplan.search.clock import Clock
 
 _NO_INTS = np.empty(0, dtype=np.int64)
 

@@ -9,6 +9,7 @@ from math import floor, lcm
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.expressions import Expression
 from tsplan.encode.options import Idea
@@ -18,15 +19,14 @@ from tsplan.exact import exact
 from tsplan.logic import Formula
 from tsplan.logic.witness_steps import spots
 from tsplan.milp.model import Floats
+from tsplan.milp.target import Target
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.search.clique_cuts import without_rivalry
-from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Tell
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.scaling import aim_at, below, by_depth, chunks
 from tsplan.search.search import Found, Search
-from tsplan.search.target import Target
 from tsplan.stopping import StoppedBy
 
 _PART = 0.8  # of the time limit that settling may take

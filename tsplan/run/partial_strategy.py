@@ -13,10 +13,11 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 
+from tsplan.clock import Clock
 from tsplan.encode.assemble import prepare
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.expressions import Constraint
-from tsplan.encode.objectives import Availability
+from tsplan.encode.model_objectives import Availability
 from tsplan.encode.options import Idea
 from tsplan.encode.partial.partial_model import Wish, demand_of, everything, wish_of
 from tsplan.encode.read_back import counts_of
@@ -29,7 +30,6 @@ from tsplan.logic.witness_steps import Pair, demanded, levels, satisfied, spots
 from tsplan.mission import Mission
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.run.maximise import Settled, Settling
-from tsplan.search.clock import Clock
 from tsplan.search.lexicographic import Outcome, Stages
 from tsplan.stopping import StoppedBy
 

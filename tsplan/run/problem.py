@@ -8,10 +8,11 @@ from fractions import Fraction
 from reprlib import repr as clipped
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
+from tsplan.clock import Clock
 from tsplan.encode.assemble import objectives_of, prepare, reference, tight
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
-from tsplan.encode.objectives import OwnSum
+from tsplan.encode.model_objectives import OwnSum
 from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
@@ -19,7 +20,6 @@ from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
 from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
-from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Stages, Tell
 

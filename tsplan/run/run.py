@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from tsplan.checking.plan_check import certify
+from tsplan.clock import Clock, Halted
 from tsplan.encode.encoded import Point
 from tsplan.errors import SolverError
 from tsplan.exact import digits
@@ -31,7 +32,6 @@ from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
 from tsplan.run.own_terms import worth
 from tsplan.run.paths import ways_of
 from tsplan.run.problem import Problem
-from tsplan.search.clock import Clock, Halted
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
 from tsplan.stopping import StoppedBy, true_reason

@@ -18,11 +18,11 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import Floats, Ints
-from tsplan.search.clock import Clock
+from tsplan.milp.target import Target
 from tsplan.search.dive import TOLERANCE, fractional
-from tsplan.search.target import Target
 
 Fixed: TypeAlias = dict[int, float]
 

@@ -11,15 +11,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from tsplan.clock import Clock
 from tsplan.encode.assemble import tight
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.options import Idea
 from tsplan.milp.model import Floats
-from tsplan.search.clock import Clock
+from tsplan.milp.target import Target
 from tsplan.search.dive import Earliest
 from tsplan.search.effort import Effort
 from tsplan.search.search import Search
-from tsplan.search.target import Target
 
 _CUTS = frozenset({Idea.VISITS, Idea.LAZY, Idea.TOGETHER})
 

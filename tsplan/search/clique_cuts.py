@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.partial.conflict_graph import Rivals
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats
-from tsplan.search.clock import Clock
 
 _ROUNDS = 12
 _GAIN = 1e-4  # relative rise of the bound that another round has to bring

@@ -16,9 +16,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import Floats, Ints
-from tsplan.search.clock import Clock
 
 TOLERANCE = 1e-6
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from tsplan.clock import Clock
 from tsplan.encode.options import Idea
 from tsplan.milp.model import Floats
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import Solver
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
-from tsplan.search.clock import Clock
-from tsplan.search.target import Target
+from tsplan.milp.target import Target
 
 
 @dataclass(frozen=True)

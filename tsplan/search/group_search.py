@@ -12,14 +12,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import even_shares, smallest
 from tsplan.encode.groups.token_flow import tokens
-from tsplan.encode.objectives import GroupMoves, Splits, Travel
+from tsplan.encode.model_objectives import GroupMoves, Splits, Travel
 from tsplan.encode.options import Idea
 from tsplan.milp.confirmation import tried
 from tsplan.milp.model import Floats, Model
-from tsplan.search.clock import Clock
 from tsplan.search.effort import Effort
 from tsplan.search.guided_restriction import guided
 from tsplan.search.question import Kept, Question, start_in

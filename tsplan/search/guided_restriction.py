@@ -13,14 +13,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.groups.group_rows import Swarm
 from tsplan.encode.groups.token_flow import Tokens, Track
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats, Model
+from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import Grown, Tree, Witnessing
-from tsplan.search.clock import Clock
-from tsplan.search.target import Target
 
 _SECONDS = 10.0  # for the tokens
 _SLACKS = (0, 2, 6)  # steps that a plan may differ from the tokens it follows

@@ -14,20 +14,26 @@ from typing import TypeAlias, TypeVar
 
 import numpy as np
 
+from tsplan.clock import Clock, Halted
 from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.objectives import Availability, LevelObjective, ModelObjective, Splits, Travel
+from tsplan.encode.model_objectives import (
+    Availability,
+    LevelObjective,
+    ModelObjective,
+    Splits,
+    Travel,
+)
 from tsplan.encode.options import Idea
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats
+from tsplan.milp.target import CLOSED
 from tsplan.plans.plan import ObjectiveValue, Status
 from tsplan.search.chained_witnesses import chain_model, first_flows
-from tsplan.search.clock import Clock, Halted
 from tsplan.search.effort import Effort
 from tsplan.search.group_search import GroupSearch
 from tsplan.search.question import FIRST_PLAN, Kept, Question, start_in
 from tsplan.search.search import Found, Search
-from tsplan.search.target import CLOSED
 from tsplan.stopping import StoppedBy
 
 Tell: TypeAlias = Callable[[str, "Point | None", "float | None", "float | None"], None]

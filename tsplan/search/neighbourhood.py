@@ -14,14 +14,14 @@ from itertools import combinations
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded
 from tsplan.milp.confirmation import tried
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats, Ints, Model
-from tsplan.search.clock import Clock
+from tsplan.milp.target import Target
 from tsplan.search.dive import dive
 from tsplan.search.effort import Effort
-from tsplan.search.target import Target
 
 _FIRST = 2.0  # seconds for the first small model
 _EACH = 1.0  # seconds for one with a freed choice

@@ -8,9 +8,9 @@ import numpy as np
 
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import smallest
-from tsplan.encode.objectives import ModelObjective
+from tsplan.encode.model_objectives import ModelObjective
 from tsplan.milp.model import Floats
-from tsplan.search.target import Target
+from tsplan.milp.target import Target
 
 FIRST_PLAN = "first plan"
 _FEASIBLE = 1e-6  # by which rows may be violated: the feasibility tolerance of the solvers

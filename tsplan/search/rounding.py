@@ -13,14 +13,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded
 from tsplan.milp.confirmation import tried
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats, Ints, Model
-from tsplan.search.clock import Clock
+from tsplan.milp.target import Target
 from tsplan.search.dive import fractional
 from tsplan.search.effort import Effort
-from tsplan.search.target import Target
 
 _LEAST_TRIES = 20
 _SECONDS = 5.0  # for one attempt

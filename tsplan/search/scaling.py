@@ -12,7 +12,7 @@ import numpy as np
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.expressions import Expression
 from tsplan.milp.model import INFINITY
-from tsplan.search.target import Target
+from tsplan.milp.target import Target
 
 MOST_UNITS = 20_000
 """Depths are settled together up to so many outcomes, which the solver's own search tells apart."""

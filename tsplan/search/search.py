@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import sparse
 
+from tsplan.clock import Clock
 from tsplan.encode.arrival_cuts import violated
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.options import Idea
@@ -23,12 +24,11 @@ from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import Floats, Model, Tag
 from tsplan.milp.solution import Progress, Solution, Status
+from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import Grown, Tree, Witnessing
-from tsplan.search.clock import Clock
 from tsplan.search.dive import Earliest, Picker, dive, largest
 from tsplan.search.effort import Effort
 from tsplan.search.rounding import Wholes
-from tsplan.search.target import Target
 from tsplan.stopping import StoppedBy
 
 _ROUNDS = 12  # of separation at the root

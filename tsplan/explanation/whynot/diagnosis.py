@@ -8,6 +8,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, TypeAlias, get_args
 
+from tsplan.clock import Clock
 from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, Fact, Status
 from tsplan.explanation.whynot.changes import ORDER, Repairs, ranked
 from tsplan.explanation.whynot.conflicts import Core, Finder
@@ -19,7 +20,6 @@ from tsplan.explanation.whynot.oracle import EnoughError, Oracle
 from tsplan.parameters import refuse_options
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
-from tsplan.search.clock import Clock
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission

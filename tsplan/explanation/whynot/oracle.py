@@ -18,10 +18,10 @@ from tsplan.run.planner import plan
 from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
+    from tsplan.clock import Clock
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
     from tsplan.run.problem import Problem
-    from tsplan.search.clock import Clock
 
 Answer = bool | None
 """True: there is a verified plan. False: it is proven that there is none. None: not known."""

@@ -24,7 +24,7 @@ from tsplan.encode.own_constraints import resolve
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import Outlook
 from tsplan.milp.model import Draft, Floats, Ints
-from tsplan.search.target import Target
+from tsplan.milp.target import Target
 
 
 class ModelObjective:
