@@ -9,27 +9,31 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
-from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from tsplan.errors import InputError
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
 from tsplan.explanation.whynot.mission_numbers import Number
-from tsplan.explanation.whynot.occurrences import Occurrence, Way
+from tsplan.explanation.whynot.occurrences import Way
 from tsplan.explanation.whynot.soft_constraints import file_path, group_bounds, robot_entries
-from tsplan.logic import Count, Formula, Release, Until, Window
-from tsplan.logic.text import quoted
+from tsplan.logic import Formula
 from tsplan.mission import mission_from_text
 from tsplan.mission.mission_writer import group_entry, margin_text
 from tsplan.ts.io.flow_style import flow
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 if TYPE_CHECKING:
+    from tsplan import document
     from tsplan.document import Document
-    from tsplan.mission import Group, Mission
+    from tsplan.mission import Mission
+
+Exchange: TypeAlias = tuple[int, int, str]
+"""Characters from one up to before another become a text."""
+
+_FIELDS = ("team", "horizon", "objective", "swarm", "prefer", "satisfaction", "task_interval")
+"""What two missions must agree on to be the same, beside formula and map."""
 
 
 class Written(NamedTuple):
@@ -39,23 +43,16 @@ class Written(NamedTuple):
     comments_lost: bool
 
 
-@dataclass(frozen=True, slots=True)
-class _Edit:
-    """Characters `begin` up to before `end` become `text`."""
-
-    begin: int
-    end: int
-    text: str
-
-
 def rewritten(original: Mission, changed: Mission, folder: Path, target: Path) -> Written:
     """The file of a changed mission. The original came from `folder`, the file goes to `target`."""
-    content = original.origin.content if original.origin is not None else ""
-    text = changed.to_yaml()
-    if original.origin is not None:
-        edits = _edits(original, changed, original.origin, (folder, target))
-        edited = _edited(content, edits)
-        text = edited if _says(edited, changed, target) else text
+    if original.origin is None:
+        return Written(changed.to_yaml(), comments_lost=False)
+    content = text = original.origin.content
+    exchanges = _exchanges(original, changed, original.origin, (folder, target))
+    for begin, end, new in sorted(exchanges, reverse=True):
+        text = text[:begin] + new + text[end:]
+    if not _says(text, changed, target):
+        text = changed.to_yaml()
     return Written(text, comments_lost=content.count("#") > text.count("#"))
 
 
@@ -68,144 +65,88 @@ def _says(text: str, changed: Mission, folder: Path) -> bool:
     # of equal edges, one may be written in both directions at once: what counts is the same
     return (
         read.formula is changed.formula
-        and read.team == changed.team
-        and read.horizon == changed.horizon
-        and read.objective == changed.objective
-        and read.swarm == changed.swarm
-        and (read.prefer, read.satisfaction) == (changed.prefer, changed.satisfaction)
-        and read.task_interval == changed.task_interval
+        and all(getattr(read, field) == getattr(changed, field) for field in _FIELDS)
         and dict(read.system.states) == dict(changed.system.states)
         and dict(read.system.edges) == dict(changed.system.edges)
     )
 
 
-def _edited(content: str, edits: list[_Edit]) -> str:
-    """The text after edits that do not overlap."""
-    for edit in sorted(edits, key=lambda item: -item.begin):
-        content = content[: edit.begin] + edit.text + content[edit.end :]
-    return content
-
-
-def _edits(
+def _exchanges(
     original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
-) -> list[_Edit]:
+) -> Iterator[Exchange]:
     """What has to change in the original's text."""
-    return [
-        *_formula_edits(original, changed),
-        *_team_edits(original, changed, document),
-        *_swarm_edits(original, changed, document),
-        *_map_edits(original, changed, document, folders),
-        *_horizon_edits(original, changed, document),
-    ]
+    yield from _in_formula(original, changed)
+    for path, text in _entries(original, changed, document, folders):
+        begin, end = document.span(path)
+        kept = document.content[begin:end].rstrip()  # white space after a value stays
+        yield begin, begin + len(kept), text
 
 
-# --- the formula -----------------------------------------------------------------------------
-
-
-def _formula_edits(original: Mission, changed: Mission) -> Iterator[_Edit]:
+def _in_formula(original: Mission, changed: Mission) -> Iterator[Exchange]:
+    """The numbers of the formula that differ; a whole atom where its number is not written."""
     sources = Sources(original)
-    for way, node in _differences(original.formula, changed.formula):
-        windowed = isinstance(node, Window | Until | Release)
-        span = sources.span((*way, "interval") if windowed else way)
-        if span is not None:
-            yield _Edit(*span, _text(node, sources.text(Occurrence(way)) or ""))
+    for way, before, after in _differences(original.formula, changed.formula):
+        old, new = _numbers(before), _numbers(after)
+        moved = [part for part, value in new.items() if old.get(part) != value]
+        spans = [sources.span((*way, *part)) for part in moved]
+        if old.keys() == new.keys() and None not in spans:
+            yield from (
+                (*span, str(new[part])) for part, span in zip(moved, spans, strict=True) if span
+            )
+        elif (whole := sources.span(way)) is not None:
+            # a bare label or a limit binds tighter than the comparison that takes its place
+            yield *whole, f"({after})"
 
 
-def _differences(old: Formula, new: Formula) -> Iterator[tuple[Way, Formula]]:
-    """The new nodes that differ themselves from the old ones at the same ways."""
+def _numbers(node: Any) -> dict[tuple[str | int, ...], Any]:
+    """The numbers of a node by where they are written in it."""
+    fields = ("low", "high", "duration", "bound")
+    found: dict[tuple[str | int, ...], Any] = {
+        (field,): getattr(node, field) for field in fields if hasattr(node, field)
+    }
+    needs = getattr(node, "needs", ())
+    return found | {("needs", n, 1): number for n, (_, number) in enumerate(needs)}
+
+
+def _differences(old: Formula, new: Formula) -> Iterator[tuple[Way, Formula, Formula]]:
+    """The nodes that differ themselves at the same ways."""
     open_: list[tuple[Way, Formula, Formula]] = [((), old, new)]
     while open_:
         way, before, after = open_.pop()
         if before is after:
             continue
-        alike = type(before) is type(after) and len(before.children) == len(after.children)
-        if not alike or not after.children:
-            yield way, after
-            continue
-        if before.parameters != after.parameters:
-            yield way, after
-        pairs = zip(before.children, after.children, strict=True)
+        pairs = list(zip(before.children, after.children, strict=False))
+        if not pairs or (type(before), before.parameters) != (type(after), after.parameters):
+            yield way, before, after
         open_ += [((*way, n), *pair) for n, pair in enumerate(pairs)]
 
 
-def _text(node: Formula, old: str) -> str:
-    """The new text of an operator's interval, or of an atom in place of an old one."""
-    if isinstance(node, Window | Until | Release):
-        return f"[{node.low},{node.high}]"
-    if not isinstance(node, Count):
-        return str(node)
-    compared = any(sign in old for sign in "<>=")
-    # a bare label or a limit binds tighter than the comparison that takes its place
-    return _comparison(node) if compared else f"({_comparison(node)})"
-
-
-def _comparison(node: Count) -> str:
-    inside = quoted(node.label) + (f",{quoted(node.capability)}" if node.capability else "")
-    return f"{node.function}({inside}) {node.relation} {node.bound}"
-
-
-# --- team, map, horizon ----------------------------------------------------------------------
-
-
-def _team_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
-    """Entries of the team; the sizes and starts of swarms are never changed."""
-    numbers = robot_entries(original)
-    if numbers and len(original.team) != len(changed.team):
-        yield _exchanged(document, ("team",), _team(changed))
-        return
-    for number in numbers:
-        if original.team[number] != changed.team[number]:
-            path = file_path(original, SoftConstraint("team", (number,)))
-            yield _exchanged(document, path[:-1], _member(changed.team[number]))
-
-
-def _swarm_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
-    """Bounds of swarms."""
+def _entries(
+    original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
+) -> Iterator[tuple[document.Path, str]]:
+    """What other entries of the file have to say; sizes and starts of swarms never change."""
+    entries = robot_entries(original)
+    if entries and len(original.team) != len(changed.team):
+        members = (flow(group_entry(changed.team[n])) for n in robot_entries(changed))
+        yield ("team",), "[\n" + "".join(f"    {member},\n" for member in members) + "  ]"
+    else:
+        for number in entries:
+            if original.team[number] != changed.team[number]:
+                path = file_path(original, SoftConstraint("team", (number,)))[:-1]
+                yield path, flow(group_entry(changed.team[number]))
     for constraint in group_bounds(original):
         bound = Number("swarm", constraint.key)
-        if bound.get(original) != bound.get(changed):
-            path = file_path(original, constraint)
-            yield _exchanged(document, path, _bound(bound.get(changed)))
-
-
-def _bound(value: Fraction | int | None) -> str:
-    """A bound as a mission file says it; a fraction of the swarm as a percentage."""
-    return "null" if value is None else margin_text(value)
-
-
-def _team(mission: Mission) -> str:
-    """The team in flow style, one entry a line."""
-    members = [_member(mission.team[number]) for number in robot_entries(mission)]
-    return "[\n" + "".join(f"    {member},\n" for member in members) + "  ]"
-
-
-def _member(group: Group) -> str:
-    return flow(group_entry(group))
-
-
-def _map_edits(
-    original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
-) -> Iterator[_Edit]:
-    """A changed map is written into the mission; a path is kept right for another folder."""
-    if original.system != changed.system:
-        text = "".join(f"\n  {line}" for line in map_to_yaml(changed.system).splitlines())
-        yield _exchanged(document, ("map",), text + "\n")
-        return
-    given = document.at(("map",))
-    before, after = (folder.resolve() for folder in folders)
-    if isinstance(given, str) and before != after and not Path(given).is_absolute():
-        moved = Path(os.path.relpath(before / given, after)).as_posix()
-        yield _exchanged(document, ("map",), json.dumps(moved, ensure_ascii=False))
-
-
-def _horizon_edits(original: Mission, changed: Mission, document: Document) -> Iterator[_Edit]:
-    written = isinstance(document.data, dict) and document.data.get("horizon") is not None
-    if written and original.horizon != changed.horizon:
-        yield _exchanged(document, ("horizon",), str(changed.horizon))
-
-
-def _exchanged(document: Document, path: tuple[str | int, ...], text: str) -> _Edit:
-    """The value at a path, without the white space after it, becomes another text."""
-    begin, end = document.span(path)
-    kept = document.content[begin:end].rstrip()
-    return _Edit(begin, begin + len(kept), text)
+        if (value := bound.get(changed)) != bound.get(original):
+            text = "null" if value is None else margin_text(value)
+            yield file_path(original, constraint), text
+    if original.system != changed.system:  # a changed map is written into the mission
+        lines = map_to_yaml(changed.system).splitlines()
+        yield ("map",), "".join(f"\n  {line}" for line in lines) + "\n"
+    else:
+        given = document.at(("map",))
+        before, after = (folder.resolve() for folder in folders)
+        if isinstance(given, str) and before != after and not Path(given).is_absolute():
+            moved = Path(os.path.relpath(before / given, after)).as_posix()
+            yield ("map",), json.dumps(moved, ensure_ascii=False)
+    if document.data.get("horizon") is not None and original.horizon != changed.horizon:
+        yield ("horizon",), str(changed.horizon)
