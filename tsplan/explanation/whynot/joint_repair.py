@@ -22,6 +22,7 @@ from tsplan.explanation.whynot.conflicts import Finder
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.edits import MOST_STEPS, candidates, rank
 from tsplan.explanation.whynot.relaxing import bounded_above, relaxed
+from tsplan.explanation.whynot.soft_constraints import robot_entries
 
 if TYPE_CHECKING:
     from tsplan.explanation.explanation import Change, ChangeKind, SoftConstraint
@@ -102,8 +103,8 @@ class JointRepair:
         farthest: float,
     ) -> list[Step]:
         """One or two further ways, of different kinds, each of which resolves a conflict."""
-        entries = len(self.context.mission.team)  # others were added
-        known = (c for c in core if c.kind not in ("team", "start") or c.key[0] < entries)
+        entries = robot_entries(self.context.mission)  # others were added
+        known = (c for c in core if c.kind not in ("team", "start") or c.key[0] in entries)
         every = candidates(self.context, frozenset(known))
         mission = self.context.mission
         every.sort(key=lambda edit: (rank(mission, edit.number), ORDER.index(edit.kind)))
