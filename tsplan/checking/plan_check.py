@@ -8,8 +8,8 @@ cannot hide here.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
+from operator import eq
 from typing import TYPE_CHECKING
 
 from tsplan.checking.capacities import crowded
@@ -26,8 +26,7 @@ from tsplan.words import known
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from tsplan.mission import Agent, Mission
-    from tsplan.plans.plan import AgentPlan
+    from tsplan.mission import Mission
 
 _SHOWN = 20  # findings of one kind that are listed before the rest is only counted
 
@@ -122,12 +121,15 @@ def _strangers(mission: Mission, plan: Plan) -> Iterator[str]:
 
     The agents of a swarm have paths all of them or none.
     """
+    named = {agent.class_name for agent in plan.agents}
     classes = {group.class_name for group in mission.team}
-    for swarm in classes.difference(agent.class_name for agent in plan.agents):
-        if mission.group_bounds(swarm) is not None:
-            classes.remove(swarm)
-    asked = mission.members(classes)
-    if len(plan.agents) == len(asked) and all(map(_same, plan.agents, asked)):
+    pathless = {c for c in classes - named if mission.group_bounds(c) is not None}
+    asked = mission.members(classes - pathless) if pathless else mission.agents
+    given = (
+        (agent.id, agent.class_name, agent.capabilities, agent.stays[0][2] if agent.stays else "")
+        for agent in plan.agents
+    )
+    if len(plan.agents) == len(asked) and all(map(eq, given, asked)):
         return
     team = {agent.id: agent for agent in asked}
     seen: set[str] = set()
@@ -146,17 +148,6 @@ def _strangers(mission: Mission, plan: Plan) -> Iterator[str]:
         if planned.stays and planned.stays[0][2] != agent.start:
             yield f"agent {agent.id} starts at {agent.start}, not at {planned.stays[0][2]}"
     yield from (f"agent {name} has no path" for name in team if name not in seen)
-
-
-def _same(planned: AgentPlan, agent: Agent) -> bool:
-    """Whether an agent of a plan is the one of the mission, where it starts."""
-    name, class_name, capabilities, start = agent
-    return (
-        planned.id == name
-        and planned.class_name == class_name
-        and planned.capabilities == capabilities
-        and (not planned.stays or planned.stays[0][2] == start)
-    )
 
 
 def _broken_formula(traffic: Traffic) -> Iterator[str]:
@@ -200,7 +191,7 @@ def with_moves(plan: Plan, traffic: Traffic) -> Plan:
 def _false_claims(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> list[str]:
     """What the plan says about itself and is not so."""
     problems = list(false_claims(plan, traffic.satisfaction, traffic.preferences))
-    actual = traffic.availability if math.isfinite(traffic.availability) else None
+    actual = known(traffic.availability)
     if plan.availability != actual:
         problems.append(f"the plan claims availability {plan.availability} and has {actual}")
     return [*problems, *false_objectives(traffic.mission, plan, values)]

@@ -189,8 +189,8 @@ class Plan(Record, display.Displayed):
     independent check accepted the paths. `notes` are sentences for the reader of the plan.
     `satisfaction` and `preferences` tell what holds where the mission does not demand it all.
 
-    The plan of a swarm mission has the `moves` of every swarm, by its name, and `groups`, the
-    sub-swarms that they make; `agents` are there if they were asked for, or are few.
+    The plan of a mission with swarms has the `moves` of every swarm, by its name, and `groups`, the
+    sub-swarms that they make; the `agents` of swarms are there if they were asked for, or are few.
 
     Raises PlanError for a status that contradicts `stopped_by` or the presence of paths.
     """
