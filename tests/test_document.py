@@ -129,7 +129,7 @@ def test_syntax_errors_have_a_place():
 def test_sets_and_tuples_are_lists():
     document = parse_document("a: !!set {x, y}\nb: !!python/tuple [1, 2]\n", "f")
     assert document.data == {"a": ["x", "y"], "b": [1, 2]}
-    assert document.tag(("b",)) == "tag:yaml.org,2002:python/tuple"
+    assert document.node(("b",)).tag == "tag:yaml.org,2002:python/tuple"
     assert document.place(("a", 1)) == (1, 14)
 
 

@@ -54,7 +54,8 @@ class Document:
                 return node, depth
         return node, len(path)
 
-    def _node(self, path: Path) -> Node:
+    def node(self, path: Path) -> Node:
+        """The node at a path; KeyError where there is none."""
         node, depth = self._nearest(path)
         if depth < len(path):
             raise KeyError(path)
@@ -62,7 +63,7 @@ class Document:
 
     def at(self, path: Path) -> Any:
         """The value at a path; KeyError where there is none."""
-        return self._node(path).value
+        return self.node(path).value
 
     def place(self, path: Path) -> tuple[int | None, int | None]:
         """Line and column of the value at a path, or of its nearest ancestor."""
@@ -77,20 +78,16 @@ class Document:
                 return node.keys[str(path[-1])]
         return self.place(path)
 
-    def tag(self, path: Path) -> str | None:
-        """The tag written at a path (`!Ts`; the standard ones in full), or None."""
-        return self._node(path).tag
-
     def text(self, path: Path) -> str | None:
         """A scalar exactly as written (`01` where `data` says 1); None for collections."""
-        return self._node(path).text
+        return self.node(path).text
 
     def span(self, path: Path) -> tuple[int, int]:
         """Offsets into `content` of the value at a path: its first character, and after its last.
 
         White space and comments that follow a block may be counted with it.
         """
-        node = self._node(path)
+        node = self.node(path)
         return node.start, node.end
 
     def finding(self, path: Path, message: str, remedy: str = "") -> Finding:
@@ -111,7 +108,7 @@ class Document:
 
     def cut(self, path: Path) -> list[Finding]:
         """What YAML took away from the formula at a path, with the place where; else nothing."""
-        node = self._node(path)
+        node = self.node(path)
         words = mishaps.cut(node, self.content)
         if words is None:
             return []
@@ -120,7 +117,7 @@ class Document:
 
     def loses_end(self, path: Path) -> bool:
         """Whether YAML made a key of the end of the formula at a path, inside braces."""
-        return mishaps.loses_end(self._node(path), self._node(path[:-1]), self.content)
+        return mishaps.loses_end(self.node(path), self.node(path[:-1]), self.content)
 
     def inside(self, path: Path, line: int, column: int) -> tuple[int, int]:
         """Where line `line`, column `column` of the text of a scalar lies in the file."""
@@ -134,7 +131,7 @@ class Document:
         Folding, indentation and quotes move white space only, so the place is found by counting
         the other characters. Inside double quotes, escapes are not counted exactly.
         """
-        node = self._node(path)
+        node = self.node(path)
         start = self._content_start(node)
         place = _aligned(node.text or "", offset, self.content, start, node.end)
         return self._line_and_column(place)

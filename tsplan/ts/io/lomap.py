@@ -16,7 +16,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field
 
 from tsplan.document import Document, Path, validated
-from tsplan.document.compose import SET, TUPLE
+from tsplan.document.compose import SET, TUPLE, Node
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
 from tsplan.errors import MapError
 from tsplan.ts.edges import Edge, Pair, State
@@ -61,21 +61,20 @@ class _EdgeMore(_StateMore):
 
 def is_lomap(document: Document, path: Path = ()) -> bool:
     """Whether the map at a path is LOMAP's: tagged `!Ts`, or with its `graph` at the top."""
-    data = document.at(path)
-    return document.tag(path) == "!Ts" or (isinstance(data, dict) and "graph" in data)
+    node = document.node(path)
+    return node.tag == "!Ts" or (isinstance(node.value, dict) and "graph" in node.value)
 
 
-def _native(document: Document, path: Path) -> Any:
-    """The value at a path with tuples and sets where the file has them."""
-    data, tag = document.at(path), document.tag(path)
-    if isinstance(data, dict):
-        return {key: _native(document, (*path, key)) for key in data}
-    if not isinstance(data, list):
-        return data
-    members = [_native(document, (*path, index)) for index in range(len(data))]
-    if tag == TUPLE:
+def _native(node: Node) -> Any:
+    """The value of a node with tuples and sets where the file has them."""
+    if isinstance(node.children, dict):
+        return {key: _native(child) for key, child in node.children.items()}
+    if node.children is None:
+        return node.value
+    members = [_native(child) for child in node.children]
+    if node.tag == TUPLE:
         return tuple(members)
-    return frozenset(members) if tag == SET else members
+    return frozenset(members) if node.tag == SET else members
 
 
 @dataclass
@@ -94,10 +93,12 @@ class _Draft(MapDraft):
     def edge_part(self, path: Path, part: str) -> Path:
         return (*path, *_POSITIONS.get(part, ()))
 
-    def read_state(self, name: str, entry: Mapping[str, Any]) -> None:
+    def read_state(self, name: str) -> None:
         path = self.state_path(name)
-        kept = {key: _native(self.document, (*path, key)) for key in entry}
-        labels = frozenset(self._labels((*path, "prop")) if "prop" in entry else ())
+        node = self.document.node(path)
+        parts = node.children if isinstance(node.children, dict) else {}
+        kept = _native(node) or {}
+        labels = frozenset(self._labels(path, parts["prop"]) if "prop" in parts else ())
         kept.pop("prop", None)
         more = self._more(_StateMore, path, kept)
         at, shape = self._place(name, kept), _polygon(kept)
@@ -112,16 +113,16 @@ class _Draft(MapDraft):
             return {}
         return dict(self.part(schema, (*path, _OWN_KEY)) or ())
 
-    def _labels(self, path: Path) -> list[str]:
+    def _labels(self, path: Path, node: Node) -> list[str]:
         """The propositions of a node: a set, a list, a mapping's keys or one word."""
-        data = self.document.at(path)
-        if data is None or isinstance(data, dict):
-            return list(data or ())
-        if not isinstance(data, list):
-            return [str(self.document.text(path))]
-        texts = [self.document.text((*path, index)) for index in range(len(data))]
+        if isinstance(node.children, dict):
+            return list(node.children)
+        if node.children is None:
+            return [] if node.value is None else [str(node.text)]
+        texts = [child.text for child in node.children]
         if None in texts:
-            self.refuse(path, "prop: a proposition is not a word", "write it as [a, b]")
+            message, remedy = "prop: a proposition is not a word", "write it as [a, b]"
+            self.refuse((*path, "prop"), message, remedy)
         return [text for text in texts if text is not None]
 
     def _place(self, name: str, kept: dict[str, Any]) -> tuple[float, float] | None:
@@ -135,22 +136,23 @@ class _Draft(MapDraft):
                 return point[0], point[1]
         return None
 
-    def read_edge(self, index: int, entry: Any) -> None:
+    def read_edge(self, index: int) -> None:
         """Take in an edge; a parallel one that is equal to the first adds its attributes only."""
         path = self.edge_path(index)
+        node = self.document.node(path)
+        parts = node.children if isinstance(node.children, list) else []
         # from, to, and perhaps attributes
-        kinds = [type(part) is dict for part in entry] if isinstance(entry, list) else []
-        if len(kinds) < 2 or kinds[2:] not in ([], [True]):  # noqa: PLR2004
+        if len(parts) not in (2, 3) or not all(isinstance(part.value, dict) for part in parts[2:]):
             self.refuse(path, "an edge is not [from, to, {weight: ...}]", "write it so")
             return
-        kept = _native(self.document, (*path, 2)) if len(entry) > 2 else {}  # noqa: PLR2004
+        source, target = self._name(parts[0]), self._name(parts[1])
+        kept = _native(parts[2]) if parts[2:] else {}
         fields = self._more(_EdgeMore, (*path, 2), kept)
         self.findings += self.document.lost_digits((*path, 2, _OWN_KEY, "cost"), fields.get("cost"))
         weight = kept.pop("weight", 1)
         # 2.0 is whole, anything else is left for the checks to refuse
         whole = isinstance(weight, float) and weight.is_integer()
         fields["duration"] = fields.get("duration") or (int(weight) if whole else weight)
-        source, target = self._name((*path, 0)), self._name((*path, 1))
         back = not self.directed and source != target
         fields["both_ways"] = fields.get("both_ways", False) or back
         edge = Edge(source, target, **fields)
@@ -160,14 +162,12 @@ class _Draft(MapDraft):
             self._known.setdefault(one.pair, one)
             self.edge_extras.setdefault(one.pair, []).append(kept)
 
-    def _name(self, path: Path) -> str:
+    def _name(self, node: Node) -> str:
         """The name of a node in an edge; numbers and tuples become their text."""
-        text = self.document.text(path)
-        value = _native(self.document, path)
+        text, value = node.text, _native(node)
         if text is None:
-            members = range(len(value)) if isinstance(value, list | tuple) else range(0)
-            parts = [str(self.document.text((*path, member))) for member in members]
-            text = "(" + ", ".join(parts) + ")"
+            members = node.children if isinstance(node.children, list) else []
+            text = "(" + ", ".join(str(member.text) for member in members) + ")"
             value = tuple(value) if members else text
         if not isinstance(value, str):
             self.ids[text] = value
@@ -175,9 +175,9 @@ class _Draft(MapDraft):
 
     def extras(self) -> Extras:
         """Everything that is kept for writing the file back."""
-        others = [key for key in self.document.at(self.path) if key not in _USED]
+        keys = [key for key in self.document.at(self.path) if key not in _USED]
         system = {
-            "attributes": {key: _native(self.document, (*self.path, key)) for key in others},
+            "attributes": {key: _native(self.document.node((*self.path, key))) for key in keys},
             "directed": self.directed,
             "ids": self.ids,
             "place_keys": self.place_keys,
@@ -223,10 +223,10 @@ def read_lomap(document: Document, path: Path = ()) -> TransitionSystem:
     if content is None:
         raise MapError(findings)
     draft = _Draft(document, path, directed=content.directed)
-    for name, entry in content.graph.nodes.items():
-        draft.read_state(name, entry or {})
-    for index, entry in enumerate(content.graph.edges):
-        draft.read_edge(index, entry)
+    for name in content.graph.nodes:
+        draft.read_state(name)
+    for index in range(len(content.graph.edges)):
+        draft.read_edge(index)
     return draft.system(content.name, extras=draft.extras())
 
 
