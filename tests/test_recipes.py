@@ -239,9 +239,9 @@ def xor_node():
         )
         return np.maximum(one, other)
 
-    @causes.reason.register(Xor)
+    @causes.cause.register(Xor)
     def _(node, judged):
-        return causes.Reason(tuple(judged.steps for _ in node.children))
+        return causes.Cause(tuple(judged.steps for _ in node.children))
 
     @causes.spans.register(Xor)
     def _(node, span):
