@@ -20,8 +20,9 @@ from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check, objective_values
 from tsplan.errors import InputError, MissionError, SolverError
 from tsplan.mission import Mission, Objective, objectives, register
+from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import AgentPlan, MissionRef, ObjectiveValue, Plan
+from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
 from tsplan.plans.summary import print_summary
 from tsplan.protocol.margin_size import margin_for
 from tsplan.protocol.simulation import simulate

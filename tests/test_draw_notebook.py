@@ -14,7 +14,8 @@ from tsplan.draw import svg
 from tsplan.draw.notebook import MOST_NODES, MOST_ROWS, MOST_STATES, formula_svg, plan_html
 from tsplan.draw.palette import Palette
 from tsplan.logic import parse
-from tsplan.plans.plan import AgentPlan, MissionRef, ObjectiveValue, Plan
+from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 from tsplan.words import visible

@@ -28,7 +28,8 @@ from tsplan.draw.timeline import MOST_PATHS as MOST_TIMELINES
 from tsplan.draw.views import VIEWS, draw_page, draw_view
 from tsplan.errors import InputError, PlanError
 from tsplan.mission import Group
-from tsplan.plans.plan import AgentPlan, MissionRef, Plan
+from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.plan import MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 

@@ -18,8 +18,9 @@ from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, Release, Until
 from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.mission import Group
-from tsplan.plans.plan import AgentPlan, MissionRef, Plan
-from tsplan.plans.presence import counted
+from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.presence import state_counts
 from tsplan.testing.random_missions import LABELS, random_formula, random_map
 from tsplan.ts import Edge, State, TransitionSystem
 
@@ -239,7 +240,9 @@ def random_case(seed):
 def everything(mission, plan):
     """All counts of a plan."""
     states = list(mission.system.states)
-    counts = {name: counted(plan, states, name) for name in (None, "u", "v")}
+    counts = {
+        name: state_counts(plan.presences, states, plan.horizon, name) for name in (None, "u", "v")
+    }
     return count_trace(mission.system, counts)
 
 

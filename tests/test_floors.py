@@ -90,14 +90,6 @@ circle: mission.named_parts
 circle: mission.read
 circle: mission.swarm_rules
 circle: mission.values
-circle: plans.bundles
-circle: plans.plan
-circle: plans.plan_file
-circle: plans.presence
-late: checking.count_traces
-late: checking.fitting
-late: checking.satisfaction_check
-late: checking.traffic
 late: draw.canvas
 late: draw.map
 late: explanation.explanation
@@ -114,16 +106,8 @@ late: mission.mission_checks
 late: mission.named_parts
 late: mission.read
 late: mission.values
-late: plans.plan
-late: plans.plan_text
-late: plans.presence
-late: protocol.simulation
 late: run.isolate
-name: checking.capacities
-name: checking.facts
-name: encode.capacities
 name: encode.objectives
-name: explanation.whynot.facts
 name: mission.objectives
 up: cli.arguments -> top
 up: encode.assemble -> search

@@ -17,7 +17,8 @@ from tsplan.encode.expressions import Constraint, Expression
 from tsplan.errors import InputError, MissionError, SolverError
 from tsplan.exact import digits
 from tsplan.mission import Group
-from tsplan.plans.plan import AgentPlan, MissionRef, Plan
+from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.plan import MissionRef, Plan
 from tsplan.run.events import Incumbent
 from tsplan.ts import Edge, State, TransitionSystem
 

@@ -11,7 +11,8 @@ from tsplan import Mission, load_mission, plan, save_plan
 from tsplan.cli import main
 from tsplan.draw.palette import BAD, GOOD
 from tsplan.mission import Group
-from tsplan.plans.plan import AgentPlan, MissionRef, Plan
+from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.plan import MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer.formula_rows import formula_parts
 from tsplan.viewer.page_data import page_data

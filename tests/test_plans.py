@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from pydantic import TypeAdapter, ValidationError
 
 from tsplan.errors import PlanError
+from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.plan import (
-    AgentPlan,
     MissionRef,
     ModelSize,
     ObjectiveValue,

@@ -5,7 +5,8 @@ from __future__ import annotations
 import random
 
 import tsplan
-from tsplan.plans.plan import AgentPlan, MissionRef, Plan, Status
+from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.plan import MissionRef, Plan, Status
 from tsplan.stopping import StoppedBy
 from tsplan.ts import Edge, State
 

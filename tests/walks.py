@@ -6,7 +6,8 @@ from random import Random
 
 from tsplan import Mission
 from tsplan.mission import Group
-from tsplan.plans.plan import AgentPlan, MissionRef, Plan
+from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.plan import MissionRef, Plan
 
 
 def walk(mission, agent, random):

@@ -34,8 +34,8 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.mission import Mission as Mission
     from tsplan.mission import SolverChoice as SolverChoice
     from tsplan.mission import load_mission as load_mission
+    from tsplan.plans.agent_plans import AgentPlan as AgentPlan
     from tsplan.plans.moves import Move as Move
-    from tsplan.plans.plan import AgentPlan as AgentPlan
     from tsplan.plans.plan import Plan as Plan
     from tsplan.plans.plan_file import load_plan as load_plan
     from tsplan.plans.plan_file import save_plan as save_plan
@@ -71,7 +71,8 @@ _HOMES = {
     "run.planner": ("plan",),
     "checking.assignment": ("assign",),
     "plans.moves": ("Move",),
-    "plans.plan": ("AgentPlan", "Plan"),
+    "plans.agent_plans": ("AgentPlan",),
+    "plans.plan": ("Plan",),
     "plans.plan_file": ("load_plan", "save_plan"),
     "plans.subswarms": ("SubSwarm",),
     "checking.plan_check": ("check",),

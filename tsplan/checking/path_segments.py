@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from tsplan.mission import Group
-    from tsplan.plans.plan import Bundle, Stay
+    from tsplan.plans.agent_plans import Bundle, Stay
     from tsplan.ts import Edge, TransitionSystem
 
 

@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 from operator import eq
 from typing import TYPE_CHECKING
 
-from tsplan.checking.capacities import crowded
 from tsplan.checking.claimed_values import false_objectives, shown, unproven
-from tsplan.checking.facts import facts_of
+from tsplan.checking.crowding import crowded
 from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.measures import Number, measured
+from tsplan.checking.plan_facts import facts_of
 from tsplan.checking.satisfaction_check import completed, false_claims
 from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import Finding, SolverError

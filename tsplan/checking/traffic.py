@@ -25,7 +25,8 @@ from tsplan.plans.subswarms import SubSwarm, subswarms
 if TYPE_CHECKING:
     from tsplan.milp.model import Ints
     from tsplan.mission import Group, Mission
-    from tsplan.plans.plan import Bundle, Plan
+    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.plan import Plan
     from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
     from tsplan.ts import TransitionSystem
 

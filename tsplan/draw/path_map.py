@@ -27,7 +27,8 @@ from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.plans.plan import Bundle, Plan
+    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.plan import Plan
 
 MOST_PATHS = len(HUES) * len(STROKES) - 8
 """Distinct paths that are drawn one by one; more cannot be told apart."""

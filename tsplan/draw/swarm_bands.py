@@ -41,7 +41,8 @@ from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.plans.plan import Bundle, Plan
+    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.plan import Plan
     from tsplan.ts import TransitionSystem
 
 Flow: TypeAlias = tuple[int, str, str, int]

@@ -41,7 +41,8 @@ from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.plans.plan import Bundle, Plan
+    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.plan import Plan
 
 MOST_AGENTS = 24
 """Agents up to which each has a row of its own."""

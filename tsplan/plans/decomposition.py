@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tsplan.errors import TsplanError
+from tsplan.plans.agent_plans import AgentPlan, Stay
 from tsplan.plans.moves import Durations, Move, Node, present
-from tsplan.plans.plan import AgentPlan, Stay
 
 if TYPE_CHECKING:
     from tsplan.mission import Agent, Mission

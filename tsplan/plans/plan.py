@@ -6,7 +6,6 @@ A plan's outcome is two facts: what is known (`Status`) and what stopped the sea
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from enum import StrEnum
@@ -14,16 +13,19 @@ from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, Self, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
+from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from tsplan import display
 from tsplan.errors import Finding, PlanError
 from tsplan.limits import MOST_STEPS
-from tsplan.parameters import step_within
+from tsplan.parameters import known_name, name_list, step_within
+from tsplan.plans.agent_plans import AgentPlan, Bundle, agents_json, bundles
 from tsplan.plans.moves import Moves, shares
-from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word, shared
+from tsplan.plans.plan_text import FORMAT, read_plan
+from tsplan.plans.presence import Presence, of_bundles, of_groups, state_counts
+from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word, as_json, json_lines
 from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
 from tsplan.plans.subswarms import SubSwarm
 from tsplan.stopping import LIMITS, StoppedBy
@@ -34,9 +36,6 @@ if TYPE_CHECKING:
     from tsplan.milp.model import Ints
     from tsplan.mission import Mission
     from tsplan.plans.moves import Node
-
-Stay: TypeAlias = tuple[Whole, Whole, Word]
-"""`(from, to, state)`: at that state at every step from..to, both included."""
 
 
 class Status(StrEnum):
@@ -57,48 +56,6 @@ _POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
     Status.ERROR: frozenset({None, *LIMITS}),
 }
 _WITH_PATHS = frozenset({Status.OPTIMAL, Status.FEASIBLE})
-
-
-@dataclass(frozen=True, slots=True)
-class AgentPlan(Record):
-    """The path of one agent.
-
-    Between two stays the agent is on the one edge from the first state to the second, and at no
-    state. `heading` is the state it is travelling to when its last stay ends before the horizon.
-    """
-
-    id: Word
-    class_name: Word
-    capabilities: Annotated[frozenset[Word], AfterValidator(shared)]
-    stays: Annotated[tuple[Stay, ...], Field(min_length=1), AfterValidator(shared)]
-    heading: Word | None = field(default=None, metadata=OPTIONAL)
-
-    @field_validator("stays")
-    @classmethod
-    def _forwards(cls, stays: tuple[Stay, ...]) -> tuple[Stay, ...]:
-        before = -1
-        for first, last, _ in stays:
-            if not before < first <= last:
-                raise ValueError(f"the stay from {first} to {last} is out of order")
-            before = last
-        return stays
-
-    def state_at(self, step: int) -> str | None:
-        """The agent's state at `step`; None while it is travelling.
-
-        Raises InputError for what is no step. The horizon is known to the plan alone: after it
-        the answer here is None.
-
-        >>> agent = AgentPlan("a-1", "a", frozenset(), ((0, 2, "p"), (4, 5, "q")))
-        >>> [agent.state_at(step) for step in (2, 3, 4)]
-        ['p', None, 'q']
-        """
-        asked = step_within(step, None)
-        place = bisect_right(self.stays, asked, key=lambda stay: stay[0]) - 1
-        if place < 0:
-            return None
-        _, last, state = self.stays[place]
-        return state if asked <= last else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,17 +117,6 @@ class Timings(Record):
     def __post_init__(self) -> None:
         for item in fields(self):
             object.__setattr__(self, item.name, round(getattr(self, item.name), 6))
-
-
-@dataclass(frozen=True, slots=True)
-class Bundle:
-    """Agents of one class that share one path; `agents` are their places in `Plan.agents`."""
-
-    class_name: str
-    capabilities: frozenset[str]
-    stays: tuple[Stay, ...]
-    heading: str | None
-    agents: tuple[int, ...]
 
 
 def _entries(agents: object) -> object:
@@ -266,8 +212,6 @@ class Plan(Record, display.Displayed):
     @cached_property
     def bundles(self) -> tuple[Bundle, ...]:
         """The agents grouped by identical class and path, in order of first appearance."""
-        from tsplan.plans.bundles import bundles  # noqa: PLC0415  (imports this module)
-
         return bundles(self.agents)
 
     @property
@@ -279,10 +223,20 @@ class Plan(Record, display.Displayed):
     @cached_property
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""
-        from tsplan.plans.presence import presences  # noqa: PLC0415  (numpy takes 0.1 s)
-
         stays = {stay[2] for bundle in self.bundles for stay in bundle.stays}
-        return tuple(sorted(stays.union(presence.state for presence in presences(self))))
+        return tuple(sorted(stays.union(presence.state for presence in self.presences)))
+
+    @cached_property
+    def presences(self) -> tuple[Presence, ...]:
+        """Who is where: swarms by their sub-swarms where the plan has them, others by paths.
+
+        Raises PlanError for a plan that has the moves of a swarm alone.
+        """
+        unknown = set(self.moves).difference(group.swarm for group in self.groups)
+        if unknown.difference(bundle.class_name for bundle in self.robots):
+            what = "the plan names the moves of swarms, but not the sub-swarms they make"
+            raise PlanError([Finding(what, "fill them in with certify(mission, plan)")])
+        return (*of_bundles(self.robots), *of_groups(self.groups))
 
     def state_at(self, step: int) -> dict[str, str | None]:
         """The state of every agent at `step` by its id; None for agents that are travelling.
@@ -324,9 +278,12 @@ class Plan(Record, display.Displayed):
         >>> made.counts("see", states=["q"]).tolist()
         [[0, 0, 0, 1]]
         """
-        from tsplan.plans.presence import asked_counts  # noqa: PLC0415  (numpy takes 0.1 s)
-
-        return asked_counts(self, states, capability)
+        if capability is not None and self.has_paths:  # without paths nobody is known
+            able = {name for presence in self.presences for name in presence.capabilities}
+            swarms = {group.swarm for group in self.groups} | set(self.moves)
+            known_name(capability, [able | swarms], "swarm" if able <= swarms else "capability")
+        rows = self.states if states is None else name_list(states, "state")
+        return state_counts(self.presences, rows, self.horizon, capability)
 
     def explain(self, mission: Mission) -> display.WitnessNode:
         """Why the plan satisfies the formula of its mission, as a tree that prints itself.
@@ -380,14 +337,24 @@ class Plan(Record, display.Displayed):
         return f"<Plan of {self.mission.name!r}: {self.status}, {len(self.agents)} agents>"
 
     def to_json(self) -> str:
-        """The plan as a `tsplan-plan/1` document, one agent a line."""
-        from tsplan.plans.plan_file import plan_to_json  # noqa: PLC0415  (imports this module)
-
-        return plan_to_json(self)
+        """The plan as a `tsplan-plan/1` document: one key, agent, move and sub-swarm a line."""
+        first = {"format": FORMAT, "status": self.status, "stopped_by": self.stopped_by}
+        moves = (
+            f"{as_json(swarm)}: {json_lines(map(as_json, moves))}"
+            for swarm, moves in self.moves.items()
+        )
+        large = {
+            "moves": lambda: "{" + ",\n  ".join(moves) + "}",
+            "groups": lambda: json_lines(map(as_json, self.groups)),
+            "agents": lambda: agents_json(self.agents, self.bundles),
+        }
+        lines = (
+            f"{as_json(key)}: {large[key]() if key in large else as_json(value)}"
+            for key, value in {**first, **self.data()}.items()
+        )
+        return "{" + ",\n ".join(lines) + "}\n"
 
     @classmethod
-    def from_json(cls, text: str, source: str = "plan") -> Plan:
+    def from_json(cls, text: str, source: str = "plan") -> Self:
         """Read a `tsplan-plan/1` document; raises PlanError with everything wrong with it."""
-        from tsplan.plans.plan_file import plan_from_json  # noqa: PLC0415  (imports this module)
-
-        return plan_from_json(text, source)
+        return read_plan(cls, text, source)

@@ -1,84 +1,17 @@
-"""Plans as `tsplan-plan/1` JSON, both ways."""
+"""Files of plans."""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
-from typing import Any
-
-from pydantic import TypeAdapter, ValidationError
 
 from tsplan.document.files import beginning, read_text, write_whole
 from tsplan.errors import InputError, PlanError
 from tsplan.plans.plan import Plan
-from tsplan.plans.plan_text import FORMAT, located, plan_data, refuse_other, spelled
-from tsplan.plans.records import plain
+from tsplan.plans.plan_text import refuse_other, spelled
 
 LARGEST_PLAN = 1024**3  # bytes; a path takes some hundred
 _GLANCE = 4096  # bytes by which a file that is no plan is known
-
-
-def plan_to_json(plan: Plan) -> str:
-    """The plan as JSON text, one top-level key, agent, move and sub-swarm a line."""
-    first = {"format": FORMAT, "status": plan.status, "stopped_by": plan.stopped_by}
-    entries = {**first, **plan.data()}
-    large: Mapping[str, Callable[[Plan], str]] = {
-        "moves": _moves,
-        "groups": lambda plan: _lines(map(_text, plan.groups)),
-        "agents": _agents,
-    }
-    lines = (
-        f"{json.dumps(key)}: {large[key](plan) if key in large else _text(value)}"
-        for key, value in entries.items()
-    )
-    return "{" + ",\n ".join(lines) + "}\n"
-
-
-def _text(value: Any) -> str:
-    return json.dumps(plain(value), ensure_ascii=False, allow_nan=False, default=str)
-
-
-def _lines(values: Iterable[str]) -> str:
-    return "[\n  " + ",\n  ".join(values) + "]"
-
-
-def _moves(plan: Plan) -> str:
-    """The moves of every swarm, one a line."""
-    swarms = (f"{_text(name)}: {_lines(map(_text, moves))}" for name, moves in plan.moves.items())
-    return "{" + ",\n  ".join(swarms) + "}"
-
-
-def _agents(plan: Plan) -> str:
-    """The list of agents; what agents on one path have in common is made only once."""
-    lines = [""] * len(plan.agents)
-    for bundle in plan.bundles:
-        common = plan.agents[bundle.agents[0]].data()
-        del common["id"]
-        tail = _text({key: plain(value) for key, value in common.items()})[1:]
-        for place in bundle.agents:
-            lines[place] = f'{{"id": {json.dumps(plan.agents[place].id)}, {tail}'
-    return _lines(lines)
-
-
-@cache
-def _reader() -> TypeAdapter[Plan]:
-    return TypeAdapter(Plan)
-
-
-def plan_from_json(text: str, source: str = "plan") -> Plan:
-    """Read a plan; raises PlanError with every finding for a text that is not one.
-
-    Equal paths become one object, which makes grouping cheap.
-    """
-    text = text.removeprefix("\ufeff")
-    data = plan_data(text, source)
-    try:
-        return _reader().validate_python(data, context={})
-    except ValidationError as error:
-        raise PlanError(located(error, text, source)) from None
 
 
 def load_plan(path: str | Path) -> Plan:
@@ -93,7 +26,7 @@ def load_plan(path: str | Path) -> Plan:
             replace(item, message=f"cannot read the plan: {item.message}")
             for item in error.findings
         ) from None
-    return plan_from_json(spelled(text), str(path))
+    return Plan.from_json(spelled(text), str(path))
 
 
 def save_plan(plan: Plan, path: str | Path) -> None:
@@ -101,4 +34,4 @@ def save_plan(plan: Plan, path: str | Path) -> None:
 
     Raises PlanError if the place cannot be written.
     """
-    write_whole(Path(path), plan_to_json(plan).encode(), PlanError)
+    write_whole(Path(path), plan.to_json().encode(), PlanError)

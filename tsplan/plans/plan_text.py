@@ -5,33 +5,48 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
+from collections.abc import Hashable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NoReturn
+from functools import cache
+from typing import Any, NoReturn, TypeVar, cast
 
+from pydantic import TypeAdapter, ValidationError
+
+from tsplan.document import Document, parse_document
 from tsplan.document.kinds import PLAN, kind_of_data, kind_of_text
 from tsplan.errors import Finding, InputError, PlanError
 from tsplan.limits import DIGITS
 from tsplan.words import nfc
 
-if TYPE_CHECKING:
-    from pydantic import ValidationError
-
-    from tsplan.document import Document
-
+T = TypeVar("T")
 FORMAT = "tsplan-plan/1"
 _LOCATED = 2_000_000  # characters up to which a faulty file is read again for lines and columns
 _REMEDY = f'a plan has "format": "{FORMAT}"'
 
 
-def plan_data(text: str, source: str) -> dict[str, Any]:
-    """The fields of a plan file; raises PlanError with every finding for a text that is none."""
+def read_plan(kind: type[T], text: str, source: str) -> T:
+    """The plan in a text; raises PlanError with every finding for a text that is none.
+
+    Equal paths become one object, which makes grouping cheap.
+    """
+    text = text.removeprefix("\ufeff")
     refuse_other(text, source)
     data = _parsed(text, source)
     if not isinstance(data, dict):
         raise _refusal("this is no plan: it is no mapping of keys to values", _REMEDY, source)
     if data.get("format") != FORMAT:
         raise _refusal(f"this is no plan: {_other_format(data)}", _REMEDY, source)
-    return {key: value for key, value in data.items() if key != "format"}
+    del data["format"]
+    try:
+        made: T = _reader(cast("Hashable", kind)).validate_python(data, context={})
+    except ValidationError as error:
+        raise PlanError(_located(error, text, source)) from None
+    return made
+
+
+@cache
+def _reader(kind: Any) -> TypeAdapter[Any]:
+    return TypeAdapter(kind)
 
 
 def spelled(text: str) -> str:
@@ -114,7 +129,7 @@ def _not_json(word: str) -> NoReturn:
     raise ValueError(f"{word} is not a JSON number")
 
 
-def located(error: ValidationError, text: str, source: str) -> list[Finding]:
+def _located(error: ValidationError, text: str, source: str) -> list[Finding]:
     """What is wrong with data, with lines and columns unless the file is very large."""
     document = _document(text, source) if len(text) <= _LOCATED else None
     findings = []
@@ -136,8 +151,6 @@ def located(error: ValidationError, text: str, source: str) -> list[Finding]:
 
 def _document(text: str, source: str) -> Document | None:
     """JSON is YAML too, whose reader knows the place of every value."""
-    from tsplan.document import parse_document  # noqa: PLC0415  (needed for faulty files only)
-
     try:
         return parse_document(text, source)
     except InputError:

@@ -6,6 +6,7 @@ follows from the value. So another field of a plan is another line in a record.
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from dataclasses import fields
@@ -17,7 +18,7 @@ from pydantic import ConfigDict, Field, PlainValidator, ValidationInfo, model_va
 from tsplan.limits import LARGEST
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     from _typeshed import DataclassInstance
     from pydantic import ModelWrapValidatorHandler
@@ -123,6 +124,16 @@ def plain(value: Any) -> Any:
     if not isinstance(value, float):
         return value
     return None if not math.isfinite(value) else int(value) if value == int(value) else value
+
+
+def as_json(value: Any) -> str:
+    """A value as JSON text, whatever kind it is of."""
+    return json.dumps(plain(value), ensure_ascii=False, allow_nan=False, default=str)
+
+
+def json_lines(values: Iterable[str]) -> str:
+    """A list in JSON with one of its values a line."""
+    return "[\n  " + ",\n  ".join(values) + "]"
 
 
 def shared(value: Any, info: ValidationInfo) -> Any:

@@ -8,7 +8,8 @@ from textwrap import shorten
 from typing import TYPE_CHECKING
 
 from tsplan.mission.objectives import OBJECTIVES
-from tsplan.plans.plan import Bundle, ObjectiveValue, Plan, Status
+from tsplan.plans.agent_plans import Bundle
+from tsplan.plans.plan import ObjectiveValue, Plan, Status
 from tsplan.plans.split_history import timeline
 from tsplan.stopping import StoppedBy
 from tsplan.words import number, visible

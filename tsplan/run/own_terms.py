@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from tsplan.encode.expressions import Constraint, CountTerm
 from tsplan.errors import Finding, MissionError
 from tsplan.parameters import known_name, step_within
-from tsplan.plans.presence import counted
+from tsplan.plans.presence import state_counts
 from tsplan.ts import TransitionSystem
 
 if TYPE_CHECKING:
@@ -83,7 +83,10 @@ def worth(
     }
     states = tuple({state for those in places.values() for state in those})
     row = {state: number for number, state in enumerate(states)}
-    counts = {able: counted(plan, states, able) for able in {term.capability for term, _ in given}}
+    counts = {
+        able: state_counts(plan.presences, states, plan.horizon, able)
+        for able in {term.capability for term, _ in given}
+    }
     found = Fraction(0)
     for term, factor in given:
         rows = [row[state] for state in places[term.place]]

@@ -8,9 +8,9 @@ import numpy as np
 
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.read_back import listed, moves_of
+from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.decomposition import paths_of
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import AgentPlan
 
 MOST_AGENTS = 1000
 """Agents up to which every one of a swarm gets a path; for more, `tsplan.assign` makes them."""

@@ -23,7 +23,7 @@ from tsplan.logic.normal_form import positive
 from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.logic.simplification import simplify
 from tsplan.logic.symbols import capabilities
-from tsplan.plans.presence import counted
+from tsplan.plans.presence import state_counts
 
 if TYPE_CHECKING:
     from tsplan.logic.nodes import Formula
@@ -138,7 +138,8 @@ def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
     """The counts of a plan at all states of its mission's map, as far as a formula needs them."""
     states = tuple(mission.system.states)
     wanted = (None, *sorted(capabilities(formula)))
-    return count_trace(mission.system, {name: counted(plan, states, name) for name in wanted})
+    counts = {n: state_counts(plan.presences, states, plan.horizon, n) for n in wanted}
+    return count_trace(mission.system, counts)
 
 
 def measured(atom: Count, trace: CountTrace) -> Ints:
