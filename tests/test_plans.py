@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import json
 import pickle
-from dataclasses import dataclass, fields, replace
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pydantic import TypeAdapter, ValidationError
 
 from tsplan.errors import PlanError
 from tsplan.plans.agent_plans import AgentPlan
@@ -23,7 +22,6 @@ from tsplan.plans.plan import (
     Timings,
 )
 from tsplan.plans.plan_file import load_plan, save_plan
-from tsplan.plans.records import Word
 from tsplan.stopping import StoppedBy
 
 REF = MissionRef("farm", "0" * 64)
@@ -110,28 +108,6 @@ def test_json_is_the_documented_document():
     }
     assert data["agents"][2]["heading"] == "p"
     assert Plan.from_json(FULL.to_json()) == FULL
-
-
-@dataclass(frozen=True)
-class Weathered(Plan):
-    """A plan with another field: one line in a record."""
-
-    weather: Word = "calm"
-
-
-def test_another_field_is_one_line_in_a_record():
-    told = Weathered(
-        **{item.name: getattr(FULL, item.name) for item in fields(FULL)}, weather="ice"
-    )
-    data = json.loads(told.to_json())
-    assert data.pop("weather") == "ice"
-    assert data == json.loads(FULL.to_json())
-    del data["format"]
-    reader = TypeAdapter(Weathered)
-    assert reader.validate_python({**data, "weather": "ice"}, context={}) == told
-    assert reader.validate_python(data, context={}).weather == "calm"
-    with pytest.raises(ValidationError, match="weather"):
-        reader.validate_python({**data, "weather": ""}, context={})
 
 
 def test_plans_can_be_pickled_after_use():
