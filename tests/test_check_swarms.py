@@ -12,7 +12,7 @@ from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check, objective_values
 from tsplan.errors import InputError, PlanError, SolverError
 from tsplan.mission import Mission
-from tsplan.plans.moves import Move, merges, shares, splits
+from tsplan.plans.moves import Move, shares, splits
 from tsplan.plans.subswarms import SubSwarm, subswarms
 from tsplan.ts import Edge, State, TransitionSystem
 
@@ -35,8 +35,6 @@ def refused(made, *words, given=None):
 
 def test_what_moves_say():
     assert splits(MOVES) == 2
-    assert merges(MOVES, DURATIONS, 5) == 2
-    assert merges(MOVES, DURATIONS, 3) == 0
     assert shares(MOVES)["p", 1] == (
         ("p", Fraction(1, 6)),
         ("q", Fraction(1, 3)),

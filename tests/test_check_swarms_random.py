@@ -13,8 +13,9 @@ from tests.swarm_lane import VALUES
 from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check
 from tsplan.mission import Mission
-from tsplan.plans.moves import Move, merges
+from tsplan.plans.moves import Move
 from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
+from tsplan.plans.split_history import timeline
 from tsplan.ts import Edge, State, TransitionSystem
 
 # waiting at c takes two steps at a time
@@ -100,8 +101,7 @@ def test_values_are_those_of_the_agents(drawn):
         "balance": min(min(row.values()) for row in together),
         "makespan": max((entry[0] + duration(entry) for entry in away), default=0),
     }
-    lengths = {pair: edge.duration for pair, edge in SYSTEM.edges.items()}
-    assert merges(plan.moves["swarm"], lengths, horizon) == sum(
+    assert sum(line.count(" + ") for line in timeline(made) if "merge" in line) == sum(
         len(came) - 1 for (step, _), came in entries.items() if step <= horizon
     )
     for step, row in enumerate(together):

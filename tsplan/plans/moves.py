@@ -108,10 +108,3 @@ def splits(moves: Iterable[Move]) -> int:
     1
     """
     return sum(len(gone) - 1 for gone in leaving(moves).values())
-
-
-def merges(moves: Iterable[Move], durations: Durations, horizon: int) -> int:
-    """How often sub-swarms merge up to the horizon: j that arrive at once merge j-1 times."""
-    return sum(
-        len(came) - 1 for (_, step), came in arriving(moves, durations).items() if step <= horizon
-    )

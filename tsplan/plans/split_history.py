@@ -47,7 +47,7 @@ def timeline(plan: Plan) -> list[str]:
     for swarm, moves in plan.moves.items():
         who = f" {swarm}" if several else ""
         groups = [group for group in plan.groups if group.swarm == swarm]
-        events += _merges(_arrivals(moves, groups), who)
+        events += _merges(_arrivals(moves, groups, plan.horizon), who)
         events += _splits(leaving(moves), who)
     lines = (f"step {item.step}: {item.words}" for item in sorted(events))
     return list(dict.fromkeys(lines))  # start and end may be one
@@ -80,11 +80,14 @@ def _merges(came: dict[Node, list[Move]], who: str) -> Iterator[Event]:
             yield Event(step, _MERGE, f"{shown}{who} merge at {state}")
 
 
-def _arrivals(moves: tuple[Move, ...], groups: list[SubSwarm]) -> dict[Node, list[Move]]:
-    """The moves by the state and step they arrive at: a sub-swarm on an edge says until when."""
+def _arrivals(
+    moves: tuple[Move, ...], groups: list[SubSwarm], horizon: int
+) -> dict[Node, list[Move]]:
+    """The moves by where they arrive up to the horizon: a sub-swarm on an edge says until when."""
     until = {(*group.edge, group.first - 1): group.last for group in groups if group.edge}
     found: dict[Node, list[Move]] = {}
     for move in moves:
         last = until.get((move.source, move.target, move.step), move.step)
-        found.setdefault((move.target, last + 1), []).append(move)
+        if last < horizon:  # what is on an edge at the last step arrives later
+            found.setdefault((move.target, last + 1), []).append(move)
     return found
