@@ -45,17 +45,20 @@ def read_path(system: TransitionSystem, bundle: Bundle, horizon: int) -> Path:
     segments: list[Segment] = []
     for place, (first, last, state) in enumerate(bundle.stays):
         problems += unwelcome(system, bundle, state, first)
-        if last > first:
-            wait = usable_edge(system, bundle, (state, state), first, problems)
-            if wait is not None:
-                _same_duration(wait, bundle, (first, 1), problems)
-                segments.append(Segment(wait, first, last, agents, last - first))
+        rides = [(state, first, 1, last - first)] if last > first else []
         if place + 1 < len(bundle.stays):
             arrival, _, target = bundle.stays[place + 1]
-            edge = usable_edge(system, bundle, (state, target), last, problems)
-            if edge is not None:
-                _same_duration(edge, bundle, (last, arrival - last), problems)
-                segments.append(Segment(edge, last, arrival, agents))
+            rides.append((target, last, arrival - last, 1))
+        for target, step, spent, times in rides:
+            edge = usable_edge(system, bundle, (state, target), step, problems)
+            if edge is None:
+                continue
+            if edge.duration_for(bundle.class_name) != spent:
+                problems.append(
+                    f"takes the edge from {state} to {target} at step {step} in {spent} steps "
+                    f"instead of {edge.duration_for(bundle.class_name)}"
+                )
+            segments.append(Segment(edge, step, step + spent * times, agents, times))
     segments += _unfinished(system, bundle, horizon, problems)
     return Path(tuple(segments), tuple(dict.fromkeys(problems)))
 
@@ -106,16 +109,6 @@ def usable_edge(
         problems.append(f"{how} at step {step} by an edge that class {who.class_name} lacks")
         return None
     return edge
-
-
-def _same_duration(edge: Edge, bundle: Bundle, taken: tuple[int, int], problems: list[str]) -> None:
-    step, spent = taken
-    duration = edge.duration_for(bundle.class_name)
-    if duration != spent:
-        problems.append(
-            f"takes the edge from {edge.source} to {edge.target} at step {step} in {spent} steps "
-            f"instead of {duration}"
-        )
 
 
 def _unfinished(

@@ -58,21 +58,20 @@ class Frequency:
     @property
     def low(self) -> float:
         """Lower end of the interval."""
-        middle, half = self._interval()
-        return max(middle - half, 0.0)
+        return max(self._interval()[0], 0.0)
 
     @property
     def high(self) -> float:
         """Upper end of the interval."""
-        middle, half = self._interval()
-        return min(middle + half, 1.0)
+        return min(self._interval()[1], 1.0)
 
     def _interval(self) -> tuple[float, float]:
         square = NormalDist().inv_cdf((1 + _CONFIDENCE) / 2) ** 2
         spread = square / self.runs
         middle = (self.rate + spread / 2) / (1 + spread)
         variance = self.rate * (1 - self.rate) * spread + spread**2 / 4
-        return middle, math.sqrt(variance) / (1 + spread)
+        half = math.sqrt(variance) / (1 + spread)
+        return middle - half, middle + half
 
 
 @dataclass(frozen=True, slots=True)
