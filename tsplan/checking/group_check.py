@@ -68,8 +68,8 @@ def misnamed(named: Sequence[SubSwarm], traffic: Traffic) -> Iterator[str]:
     """Steps at which the sub-swarms that a plan names are not those that its moves make."""
     if not named:
         return
-    made = _table(traffic.groups, traffic.horizon)
-    for step, (row, other) in enumerate(zip(made, _table(named, traffic.horizon), strict=True)):
+    true = _table(traffic.groups, traffic.horizon)
+    for step, (row, other) in enumerate(zip(true, _table(named, traffic.horizon), strict=True)):
         for entry in sorted(set(other) - set(row)):
             yield f"the plan names a {entry.words} at step {step}, which its moves do not make"
         for entry in sorted(set(row) - set(other)):

@@ -49,9 +49,9 @@ def travel(traffic: Traffic) -> int:
 def cost(traffic: Traffic) -> Fraction:
     """Summed costs of every edge that every agent enters, waits included."""
     costs = (
-        item.agents * item.times * exact(item.edge.cost_for(made.class_name))
-        for made in traffic.classes
-        for item in made.segments
+        item.agents * item.times * exact(item.edge.cost_for(class_traffic.class_name))
+        for class_traffic in traffic.classes
+        for item in class_traffic.segments
     )
     return sum(costs, Fraction(0))
 
@@ -63,7 +63,7 @@ def makespan(traffic: Traffic) -> int:
 
 def agents(traffic: Traffic) -> int:
     """How many agents ever move."""
-    return sum(made.moving for made in traffic.classes)
+    return sum(class_traffic.moving for class_traffic in traffic.classes)
 
 
 def split(traffic: Traffic) -> int:
@@ -73,7 +73,7 @@ def split(traffic: Traffic) -> int:
 
 def moves(traffic: Traffic) -> int:
     """How often a sub-swarm enters an edge that is no wait."""
-    return sum(not move.is_wait for made in traffic.moves.values() for move in made)
+    return sum(not move.is_wait for moves in traffic.moves.values() for move in moves)
 
 
 def balance(traffic: Traffic) -> int | None:
@@ -115,13 +115,13 @@ def register_measure(name: str, measure: Measure) -> None:
 def measured(traffic: Traffic) -> dict[str, Number]:
     """The value of every objective that the mission of some traffic may name; all are exact."""
     swarms = traffic.mission.swarm is not None
-    found = {
+    values = {
         name: measure(traffic)
         for name, measure in MEASURES.items()
         if swarms or not OBJECTIVES[name].of_groups
     }
     return {
         name: Fraction(value) if not isinstance(value, float) else value
-        for name, value in found.items()
+        for name, value in values.items()
         if value is not None
     }

@@ -124,14 +124,14 @@ def _strangers(mission: Mission, plan: Plan) -> Iterator[str]:
     named = {agent.class_name for agent in plan.agents}
     classes = {group.class_name for group in mission.team}
     pathless = {c for c in classes - named if mission.group_bounds(c) is not None}
-    asked = mission.members(classes - pathless) if pathless else mission.agents
-    given = (
+    members = mission.members(classes - pathless) if pathless else mission.agents
+    planned_members = (
         (agent.id, agent.class_name, agent.capabilities, agent.stays[0][2] if agent.stays else "")
         for agent in plan.agents
     )
-    if len(plan.agents) == len(asked) and all(map(eq, given, asked)):
+    if len(plan.agents) == len(members) and all(map(eq, planned_members, members)):
         return
-    team = {agent.id: agent for agent in asked}
+    team = {agent.id: agent for agent in members}
     seen: set[str] = set()
     for planned in plan.agents:
         agent = team.get(planned.id)

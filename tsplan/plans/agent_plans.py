@@ -50,12 +50,12 @@ class AgentPlan(Record):
         >>> [agent.state_at(step) for step in (2, 3, 4)]
         ['p', None, 'q']
         """
-        asked = step_within(step, None)
-        place = bisect_right(self.stays, asked, key=lambda stay: stay[0]) - 1
+        whole = step_within(step, None)
+        place = bisect_right(self.stays, whole, key=lambda stay: stay[0]) - 1
         if place < 0:
             return None
         _, last, state = self.stays[place]
-        return state if asked <= last else None
+        return state if whole <= last else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -69,14 +69,14 @@ def decompose(
     flow = _Unrolled(moves, durations, horizon, seed)
     flow.refuse_unless_conserved({state: len(places) for state, places in waiting.items()})
     bundles = {state: [flow.patient(state, len(places))] for state, places in waiting.items()}
-    made: list[AgentPlan | None] = [None] * len(members)
+    paths: list[AgentPlan | None] = [None] * len(members)
     for state, places in waiting.items():
         rest = len(places) - bundles[state][0].agents
         line = iter(places)
         for stays, heading, agents in bundles[state] + flow.paths(state, rest):
             for place in islice(line, agents):
-                made[place] = AgentPlan(*members[place][:3], stays, heading)
-    return tuple(agent for agent in made if agent is not None)
+                paths[place] = AgentPlan(*members[place][:3], stays, heading)
+    return tuple(agent for agent in paths if agent is not None)
 
 
 class _Unrolled:
@@ -133,16 +133,16 @@ class _Unrolled:
 
     def paths(self, start: str, agents: int) -> list[_Path]:
         """Take off paths from `start` until all of its `agents` have one."""
-        found = []
+        bundles = []
         while agents > 0:
             taken, state, step = [], start, 0
             while step < self.horizon:
                 target = next(iter(self.left[state, step]))
                 taken.append((state, step, target))
                 state, step = target, step + self.durations[state, target]
-            found.append(self._take(start, taken, agents))
-            agents -= found[-1].agents
-        return found
+            bundles.append(self._take(start, taken, agents))
+            agents -= bundles[-1].agents
+        return bundles
 
     def _take(self, start: str, taken: list[tuple[str, int, str]], agents: int) -> _Path:
         """Take some path off the flow, for as many agents as it is left for."""

@@ -70,10 +70,10 @@ def arriving(moves: Iterable[Move], durations: Durations) -> dict[Node, tuple[Mo
 
 
 def _by_node(pairs: Iterator[tuple[Node, Move]]) -> dict[Node, tuple[Move, ...]]:
-    found: dict[Node, list[Move]] = {}
+    nodes: dict[Node, list[Move]] = {}
     for node, move in pairs:
-        found.setdefault(node, []).append(move)
-    return {node: tuple(moves) for node, moves in found.items()}
+        nodes.setdefault(node, []).append(move)
+    return {node: tuple(moves) for node, moves in nodes.items()}
 
 
 def present(
@@ -94,11 +94,11 @@ def shares(moves: Iterable[Move]) -> dict[Node, tuple[tuple[str, Fraction], ...]
     >>> [(target, str(part)) for target, part in split["dock", 3]]
     [('aisle', '1/3'), ('dock', '2/3')]
     """
-    found = {}
+    parts = {}
     for node, gone in leaving(moves).items():
         total = sum(move.count for move in gone)
-        found[node] = tuple((move.target, Fraction(move.count, total)) for move in gone)
-    return found
+        parts[node] = tuple((move.target, Fraction(move.count, total)) for move in gone)
+    return parts
 
 
 def splits(moves: Iterable[Move]) -> int:

@@ -38,10 +38,10 @@ def read_plan(kind: type[T], text: str, source: str) -> T:
         raise _refusal(f"this is no plan: {_other_format(data)}", _REMEDY, source)
     del data["format"]
     try:
-        made: T = _reader(cast("Hashable", kind)).validate_python(data, context={})
+        plan: T = _reader(cast("Hashable", kind)).validate_python(data, context={})
     except ValidationError as error:
         raise PlanError(_located(error, text, source)) from None
-    return made
+    return plan
 
 
 @cache
@@ -117,12 +117,12 @@ def _whole(text: str) -> int:
 
 
 def _unrepeated(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    made = dict(pairs)
-    if len(made) < len(pairs):
+    mapping = dict(pairs)
+    if len(mapping) < len(pairs):
         times = Counter(name for name, _ in pairs)
         twice = next(name for name in times if times[name] > 1)
         raise ValueError(f"the key '{twice}' is there twice")
-    return made
+    return mapping
 
 
 def _not_json(word: str) -> NoReturn:

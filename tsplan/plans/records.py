@@ -82,16 +82,16 @@ class Portion(Record):
 
     def repeated(self) -> dict[str, float | bool]:
         """What a file says once more for those who read it."""
-        made: Any = self
-        met = {"met": made.met} if hasattr(self, "met") else {}
-        return {**met, "fraction": float(made.fraction or 0)}
+        record: Any = self
+        met = {"met": record.met} if hasattr(self, "met") else {}
+        return {**met, "fraction": float(record.fraction or 0)}
 
     def data(self) -> dict[str, Any]:
         """What a file has of the record, and what it repeats."""
-        made: dict[str, Any] = {}
+        entries: dict[str, Any] = {}
         for key, value in super().data().items():
-            made |= {key: value} if key != "exact" else {**self.repeated(), key: str(value or 0)}
-        return made
+            entries |= {key: value} if key != "exact" else {**self.repeated(), key: str(value or 0)}
+        return entries
 
     @model_validator(mode="wrap")
     @classmethod
@@ -99,12 +99,12 @@ class Portion(Record):
         """Read the fields alone, and hold what is repeated against them."""
         given = data if isinstance(data, dict) else {}
         rest = {key: value for key, value in given.items() if key not in ("fraction", "met")}
-        made = handler(rest if given else data)
-        for key, value in made.repeated().items():
+        record = handler(rest if given else data)
+        for key, value in record.repeated().items():
             other = given.get(key)
             if not isinstance(other, int | float) or abs(other - value) > _ROUNDING:
                 raise ValueError(f"'{key}': {other} is not {rest.get('exact')}")
-        return made
+        return record
 
 
 def plain(value: Any) -> Any:

@@ -85,9 +85,9 @@ def _arrivals(
 ) -> dict[Node, list[Move]]:
     """The moves by where they arrive up to the horizon: a sub-swarm on an edge says until when."""
     until = {(*group.edge, group.first - 1): group.last for group in groups if group.edge}
-    found: dict[Node, list[Move]] = {}
+    arrivals: dict[Node, list[Move]] = {}
     for move in moves:
         last = until.get((move.source, move.target, move.step), move.step)
         if last < horizon:  # what is on an edge at the last step arrives later
-            found.setdefault((move.target, last + 1), []).append(move)
-    return found
+            arrivals.setdefault((move.target, last + 1), []).append(move)
+    return arrivals

@@ -106,13 +106,13 @@ def _staying(
 ) -> tuple[dict[Node, _Key], dict[_Key, int]]:
     """The sub-swarm at each state and step where there are agents, and the last step of each."""
     came, gone = arriving(moves, durations), leaving(moves)
-    found: dict[Node, _Key] = {}
+    staying: dict[Node, _Key] = {}
     last: dict[_Key, int] = {}
     counts = present(starts, moves, durations, horizon)
     for state, step in sorted(counts, key=lambda node: (node[1], node[0])):
         alone = came.get((state, step), ())
         # the one move that left here a step ago is the one that arrives: all wait, nobody joins
         waits = len(alone) == 1 and gone.get((state, step - 1)) == alone
-        key = found[state, step - 1] if waits else (step, False, state, "")
-        found[state, step], last[key] = key, step
-    return found, last
+        key = staying[state, step - 1] if waits else (step, False, state, "")
+        staying[state, step], last[key] = key, step
+    return staying, last

@@ -91,8 +91,8 @@ def infinite_word(plan: Plan) -> str:
 
     A formula that does not hold, or of which no part is met, has no robots to spare.
     """
-    made = plan.satisfaction
-    whole = made is None or made.fraction == 1
+    satisfaction = plan.satisfaction
+    whole = satisfaction is None or satisfaction.fraction == 1
     some = not plan.preferences or any(item.met for item in plan.preferences)
     return "unbounded" if whole and some else "open"
 
@@ -114,12 +114,14 @@ def satisfaction_lines(plan: Plan) -> list[str]:
     """What holds of a mission that need not hold as a whole, and when."""
     lines = []
     if plan.satisfaction is not None:
-        made = plan.satisfaction
-        lines.append(f"  satisfied: {made.fraction} ({made.order})")
-        if made.depths:
-            counts = ", ".join(f"{item.value} at depth {item.depth}" for item in made.depths)
+        satisfaction = plan.satisfaction
+        lines.append(f"  satisfied: {satisfaction.fraction} ({satisfaction.order})")
+        if satisfaction.depths:
+            counts = ", ".join(
+                f"{item.value} at depth {item.depth}" for item in satisfaction.depths
+            )
             lines.append(f"  by depth: {counts}")
-        lines += _node_lines(made.nodes)
+        lines += _node_lines(satisfaction.nodes)
     for item in plan.preferences:
         gain = f"weight {number(float(item.weight))}, level {item.level}"
         lines.append(f"  {item.name}: {_share(item.fraction)} ({gain})")
