@@ -54,6 +54,14 @@ margin: 1
 spec: F[0,5] (sum(B,u) >= 4 && sum(A,v) >= 1)
 objective: [splits, travel]
 """,
+    "mixed": f"""\
+format: tsplan-mission/1
+{MAP}
+team: [{{class: r, count: 2, at: a, capabilities: [x]}}]
+swarms: [{{name: u, size: 8, at: a, max_subswarms: 2, min_subswarm: 2}}]
+spec: {{language: mtl, formula: "F[0,5] (sum(B,u) >= 3 && sum(B,x) >= 1 && sum(A) >= 2)"}}
+objective: [splits, availability, cost]
+""",
 }
 WORDS = ["a", "b", "c", "u", "v", "r", "s", "r-1", "r-2", "u:1", "v:1", "x", "zz", ""]
 WHOLES = [-1, 0, 1, 2, 3, 5, 8, 10**6, 10**12, 10**15, 10**30]

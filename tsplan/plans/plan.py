@@ -60,7 +60,10 @@ _WITH_PATHS = frozenset({Status.OPTIMAL, Status.FEASIBLE})
 
 @dataclass(frozen=True, slots=True)
 class ObjectiveValue(Record):
-    """Value of one objective in the plan, and the proven bound on what any plan can reach."""
+    """Value of one objective in the plan, and the proven bound on what any plan can reach.
+
+    Both are in the objective's own sense and unit: a bound of one that is maximised lies above.
+    """
 
     name: Word
     value: Finite | None
