@@ -63,7 +63,9 @@ class Record:
 
     __slots__ = ()
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(
-        extra="forbid", alias_generator=json_name
+        extra="forbid",
+        alias_generator=json_name,
+        arbitrary_types_allowed=True,  # older releases of pydantic know no fractions
     )
 
     def data(self) -> dict[str, Any]:
