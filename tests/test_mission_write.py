@@ -11,8 +11,6 @@ from random import Random
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.random_missions import CAPABILITIES, random_map, random_mission, random_text
-from tests.random_tasks import random_tasks
 
 from tsplan import check, load_mission, load_plan
 from tsplan.cli import main
@@ -26,6 +24,14 @@ from tsplan.mission import (
     SwarmBounds,
     SwarmRules,
     mission_from_text,
+)
+from tsplan.testing.random_missions import (
+    CAPABILITIES,
+    random_formula,
+    random_map,
+    random_mission,
+    random_swarm_mission,
+    random_task_mission,
 )
 from tsplan.ts import Edge, State, TransitionSystem
 
@@ -59,7 +65,7 @@ def alike(mission):
 def random_prefer(random):
     return [
         Preference(
-            parse(random_text(random, 1)),
+            parse(random_formula(random, 1)),
             weight=Fraction(random.randint(1, 40), 8),
             name=f"soft {number}",
             level=random.randint(0, 2),
@@ -108,7 +114,7 @@ def random_kind(seed):
                 map=system,
                 **{key: value for key, value in values.items() if value},
                 **more,
-                must=random_text(random, 2) if random.random() < 0.9 else True,
+                must=random_formula(random, 2) if random.random() < 0.9 else True,
                 prefer=prefer,
                 language=random.choice(["mtl", "catl"]),
                 objective=aims,
@@ -125,7 +131,8 @@ def random_kind(seed):
 @given(st.integers(0, 10**6))
 def test_random_missions_are_read_as_they_were(seed):
     alike(random_mission(seed))
-    alike(random_tasks(seed))
+    alike(random_task_mission(seed))
+    alike(random_swarm_mission(seed))
     alike(random_kind(seed))
 
 

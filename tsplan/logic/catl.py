@@ -80,15 +80,12 @@ def counted(
     raise TypeError(f"no translation is registered for {type(node).__name__}")
 
 
-@counted.register(Constant)
-@counted.register(Count)
-@counted.register(Linear)
-@counted.register(Not)
-@counted.register(Several)
-@counted.register(Pair)
-@counted.register(Window)
-@counted.register(Switch)
-def _(node: Formula, below: tuple[Formula, ...], _interval: TaskInterval) -> Formula:
+@counted.register
+def _(
+    node: Constant | Count | Linear | Not | Several | Pair | Window | Switch,
+    below: tuple[Formula, ...],
+    _interval: TaskInterval,
+) -> Formula:
     return node.over(below)
 
 

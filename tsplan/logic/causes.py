@@ -33,10 +33,10 @@ from tsplan.logic.nodes import (
     Release,
     Until,
 )
+from tsplan.logic.time_horizon import Span
 
 Steps: TypeAlias = npt.NDArray[np.int64]
 Values: TypeAlias = npt.NDArray[Any]
-Span: TypeAlias = tuple[int, int]
 
 NONE = -1
 """Stands for a step where there is none."""
@@ -133,34 +133,6 @@ def _(node: Release, judged: Judged) -> Cause:
     left, right = judged.below
     reached = judged.own[judged.steps] < 0
     return _switched(judged, (node.low, node.high), (-left, -right), reached)
-
-
-@singledispatch
-def spans(node: Formula, span: Span) -> tuple[Span, ...]:
-    """The window of each child where a node matters in `span`, empty ones reversed.
-
-    Every class of nodes registers its own.
-    """
-    raise TypeError(f"no window is registered for {type(node).__name__}")
-
-
-@spans.register
-def _(
-    node: Constant | Count | Linear | Task | Limit | Not | And | Or | Implies | Iff, span: Span
-) -> tuple[Span, ...]:
-    return tuple(span for _ in node.children)
-
-
-@spans.register
-def _(node: Eventually | Always, span: Span) -> tuple[Span, ...]:
-    return ((span[0] + node.low, span[1] + node.high),)
-
-
-@spans.register
-def _(node: Until | Release, span: Span) -> tuple[Span, ...]:
-    first, last = span
-    left = (first, last + node.high - 1) if node.high else (0, NONE)
-    return left, (first + node.low, last + node.high)
 
 
 def _parts(judged: Judged, scores: Values, *, every: bool) -> tuple[Steps, ...]:

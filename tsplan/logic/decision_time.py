@@ -18,15 +18,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
-from types import MappingProxyType
 
 import numpy as np
 
-from tsplan.logic.atoms import Relation
-from tsplan.logic.evaluation import Compare, CountTrace, Reading, value
+from tsplan.logic.evaluation import TRUTH, Compare, CountTrace, Reading, values_of
 from tsplan.logic.nodes import Formula
 from tsplan.logic.traces import Floats, Values
-from tsplan.logic.traversal import walk
 
 
 def earliness(formula: Formula, trace: CountTrace) -> Mapping[Formula, Floats]:
@@ -48,13 +45,10 @@ def earliness(formula: Formula, trace: CountTrace) -> Mapping[Formula, Floats]:
         trace,
         true=known,
         false=_negated(known),
-        compare={sign: partial(_read, test, certain) for sign, test in _TESTS.items()},
+        compare={sign: partial(_read, test, certain) for sign, test in TRUTH.items()},
         negate=_negated,
     )
-    values: dict[Formula, Values] = {}
-    for node in walk(formula):
-        values[node] = value(node, tuple(values[child] for child in node.children), reading)
-    return MappingProxyType(values)
+    return values_of(formula, reading)
 
 
 def decided_at(early: Floats, last: int) -> Floats:
@@ -69,15 +63,3 @@ def _negated(early: Values) -> Values:
 def _read(test: Compare, certain: Floats, counts: Values, bound: float) -> Values:
     """The earliness of an atom: what a step's counts say is certain at that step."""
     return np.where(test(counts, bound), certain, _negated(certain))
-
-
-_TESTS: Mapping[Relation, Compare] = MappingProxyType(
-    {
-        ">=": np.greater_equal,
-        "<=": np.less_equal,
-        ">": np.greater,
-        "<": np.less,
-        "=": np.equal,
-        "!=": np.not_equal,
-    }
-)

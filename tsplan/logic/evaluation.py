@@ -34,8 +34,8 @@ from tsplan.logic.nodes import (
 )
 from tsplan.logic.time_horizon import horizon
 from tsplan.logic.traces import CountTrace, SignalTrace, Trace, Values
-from tsplan.logic.traversal import fold, walk
-from tsplan.logic.windows import switched, windowed
+from tsplan.logic.traversal import fold, fold_all
+from tsplan.logic.windows import Choose, switched, windowed
 
 __all__ = ["CountTrace", "SignalTrace", "Trace", "holds", "margins", "robustness"]
 
@@ -86,11 +86,12 @@ def margins(formula: Formula, trace: Trace) -> Mapping[Formula, Values]:
     array([-2.,  1., -1., -3.])
     """
     _refuse_short(formula, trace)
-    reading = _margin_reading(trace)
-    values: dict[Formula, Values] = {}
-    for node in walk(formula):
-        values[node] = value(node, tuple(values[child] for child in node.children), reading)
-    return MappingProxyType(values)
+    return values_of(formula, _margin_reading(trace))
+
+
+def values_of(formula: Formula, reading: Reading) -> Mapping[Formula, Values]:
+    """The values of a formula and of each of its sub-formulas, in one reading."""
+    return MappingProxyType(fold_all(formula, lambda node, below: value(node, below, reading)))
 
 
 def _margin_reading(trace: Trace) -> Reading:
@@ -117,7 +118,7 @@ def holds(formula: Formula, trace: Trace) -> Values:
     """
     steps = trace.steps
     true, false = np.ones(steps, dtype=np.bool_), np.zeros(steps, dtype=np.bool_)
-    return _judged(formula, Reading(trace, true, false, _TRUTH, np.logical_not))
+    return _judged(formula, Reading(trace, true, false, TRUTH, np.logical_not))
 
 
 def _judged(formula: Formula, reading: Reading) -> Values:
@@ -142,29 +143,23 @@ def _negated_count(values: Values) -> Values:
     return -values - 1.0
 
 
-_COUNT_MARGINS: Mapping[Relation, Compare] = MappingProxyType(
-    {
-        ">=": lambda values, bound: values - bound,
-        "<=": lambda values, bound: bound - values,
-        ">": lambda values, bound: values - bound - 1.0,
-        "<": lambda values, bound: bound - values - 1.0,
-        "=": lambda values, bound: -np.abs(values - bound),
-        "!=": lambda values, bound: np.abs(values - bound) - 1.0,
-    }
-)
+def _margins(strict: float) -> Mapping[Relation, Compare]:
+    """Margins of comparisons; a strict one of whole numbers asks for 1 more than another."""
+    return MappingProxyType(
+        {
+            ">=": lambda values, bound: values - bound,
+            "<=": lambda values, bound: bound - values,
+            ">": lambda values, bound: values - bound - strict,
+            "<": lambda values, bound: bound - values - strict,
+            "=": lambda values, bound: -np.abs(values - bound),
+            "!=": lambda values, bound: np.abs(values - bound) - strict,
+        }
+    )
 
-_SIGNAL_MARGINS: Mapping[Relation, Compare] = MappingProxyType(
-    {
-        ">=": lambda values, bound: values - bound,
-        "<=": lambda values, bound: bound - values,
-        ">": lambda values, bound: values - bound,
-        "<": lambda values, bound: bound - values,
-        "=": lambda values, bound: -np.abs(values - bound),
-        "!=": lambda values, bound: np.abs(values - bound),
-    }
-)
 
-_TRUTH: Mapping[Relation, Compare] = MappingProxyType(
+_COUNT_MARGINS, _SIGNAL_MARGINS = _margins(1.0), _margins(0.0)
+
+TRUTH: Mapping[Relation, Compare] = MappingProxyType(
     {
         ">=": np.greater_equal,
         "<=": np.less_equal,
@@ -174,6 +169,20 @@ _TRUTH: Mapping[Relation, Compare] = MappingProxyType(
         "!=": np.not_equal,
     }
 )
+
+
+_CHOICES: Mapping[type[Formula], tuple[Choose, ...]] = MappingProxyType(
+    {
+        And: (np.minimum,),
+        Or: (np.maximum,),
+        Eventually: (np.maximum,),
+        Always: (np.minimum,),
+        Until: (np.maximum, np.minimum),
+        Release: (np.minimum, np.maximum),
+    }
+)
+"""What an operator takes of the values of its operands; until and release at the best change-over
+the worst on the way to it, and the other way round."""
 
 
 @singledispatch
@@ -193,13 +202,8 @@ def _(_node: Not, below: tuple[Values, ...], reading: Reading) -> Values:
 
 
 @value.register
-def _(_node: And, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return reduce(np.minimum, _aligned(*below))
-
-
-@value.register
-def _(_node: Or, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return reduce(np.maximum, _aligned(*below))
+def _(node: And | Or, below: tuple[Values, ...], _reading: Reading) -> Values:
+    return reduce(_CHOICES[type(node)][0], _aligned(*below))
 
 
 @value.register
@@ -216,23 +220,13 @@ def _(_node: Iff, below: tuple[Values, ...], reading: Reading) -> Values:
 
 
 @value.register
-def _(node: Eventually, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return windowed(below[0], node.low, node.high, np.maximum)
+def _(node: Eventually | Always, below: tuple[Values, ...], _reading: Reading) -> Values:
+    return windowed(below[0], node.low, node.high, *_CHOICES[type(node)])
 
 
 @value.register
-def _(node: Always, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return windowed(below[0], node.low, node.high, np.minimum)
-
-
-@value.register
-def _(node: Until, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return switched(below, (node.low, node.high), np.maximum, np.minimum)
-
-
-@value.register
-def _(node: Release, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return switched(below, (node.low, node.high), np.minimum, np.maximum)
+def _(node: Until | Release, below: tuple[Values, ...], _reading: Reading) -> Values:
+    return switched(below, (node.low, node.high), *_CHOICES[type(node)])
 
 
 @value.register
@@ -256,9 +250,8 @@ def _(node: Linear, _below: tuple[Values, ...], reading: Reading) -> Values:
     return reading.compare[node.relation](total, node.bound)
 
 
-@value.register(Task)
-@value.register(Limit)
-def _(node: Formula, _below: tuple[Values, ...], _reading: Reading) -> Values:
+@value.register
+def _(node: Task | Limit, _below: tuple[Values, ...], _reading: Reading) -> Values:
     raise ValueError(f"'{node}' is judged through its translation")
 
 

@@ -41,7 +41,7 @@ from tsplan.logic.nodes import (
 )
 from tsplan.logic.normal_form import Polarity, normal
 from tsplan.logic.traces import Trace
-from tsplan.logic.traversal import fold
+from tsplan.logic.traversal import fold, fold_all
 
 
 class Share(NamedTuple):
@@ -124,14 +124,7 @@ def shares(tree: Formula, trace: Trace) -> dict[Formula, Shares]:
 
 def shares_of(tree: Formula, atom: Callable[[Formula], Shares]) -> dict[Formula, Shares]:
     """The shares of every sub-formula of a tree, given those of its atoms and constants."""
-    found: dict[Formula, Shares] = {}
-
-    def judged(node: Formula, below: tuple[Shares, ...]) -> Shares:
-        found[node] = share(node, below) if below else atom(node)
-        return found[node]
-
-    fold(tree, judged)
-    return found
+    return fold_all(tree, lambda node, below: share(node, below) if below else atom(node))
 
 
 def _atom(node: Formula, trace: Trace) -> Shares:
@@ -151,20 +144,13 @@ def share(node: Formula, _below: tuple[Shares, ...]) -> Shares:
     raise TypeError(f"no fraction is registered for {type(node).__name__}")
 
 
-@share.register(Constant)
-@share.register(Count)
-@share.register(Linear)
-def _(node: Formula, _below: tuple[Shares, ...]) -> Shares:
+@share.register
+def _(node: Constant | Count | Linear, _below: tuple[Shares, ...]) -> Shares:
     raise ValueError(f"'{node}' is judged on a trace")
 
 
-@share.register(Not)
-@share.register(Implies)
-@share.register(Iff)
-@share.register(Release)
-@share.register(Task)
-@share.register(Limit)
-def _(node: Formula, _below: tuple[Shares, ...]) -> Shares:
+@share.register
+def _(node: Not | Implies | Iff | Release | Task | Limit, _below: tuple[Shares, ...]) -> Shares:
     raise ValueError(f"'{node}' has no fraction of its own; take tree_of() first")
 
 

@@ -10,9 +10,10 @@ all and names the one that is missing.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
-from typing import Any, cast
+from types import MappingProxyType
+from typing import Any, ClassVar, cast
 
 from tsplan import display
 from tsplan.logic.interning import Interned
@@ -34,10 +35,20 @@ class Formula(display.Displayed, metaclass=Interned):
 
     __slots__ = ("__weakref__",)
 
+    operands: ClassVar[tuple[str, ...]] = ()
+    """Names of the fields that are sub-formulas, in the order of the text."""
+
+    def __post_init__(self) -> None:
+        """Refuse what is no formula or no interval."""
+        if isinstance(self, Window | Switch):
+            _interval(self.low, self.high)
+        for child in self.children:
+            _formula(child)
+
     @property
     def children(self) -> tuple[Formula, ...]:
         """The sub-formulas one level below, in the order of the text."""
-        return ()
+        return tuple(getattr(self, name) for name in self.operands)
 
     @property
     def parameters(self) -> tuple[Any, ...]:
@@ -148,15 +159,8 @@ class Constant(Formula):
 class Not(Formula):
     """The child does not hold."""
 
+    operands: ClassVar[tuple[str, ...]] = ("child",)
     child: Formula
-
-    def __post_init__(self) -> None:
-        _formula(self.child)
-
-    @property
-    def children(self) -> tuple[Formula, ...]:
-        """The child."""
-        return (self.child,)
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -198,17 +202,9 @@ class Or(Several):
 class Pair(Formula):
     """A left and a right sub-formula."""
 
+    operands: ClassVar[tuple[str, ...]] = ("left", "right")
     left: Formula
     right: Formula
-
-    def __post_init__(self) -> None:
-        _formula(self.left)
-        _formula(self.right)
-
-    @property
-    def children(self) -> tuple[Formula, ...]:
-        """Left and right."""
-        return (self.left, self.right)
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -225,18 +221,10 @@ class Iff(Pair):
 class Window(Formula):
     """One sub-formula over the steps `low .. high` from now, both included."""
 
+    operands: ClassVar[tuple[str, ...]] = ("child",)
     low: int
     high: int
     child: Formula
-
-    def __post_init__(self) -> None:
-        _interval(self.low, self.high)
-        _formula(self.child)
-
-    @property
-    def children(self) -> tuple[Formula, ...]:
-        """The child."""
-        return (self.child,)
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -253,20 +241,11 @@ class Always(Window):
 class Switch(Formula):
     """A left and a right sub-formula and the window in which they change over."""
 
+    operands: ClassVar[tuple[str, ...]] = ("left", "right")
     low: int
     high: int
     left: Formula
     right: Formula
-
-    def __post_init__(self) -> None:
-        _interval(self.low, self.high)
-        _formula(self.left)
-        _formula(self.right)
-
-    @property
-    def children(self) -> tuple[Formula, ...]:
-        """Left and right."""
-        return (self.left, self.right)
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -279,6 +258,11 @@ class Release(Switch):
     """The dual of until: `left R right` is `!(!left U !right)`."""
 
 
+DUAL: Mapping[type[Formula], type[Formula]] = MappingProxyType(
+    {And: Or, Or: And, Eventually: Always, Always: Eventually, Until: Release, Release: Until}
+)
+"""The operator that a negation turns another one into, over negated operands."""
+
 TRUE = Constant(True)
 FALSE = Constant(False)
 
@@ -289,11 +273,13 @@ def conjunction(parts: Iterable[Formula]) -> Formula:
     >>> conjunction([]) is TRUE
     True
     """
-    held = tuple(parts)
-    return And(held) if len(held) > 1 else (held[0] if held else TRUE)
+    return _joined(And, tuple(parts), TRUE)
 
 
 def disjunction(parts: Iterable[Formula]) -> Formula:
     """Any of any number of formulas: none is `FALSE`, a single one is itself."""
-    held = tuple(parts)
-    return Or(held) if len(held) > 1 else (held[0] if held else FALSE)
+    return _joined(Or, tuple(parts), FALSE)
+
+
+def _joined(kind: type[And | Or], parts: tuple[Formula, ...], nothing: Constant) -> Formula:
+    return kind(parts) if len(parts) > 1 else (*parts, nothing)[0]

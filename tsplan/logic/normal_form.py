@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from tsplan.logic.atoms import OPPOSITE, Count, Limit, Linear, Percent, Relation, Task
 from tsplan.logic.nodes import (
+    DUAL,
     FALSE,
     TRUE,
     Always,
@@ -80,13 +81,11 @@ def _(_node: Not, below: tuple[Polarity, ...]) -> Polarity:
 
 
 @normal.register
-def _(_node: And, below: tuple[Polarity, ...]) -> Polarity:
-    return Polarity(And(_holding(below)), Or(_failing(below)))
-
-
-@normal.register
-def _(_node: Or, below: tuple[Polarity, ...]) -> Polarity:
-    return Polarity(Or(_holding(below)), And(_failing(below)))
+def _(
+    node: And | Or | Eventually | Always | Until | Release, below: tuple[Polarity, ...]
+) -> Polarity:
+    dual = DUAL[type(node)].assembled(node.parameters, _failing(below))
+    return Polarity(node.over(_holding(below)), dual)
 
 
 @normal.register
@@ -102,48 +101,13 @@ def _(_node: Iff, below: tuple[Polarity, ...]) -> Polarity:
 
 
 @normal.register
-def _(node: Eventually, below: tuple[Polarity, ...]) -> Polarity:
-    child = below[0]
-    some = Eventually(node.low, node.high, child.holds)
-    return Polarity(some, Always(node.low, node.high, child.fails))
-
-
-@normal.register
-def _(node: Always, below: tuple[Polarity, ...]) -> Polarity:
-    child = below[0]
-    every = Always(node.low, node.high, child.holds)
-    return Polarity(every, Eventually(node.low, node.high, child.fails))
-
-
-@normal.register
-def _(node: Until, below: tuple[Polarity, ...]) -> Polarity:
-    holding, failing = _holding(below), _failing(below)
-    until = Until(node.low, node.high, *holding)
-    return Polarity(until, Release(node.low, node.high, *failing))
-
-
-@normal.register
-def _(node: Release, below: tuple[Polarity, ...]) -> Polarity:
-    holding, failing = _holding(below), _failing(below)
-    release = Release(node.low, node.high, *holding)
-    return Polarity(release, Until(node.low, node.high, *failing))
-
-
-@normal.register
-def _(node: Count, _below: tuple[Polarity, ...]) -> Polarity:
-    opposite = replace(node, relation=OPPOSITE[node.relation])
-    return Polarity(_count(node), _count(opposite))
-
-
-@normal.register
-def _(node: Linear, _below: tuple[Polarity, ...]) -> Polarity:
+def _(node: Count | Linear, _below: tuple[Polarity, ...]) -> Polarity:
     opposite = replace(node, relation=OPPOSITE[node.relation])
     return Polarity(_ordered(node), _ordered(opposite))
 
 
-@normal.register(Task)
-@normal.register(Limit)
-def _(node: Formula, _below: tuple[Polarity, ...]) -> Polarity:
+@normal.register
+def _(node: Task | Limit, _below: tuple[Polarity, ...]) -> Polarity:
     raise ValueError(f"'{node}' has no normal form of its own; translate the formula first")
 
 
@@ -155,33 +119,22 @@ def _failing(below: tuple[Polarity, ...]) -> tuple[Formula, ...]:
     return tuple(child.fails for child in below)
 
 
-def _count(node: Count) -> Formula:
-    """Only >= and <= where the bound is a number: `> m` is `>= m+1`."""
-    bound = node.bound
-    if isinstance(bound, Percent):
-        return _ordered(node)
-    above: tuple[Relation, int] = (">=", bound + 1)
-    below: tuple[Relation, int] = ("<=", bound - 1)
-    match node.relation:
-        case ">":
-            return _bounded(node, above)
-        case "<":
-            return _bounded(node, below)
-        case "!=":
-            return Or((_bounded(node, above), _bounded(node, below)))
-    return _ordered(node)
-
-
-def _bounded(node: Count, comparison: tuple[Relation, int]) -> Count:
-    relation, bound = comparison
-    return replace(node, relation=relation, bound=bound)
-
-
 def _ordered(node: Count | Linear) -> Formula:
-    """No = and no !=: both are said with two ordered relations."""
+    """No = and no !=, said with two ordered relations; of whole numbers no > and no < either."""
     match node.relation:
         case "=":
             return And((replace(node, relation=">="), replace(node, relation="<=")))
         case "!=":
-            return Or((replace(node, relation=">"), replace(node, relation="<")))
+            return Or((_strict(node, ">"), _strict(node, "<")))
+        case ">" | "<":
+            return _strict(node, node.relation)
     return node
+
+
+def _strict(node: Count | Linear, relation: Relation) -> Formula:
+    """`> m` of whole numbers is `>= m+1` and `< m` is `<= m-1`."""
+    if isinstance(node, Linear) or isinstance(node.bound, Percent):
+        return replace(node, relation=relation)
+    if relation == ">":
+        return replace(node, relation=">=", bound=node.bound + 1)
+    return replace(node, relation="<=", bound=node.bound - 1)

@@ -13,8 +13,9 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from tsplan.logic.causes import NO_STEPS, Span, Steps, Values, cause_of, spans
+from tsplan.logic.causes import NO_STEPS, Steps, Values, cause_of
 from tsplan.logic.nodes import And, Formula, Iff, Implies, Not, Or
+from tsplan.logic.time_horizon import Span, lookahead
 from tsplan.logic.traversal import walk
 
 Obligations: TypeAlias = "Mapping[tuple[Formula, bool | None], Obligation]"
@@ -68,9 +69,9 @@ def below(
         wanted = cause_of(node, owed.steps, values).below
     windows: list[set[Span]] = [set() for _ in node.children]
     for span in owed.windows:
-        for found, one in zip(windows, spans(node, span), strict=True):
-            if one[0] <= one[1]:
-                found.add(one)
+        for found, (low, high) in zip(windows, lookahead(node), strict=True):
+            if low <= high:
+                found.add((span[0] + low, span[1] + high))
     return tuple(
         Obligation(holds, steps, frozenset(found))
         for holds, steps, found in zip(_signs(node, owed.holds), wanted, windows, strict=True)

@@ -21,8 +21,6 @@ from tsplan.logic.nodes import (
     Or,
     Release,
     Until,
-    conjunction,
-    disjunction,
 )
 from tsplan.logic.traversal import fold
 
@@ -49,12 +47,8 @@ def simpler(node: Formula, _below: Below) -> Formula:
     raise TypeError(f"no simplification is registered for {type(node).__name__}")
 
 
-@simpler.register(Constant)
-@simpler.register(Count)
-@simpler.register(Linear)
-@simpler.register(Task)
-@simpler.register(Limit)
-def _(node: Formula, _below: Below) -> Formula:
+@simpler.register
+def _(node: Constant | Count | Linear | Task | Limit, _below: Below) -> Formula:
     return node
 
 
@@ -64,20 +58,15 @@ def _(_node: Not, below: Below) -> Formula:
 
 
 @simpler.register
-def _(_node: And, below: Below) -> Formula:
-    return _all(below)
-
-
-@simpler.register
-def _(_node: Or, below: Below) -> Formula:
-    return _any(below)
+def _(node: And | Or, below: Below) -> Formula:
+    return _joined(type(node), below)
 
 
 @simpler.register
 def _(node: Implies, below: Below) -> Formula:
     left, right = below
     if isinstance(left, Constant) or isinstance(right, Constant):
-        return _any((_negated(left), right))
+        return _joined(Or, (_negated(left), right))
     return node.over(below)
 
 
@@ -91,39 +80,27 @@ def _(node: Iff, below: Below) -> Formula:
     return node.over(below)
 
 
-@simpler.register(Eventually)
-@simpler.register(Always)
+@simpler.register
 def _(node: Eventually | Always, below: Below) -> Formula:
     return _window(type(node), node.low, node.high, below[0])
 
 
 @simpler.register
-def _(node: Until, below: Below) -> Formula:
+def _(node: Until | Release, below: Below) -> Formula:
+    """Rules of until; release has the same with constants and windows exchanged."""
     left, right = below
     low, high = node.low, node.high
-    if right is FALSE or high == 0:
+    until = isinstance(node, Until)
+    true, false = (TRUE, FALSE) if until else (FALSE, TRUE)
+    some, every = (Eventually, Always) if until else (Always, Eventually)
+    if right is false or high == 0:
         return right
-    if left is TRUE:
-        return _window(Eventually, low, high, right)
-    if left is FALSE:
-        return FALSE if low else right
-    if right is TRUE:
-        return _window(Always, 0, low - 1, left) if low else TRUE
-    return node.over(below)
-
-
-@simpler.register
-def _(node: Release, below: Below) -> Formula:
-    left, right = below
-    low, high = node.low, node.high
-    if right is TRUE or high == 0:
-        return right
-    if left is FALSE:
-        return _window(Always, low, high, right)
-    if left is TRUE:
-        return TRUE if low else right
-    if right is FALSE:
-        return _window(Eventually, 0, low - 1, left) if low else FALSE
+    if left is true:
+        return _window(some, low, high, right)
+    if left is false:
+        return false if low else right
+    if right is true:
+        return _window(every, 0, low - 1, left) if low else true
     return node.over(below)
 
 
@@ -133,14 +110,13 @@ def _negated(formula: Formula) -> Formula:
     return formula.child if isinstance(formula, Not) else Not(formula)
 
 
-def _all(parts: Iterable[Formula]) -> Formula:
-    kept = tuple(part for part in _flat(And, parts) if part is not TRUE)
-    return FALSE if FALSE in kept else conjunction(kept)
-
-
-def _any(parts: Iterable[Formula]) -> Formula:
-    kept = tuple(part for part in _flat(Or, parts) if part is not FALSE)
-    return TRUE if TRUE in kept else disjunction(kept)
+def _joined(kind: type[And | Or], parts: Iterable[Formula]) -> Formula:
+    """Parts under `and` without TRUE, or FALSE if one is; under `or` the other way round."""
+    idle, decisive = (TRUE, FALSE) if kind is And else (FALSE, TRUE)
+    kept = tuple(part for part in _flat(kind, parts) if part is not idle)
+    if decisive in kept or len(kept) < 2:  # noqa: PLR2004  (a single part is itself)
+        return decisive if decisive in kept else (*kept, idle)[0]
+    return kind(kept)
 
 
 def _flat(kind: type[And | Or], parts: Iterable[Formula]) -> Iterator[Formula]:

@@ -44,13 +44,8 @@ def names(node: Formula) -> Names:
     raise TypeError(f"no names are registered for {type(node).__name__}")
 
 
-@names.register(Constant)
-@names.register(Not)
-@names.register(Several)
-@names.register(Pair)
-@names.register(Window)
-@names.register(Switch)
-def _(_node: Formula) -> Names:
+@names.register
+def _(_node: Constant | Not | Several | Pair | Window | Switch) -> Names:
     return Names()
 
 
@@ -64,7 +59,6 @@ def _(node: Linear) -> Names:
     return Names(variables=tuple(name for name, _ in node.terms))
 
 
-@names.register(Task)
-@names.register(Limit)
+@names.register
 def _(node: Task | Limit) -> Names:
     return Names((node.label,), tuple(name for name, _ in node.needs))

@@ -1,12 +1,16 @@
-"""How many steps ahead a formula looks."""
+"""How many steps ahead a formula looks, and where it looks at its parts."""
 
 from __future__ import annotations
 
 from functools import singledispatch
+from typing import TypeAlias
 
 from tsplan.logic.atoms import Count, Limit, Linear, Task
 from tsplan.logic.nodes import Constant, Formula, Not, Pair, Several, Switch, Window
 from tsplan.logic.traversal import fold
+
+Span: TypeAlias = tuple[int, int]
+"""A first and a last step; no step at all where the last comes before the first."""
 
 
 def horizon(formula: Formula) -> int:
@@ -19,42 +23,34 @@ def horizon(formula: Formula) -> int:
     >>> horizon(parse("F[0,5] G[0,2] a")), horizon(parse("(F[0,3] a) U[0,4] b"))
     (7, 6)
     """
-    steps: int = fold(formula, reach)
-    return steps
+    return fold(formula, _horizon)
+
+
+def _horizon(node: Formula, below: tuple[int, ...]) -> int:
+    own = node.duration if isinstance(node, Task) else 0
+    spans = zip(lookahead(node), below, strict=True)
+    return max((last + steps for (_, last), steps in spans if last >= 0), default=own)
 
 
 @singledispatch
-def reach(node: Formula, _below: tuple[int, ...]) -> int:
-    """The horizon of a node from those of its children. Every class of nodes registers its own."""
-    raise TypeError(f"no horizon is registered for {type(node).__name__}")
+def lookahead(node: Formula) -> tuple[Span, ...]:
+    """Between which steps from now each child of a node matters.
+
+    Every class of nodes registers its own.
+    """
+    raise TypeError(f"no lookahead is registered for {type(node).__name__}")
 
 
-@reach.register(Constant)
-@reach.register(Count)
-@reach.register(Linear)
-@reach.register(Limit)
-def _(_node: Formula, _below: tuple[int, ...]) -> int:
-    return 0
+@lookahead.register
+def _(node: Constant | Count | Linear | Task | Limit | Not | Several | Pair) -> tuple[Span, ...]:
+    return ((0, 0),) * len(node.children)
 
 
-@reach.register
-def _(node: Task, _below: tuple[int, ...]) -> int:
-    return node.duration
+@lookahead.register
+def _(node: Window) -> tuple[Span, ...]:
+    return ((node.low, node.high),)
 
 
-@reach.register(Not)
-@reach.register(Several)
-@reach.register(Pair)
-def _(_node: Formula, below: tuple[int, ...]) -> int:
-    return max(below)
-
-
-@reach.register
-def _(node: Window, below: tuple[int, ...]) -> int:
-    return node.high + below[0]
-
-
-@reach.register
-def _(node: Switch, below: tuple[int, ...]) -> int:
-    left, right = below
-    return max(node.high + right, node.high - 1 + left) if node.high else right
+@lookahead.register
+def _(node: Switch) -> tuple[Span, ...]:
+    return (0, node.high - 1), (node.low, node.high)

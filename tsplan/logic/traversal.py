@@ -37,20 +37,26 @@ def fold(formula: Formula, combine: Callable[[Formula, tuple[T, ...]], T]) -> T:
     >>> fold(parse("F[0,2] (a && b)"), lambda node, below: 1 + max(below, default=0))
     3
     """
+    return fold_all(formula, combine)[formula]
+
+
+def fold_all(formula: Formula, combine: Callable[[Formula, tuple[T, ...]], T]) -> dict[Formula, T]:
+    """The value of every sub-formula of a formula, as `fold` makes them."""
     values: dict[Formula, T] = {}
     for node in walk(formula):
         values[node] = combine(node, tuple(values[child] for child in node.children))
-    return values[formula]
+    return values
 
 
 def packed(formula: Formula) -> Packed:
     """A formula as a flat table that can be pickled whatever its depth; see `unpacked`."""
-    place: dict[Formula, int] = {}
     table: list[tuple[type[Formula], tuple[Any, ...], tuple[int, ...]]] = []
-    for node in walk(formula):
-        place[node] = len(table)
-        below = tuple(place[child] for child in node.children)
+
+    def placed(node: Formula, below: tuple[int, ...]) -> int:
         table.append((type(node), node.parameters, below))
+        return len(table) - 1
+
+    fold(formula, placed)
     return tuple(table)
 
 

@@ -22,6 +22,7 @@ from tsplan.logic.nodes import (
     conjunction,
 )
 from tsplan.logic.simplification import simplify
+from tsplan.logic.time_horizon import lookahead
 from tsplan.logic.traces import Trace
 
 Pair: TypeAlias = "tuple[Formula, int]"
@@ -217,13 +218,8 @@ def spots(tree: Formula) -> list[Spot]:
 
 def reach(node: Formula, child: int, step: int) -> range:
     """The steps at which a child may matter to its parent at `step`."""
-    if isinstance(node, Always | Eventually):
-        return range(step + node.low, step + node.high + 1)
-    if isinstance(node, Until):
-        return (
-            range(step + node.low, step + node.high + 1) if child else range(step, step + node.high)
-        )
-    return range(step, step + 1)
+    first, last = lookahead(node)[child]
+    return range(step + first, step + last + 1)
 
 
 class Levels(NamedTuple):

@@ -19,7 +19,7 @@ from tsplan.explanation.whynot.occurrences import Occurrence, Way, monotone, num
 if TYPE_CHECKING:
     from tsplan.explanation.why.witness_tree import WitnessNode
     from tsplan.logic import Count
-    from tsplan.logic.causes import Span
+    from tsplan.logic.time_horizon import Span
     from tsplan.logic.traces import CountTrace
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan

@@ -16,13 +16,14 @@ from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.logic.atoms import Count
 from tsplan.logic.catl import resolve_percent, translate
-from tsplan.logic.causes import Span, Steps
+from tsplan.logic.causes import Steps
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import And
 from tsplan.logic.normal_form import positive
 from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.logic.simplification import simplify
 from tsplan.logic.symbols import capabilities
+from tsplan.logic.time_horizon import Span
 from tsplan.plans.presence import state_counts
 
 if TYPE_CHECKING:

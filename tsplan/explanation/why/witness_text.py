@@ -18,7 +18,7 @@ from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.explanation.why.witness_tree import Presence, WitnessNode
-    from tsplan.logic.causes import Span
+    from tsplan.logic.time_horizon import Span
 
 MOST_LINES = 2000
 """Nodes that are printed; a formula that repeats itself can have many more."""
