@@ -1,7 +1,8 @@
 """Missions: a map, a team, a formula and what to optimise."""
 
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission.mission import Mission, Preference
+from tsplan.mission.mission import Mission
+from tsplan.mission.mission_parts import Preference
 from tsplan.mission.objectives import OBJECTIVES, Objective, register
 from tsplan.mission.read import load_mission, mission_from_text
 from tsplan.mission.team import Agent, Group, SwarmBounds, SwarmRules

@@ -6,9 +6,10 @@ is here for those that are made in Python, by the same limits.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import asdict
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tsplan.limits import (
     LARGEST,
@@ -20,12 +21,8 @@ from tsplan.limits import (
     complaints,
 )
 from tsplan.mission.findings import Fault, Place
+from tsplan.mission.mission_parts import MissionParts
 from tsplan.mission.team import SwarmRules
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from tsplan.mission.mission import Mission
 
 _COUNT = Range(1, LARGEST, whole=True)
 _FROM_0 = Range(0, LARGEST, whole=True)
@@ -35,7 +32,7 @@ _SHARE = Range(0, 1)
 _WEIGHT = Range(LEAST_WEIGHT, MOST_WEIGHT)
 
 
-def number_faults(mission: Mission) -> list[Fault]:
+def number_faults(mission: MissionParts) -> list[Fault]:
     """Numbers of a mission that are none, or too small or too large."""
     faults = [
         Fault(("solver", name), words, "leave it out for its default")

@@ -7,55 +7,30 @@ Python values (`Mission.of`) or by its constructor.
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from fractions import Fraction
+from dataclasses import dataclass
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tsplan import display, logic
-from tsplan.errors import Finding, MissionError
+from tsplan.errors import MissionError
 from tsplan.logic import Formula
 from tsplan.logic.fraction import tree_of
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_checks import mission_faults
+from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.mission_writer import mission_to_yaml, save_mission
 from tsplan.mission.name_resolution import with_named_classes, with_named_states
-from tsplan.mission.objectives import default_objective
-from tsplan.mission.team import Agent, Group, SwarmBounds, SwarmRules
-from tsplan.mission.vocabulary import Language, Order, TaskInterval, default_language
+from tsplan.mission.team import Agent, Group
+from tsplan.mission.values import parts_from_values
+from tsplan.mission.vocabulary import Language, TaskInterval, default_language
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
 
-if TYPE_CHECKING:
-    from tsplan.document import Document
-
-
-@dataclass(frozen=True, slots=True)
-class Preference:
-    """A formula that is met if possible, and how much that is worth.
-
-    Levels are settled one after the other, the highest first; within a level the summed weights
-    of what is met are maximised. A `partial` preference counts by its fraction, any other one as
-    a whole or not at all. Without a `name`, it is called by its text.
-    """
-
-    formula: Formula
-    text: str = ""
-    weight: Fraction = Fraction(1)
-    name: str = ""
-    level: int = 0
-    partial: bool = False
-
-    def __post_init__(self) -> None:
-        """Complete what is written of the formula."""
-        object.__setattr__(self, "text", nfc(self.text or str(self.formula)))
-        object.__setattr__(self, "name", nfc(self.name or self.text.strip()))
-
 
 @dataclass(frozen=True)
-class Mission:
+class Mission(MissionParts):
     """A map, a team, a formula and what to optimise.
 
     `text` is the formula as it was written and `formula` what it parses to; `goal` is what is
@@ -74,24 +49,6 @@ class Mission:
 
     Raises MissionError with everything that does not fit together.
     """
-
-    name: str
-    system: TransitionSystem
-    team: tuple[Group, ...]
-    language: Language
-    text: str
-    formula: Formula
-    horizon: int
-    objective: tuple[str, ...] = default_objective(swarms=False)
-    task_interval: TaskInterval = "closed"
-    solver: SolverChoice = field(default_factory=SolverChoice)
-    swarm: SwarmRules | None = None
-    satisfaction: Order = "weighted"
-    prefer: tuple[Preference, ...] = ()
-    digest: str = field(default="", compare=False)
-    warnings: tuple[Finding, ...] = field(default=(), compare=False)
-    parse_seconds: float = field(default=0.0, compare=False, repr=False)
-    origin: Document | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         """Bring everything into one form, and refuse what does not fit together."""
@@ -176,10 +133,6 @@ class Mission:
             if capability is None or capability in group.capabilities
         )
 
-    def group_bounds(self, class_name: str) -> SwarmBounds | None:
-        """How a class may divide into sub-swarms; None for ordinary robots."""
-        return None if self.swarm is None else self.swarm.each.get(class_name)
-
     def plot(self, ax: Any = None) -> display.Picture:
         """The map with the team's starts: the matplotlib figure and its axes.
 
@@ -217,8 +170,6 @@ class Mission:
         another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
         and that of swarms "mtl". Raises MissionError with all findings.
         """
-        from tsplan.mission.values import mission_from_values  # noqa: PLC0415  (makes missions)
-
         team = None if team is None else list(team)
         spec = {
             "language": language or default_language(team=bool(team)),
@@ -226,22 +177,21 @@ class Mission:
             "must": must,
             "prefer": list(prefer) or None,
         }
-        return mission_from_values(
-            {
-                "name": name,
-                "map": map,
-                "team": team,
-                "swarm": swarm,
-                "swarms": None if swarms is None else list(swarms),
-                "max_subswarms": max_subswarms,
-                "margin": margin,
-                "spec": {key: value for key, value in spec.items() if value is not None},
-                "objective": None if objective is None else list(objective),
-                "task_interval": task_interval,
-                "horizon": horizon,
-                "solver": solver,
-            }
-        )
+        values = {
+            "name": name,
+            "map": map,
+            "team": team,
+            "swarm": swarm,
+            "swarms": None if swarms is None else list(swarms),
+            "max_subswarms": max_subswarms,
+            "margin": margin,
+            "spec": {key: value for key, value in spec.items() if value is not None},
+            "objective": None if objective is None else list(objective),
+            "task_interval": task_interval,
+            "horizon": horizon,
+            "solver": solver,
+        }
+        return cls(**vars(parts_from_values(values)))
 
     def to_yaml(self) -> str:
         """The mission as a mission file with its map inside, which is read as the same mission.

@@ -7,23 +7,20 @@ formula; who reads a file turns them into findings with lines and columns.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from tsplan.errors import nearest
+from tsplan.logic import Formula
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.findings import Fault, Place, moved, preferred
 from tsplan.mission.formula_checks import formula_faults, horizon_faults
 from tsplan.mission.magnitudes import number_faults
+from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.objectives import OBJECTIVES, objectives_for
 from tsplan.mission.team import SwarmRules
 from tsplan.mission.team_checks import entries_of, map_faults, team_faults
 
-if TYPE_CHECKING:
-    from tsplan.logic import Formula
-    from tsplan.mission.mission import Mission, Preference
 
-
-def mission_faults(mission: Mission) -> list[Fault]:
+def mission_faults(mission: MissionParts) -> list[Fault]:
     """Everything that does not fit together in a mission."""
     numbers = number_faults(mission)
     if numbers:
@@ -43,7 +40,7 @@ def mission_faults(mission: Mission) -> list[Fault]:
     ]
 
 
-def _formula_faults(mission: Mission, formula: Formula) -> Iterator[Fault]:
+def _formula_faults(mission: MissionParts, formula: Formula) -> Iterator[Fault]:
     """What does not fit in a formula of a mission."""
     yield from formula_faults(formula, mission.system, mission.team, mission.swarm)
     yield from horizon_faults(formula, mission.task_interval, mission.horizon)

@@ -9,32 +9,30 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tsplan.document.files import write_whole
 from tsplan.errors import Finding, FormulaError, MissionError
 from tsplan.logic import Formula, Percent, parse
+from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 from tsplan.mission.vocabulary import Language
 from tsplan.ts.io.flow_style import flow, word
 from tsplan.ts.io.map_files import save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
-if TYPE_CHECKING:
-    from tsplan.milp.solver_choice import SolverChoice
-    from tsplan.mission.mission import Mission, Preference
-
 FORMAT = "tsplan-mission/1"
 
 _FINEST = 15  # digits after the point of a percentage that a file may have
 
 
-def mission_to_yaml(mission: Mission, map_file: str | None = None) -> str:
+def mission_to_yaml(mission: MissionParts, map_file: str | None = None) -> str:
     """The text of a mission file; the map stands in it, or is the file that is named."""
     return "".join(f"{line}\n" for line in _lines(mission, map_file))
 
 
-def save_mission(mission: Mission, path: Path, map_file: str | None = None) -> None:
+def save_mission(mission: MissionParts, path: Path, map_file: str | None = None) -> None:
     """Write a mission to a file, and its map to a file beside it if one is named."""
     text = mission_to_yaml(mission, map_file)
     if map_file is not None:
@@ -42,7 +40,7 @@ def save_mission(mission: Mission, path: Path, map_file: str | None = None) -> N
     write_whole(path, text.encode(), MissionError)
 
 
-def _lines(mission: Mission, map_file: str | None) -> Iterator[str]:
+def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     yield f"format: {FORMAT}"
     if mission.name:
         yield f"name: {word(mission.name)}"
@@ -72,7 +70,7 @@ def _lines(mission: Mission, map_file: str | None) -> Iterator[str]:
         yield f"solver: {flow(solver)}"
 
 
-def _team_lines(mission: Mission) -> Iterator[str]:
+def _team_lines(mission: MissionParts) -> Iterator[str]:
     """The robots, and the swarms with what bounds them."""
     rules = mission.swarm
     swarms = [group for group in mission.team if mission.group_bounds(group.class_name)]

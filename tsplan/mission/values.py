@@ -16,9 +16,9 @@ from typing import Any
 from tsplan.document import parse_document
 from tsplan.errors import Finding, InputError, MissionError
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission.mission import Mission, Preference
+from tsplan.mission.mission_draft import parts_from_document
+from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.mission_writer import FORMAT, group_entry, preference_entry, solver_entry
-from tsplan.mission.read import mission_from_document
 from tsplan.mission.team import Group
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
@@ -27,8 +27,8 @@ _SOURCE = "mission"
 _PAIR = re.compile(r"\\u(d[89ab]..)\\u(d[c-f]..)")  # how JSON writes a character above U+FFFF
 
 
-def mission_from_values(values: Mapping[str, Any]) -> Mission:
-    """A mission from the keys of a mission file, whose parts may be Python objects.
+def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
+    """The parts of a mission from the keys of a mission file, whose parts may be Python objects.
 
     Raises MissionError; its findings name no lines, since there is no file.
     """
@@ -45,7 +45,7 @@ def mission_from_values(values: Mapping[str, Any]) -> Mission:
     try:
         text = json.dumps(written, default=_entry(values["spec"]["language"]))
         document = parse_document(_PAIR.sub(_whole, text), _SOURCE)
-        made = mission_from_document(document, Path(), system)
+        made = parts_from_document(document, Path(), system)
         return replace(made, origin=None)  # nobody has seen that document
     except InputError as error:
         raise MissionError(_without_lines(finding) for finding in error.findings) from None

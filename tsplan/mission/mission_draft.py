@@ -1,0 +1,307 @@
+"""From a document to the parts of a mission, with every finding at its place in the file."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from tsplan.document import Document
+from tsplan.document.files import beside
+from tsplan.document.kinds import MISSION, misfit
+from tsplan.document.validation import salvaged, validated
+from tsplan.errors import Finding, InputError, MissionError
+from tsplan.logic import Formula
+from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.costs import cost_faults
+from tsplan.mission.findings import Entry, Fault, Place, moved, preferred
+from tsplan.mission.formula_checks import formula_faults, formula_horizon, horizon_faults
+from tsplan.mission.formulas import Formulas, spelled_out
+from tsplan.mission.mission_checks import objective_faults, preference_faults
+from tsplan.mission.mission_parts import MissionParts, Preference
+from tsplan.mission.mission_schema import (
+    STAND_INS,
+    Member,
+    MissionFile,
+    SoftFormula,
+    Swarm,
+)
+from tsplan.mission.name_resolution import with_named_classes
+from tsplan.mission.objectives import default_objective
+from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
+from tsplan.mission.team_checks import map_faults, team_faults
+from tsplan.mission.vocabulary import ORDERS, Order
+from tsplan.ts import TransitionSystem
+from tsplan.ts.io.map_files import load_map, map_from_document
+from tsplan.words import nfc
+
+KINDS = ("team", "swarm", "swarms")
+
+
+def parts_from_document(
+    document: Document, folder: Path, system: TransitionSystem | None = None
+) -> MissionParts:
+    """The parts of a mission from its document. With `system`, its own map is not read."""
+    strange = misfit(document, (), MISSION)
+    if strange is not None:
+        raise MissionError([strange])
+    document = spelled_out(document)
+    file, findings = validated(document, MissionFile)
+    draft = _Draft(document, list(findings))
+    draft.judge_kind()
+    draft.system = system if system is not None else draft.read_map(folder)
+    began = time.perf_counter()
+    draft.formulas.read()
+    draft.seconds = time.perf_counter() - began
+    if file is not None:
+        draft.read_agents(file)
+        draft.judge(file)
+    else:
+        draft.judge_rest(*salvaged(document, MissionFile, STAND_INS))
+    formula = draft.formulas.formula
+    if draft.serious or file is None or draft.system is None or formula is None:
+        raise MissionError(draft.in_order())
+    return draft.parts(file, draft.system, formula)
+
+
+@dataclass
+class _Draft:
+    """A mission while it is read: its parts as far as they are known, and what is wrong so far."""
+
+    document: Document
+    findings: list[Finding]
+    warnings: list[Finding] = field(default_factory=list)
+    known: set[Finding] = field(default_factory=set)  # those that were faults
+    system: TransitionSystem | None = None
+    entries: list[Entry] | None = None  # None where what is said of them is wrong
+    swarm: SwarmRules | None = None
+    seconds: float = 0.0
+    horizon: int = 0
+
+    def __post_init__(self) -> None:
+        self.formulas = Formulas(self.document, self.findings)
+
+    def read_map(self, folder: Path) -> TransitionSystem | None:
+        """The map, inline or from the file beside the mission."""
+        given = self.document.data.get("map") if isinstance(self.document.data, dict) else None
+        if isinstance(given, dict):
+            read = partial(map_from_document, self.document, ("map",))
+        elif isinstance(given, str):
+            read = partial(load_map, beside(folder, given))
+        else:
+            if given is not None:
+                what = "the map is neither a file name nor a map"
+                self._report(("map",), what, "write the name of a map file")
+            return None
+        try:
+            return read()
+        except InputError as error:
+            self.findings += error.findings
+            what = "the map cannot be used, so labels and start states were not looked up in it"
+            self._report(("map",), what, "correct the map first")
+            return None
+
+    def judge_kind(self) -> None:
+        """Report what a mission file says of teams and swarms that does not go together."""
+        if isinstance(self.document.data, dict):
+            self.findings += [
+                self.document.key_finding(*words) for words in misplaced(self.document.data)
+            ]
+
+    def read_agents(self, file: MissionFile) -> None:
+        """The groups of the team and of the swarms, and the rules of swarms."""
+        team: list[Entry] = [
+            (("team", n), self._group(member, ("team", n))) for n, member in enumerate(file.team)
+        ]
+        taken: frozenset[str] = frozenset().union(*(group.capabilities for _, group in team))
+        swarms: list[tuple[Place, str, Swarm]] = [
+            (("swarms", n), self._word(entry.name, ("swarms", n, "name")), entry)
+            for n, entry in enumerate(file.swarms)
+        ]
+        if file.swarm is not None:
+            swarms = [(("swarm",), ONE_SWARM, file.swarm)]
+        for path, name, entry in swarms:
+            able = {nfc(name)} - taken if path[0] == "swarms" else set()
+            able |= self._words(entry.capabilities, (*path, "capabilities"))
+            team.append((path, Group(name, frozenset(able), self._swarm_starts(entry, path))))
+        self.entries = team
+        if swarms:
+            each = {
+                name: SwarmBounds(one.max_subswarms, one.min_subswarm) for _, name, one in swarms
+            }
+            self.swarm = SwarmRules(each, file.max_subswarms, file.margin)
+
+    @property
+    def team(self) -> tuple[Group, ...] | None:
+        """The groups, as far as they are known."""
+        return None if self.entries is None else tuple(group for _, group in self.entries)
+
+    def _swarm_starts(self, entry: Swarm, path: Place) -> tuple[tuple[str, int], ...]:
+        if isinstance(self.document.at((*path, "at")), dict):
+            starts = tuple(entry.at.items())
+            total = sum(entry.at.values())
+            if entry.size != total:
+                what = f"the size is {entry.size:,} and the start states hold {total:,}"
+                remedy = f"write {total} or correct the start states"
+                self._report((*path, "size"), what, remedy)
+            return starts
+        (state,) = entry.at
+        return ((self._word(state, (*path, "at")), entry.size),)
+
+    def _group(self, member: Member, path: Place) -> Group:
+        if isinstance(self.document.at((*path, "at")), dict):
+            starts = tuple(member.at.items())
+            total = sum(member.at.values())
+            if member.count is not None and member.count != total:
+                what = f"the count is {member.count} and the start states hold {total}"
+                self._report((*path, "count"), what, f"leave the count out or write {total}")
+        else:
+            (name,) = member.at
+            starts = ((self._word(name, (*path, "at")), member.count or 1),)
+        able = self._words(member.capabilities, (*path, "capabilities"))
+        return Group(self._word(member.class_name, (*path, "class")), able, starts)
+
+    def _words(self, names: Sequence[str], path: Place) -> frozenset[str]:
+        return frozenset(self._word(name, (*path, n)) for n, name in enumerate(names))
+
+    def _word(self, value: str, path: Place) -> str:
+        """A name as it is written: `01` is no number here."""
+        return self.document.text(path) or value
+
+    def judge_rest(self, file: MissionFile | None, faulty: frozenset[str]) -> None:
+        """Judge what a file says elsewhere than under its faulty keys."""
+        if file is None:
+            return
+        if not faulty.intersection(KINDS) and any(kind in self.document.data for kind in KINDS):
+            self.read_agents(file)
+        self.judge(file)
+
+    def judge(self, file: MissionFile) -> None:
+        """Report what does not fit together, as far as the parts are known."""
+        faults: list[Fault] = []
+        if self.entries is not None:
+            formulas = [formula for _, formula in self.formulas.all()]
+            named = with_named_classes(self.team or (), self.swarm, self.system, formulas)
+            places = (place for place, _ in self.entries)
+            self.entries = list(zip(places, named, strict=True))
+            names, prefer = self.objective(file), self.preferences(file.spec.prefer)
+            faults += objective_faults(names, self.swarm)
+            faults += preference_faults(names, prefer, self.swarm)
+            faults += team_faults(self.entries, self.system, self.swarm)
+        if self.system is not None and self.team is not None:
+            faults += map_faults(self.system, self.team)
+        horizons = []
+        for where, formula in self.formulas.all():
+            found = [*formula_faults(formula, self.system, self.team, self.swarm)]
+            found += horizon_faults(formula, file.task_interval, file.horizon)
+            faults += moved(found, where)
+            horizons.append(formula_horizon(formula, file.task_interval) or 0)
+        self.horizon = max(horizons, default=0) if file.horizon is None else file.horizon
+        for fault in faults:
+            self.file(fault)
+        if not self.serious and self.system is not None and self.team is not None:
+            for fault in cost_faults(self.system, self.team, self.horizon, self.objective(file)):
+                self.file(fault)
+
+    def objective(self, file: MissionFile) -> tuple[str, ...]:
+        """The objectives, by default those of the mission's kind."""
+        if file.objective is not None:
+            return objective_names(file.objective)
+        return default_objective(swarms=self.swarm is not None)
+
+    def preferences(self, entries: Iterable[SoftFormula]) -> tuple[Preference, ...]:
+        """The preferences whose formulas could be read."""
+        made = []
+        for number, entry in enumerate(entries):
+            read = self.formulas.soft.get(number)
+            if read is not None:
+                name = self._word(entry.name, preferred(number, "name")) if entry.name else ""
+                weight = Fraction(str(entry.weight))
+                made.append(Preference(*read, weight, name, entry.level, entry.partial))
+        return tuple(made)
+
+    def _report(self, path: Place, message: str, remedy: str) -> None:
+        self.file(Fault(path, message, remedy))
+
+    def file(self, fault: Fault) -> None:
+        """Turn a fault into a finding at its place."""
+        at = fault.at or (self.document.source, *self.formulas.place(fault))
+        finding = Finding(fault.message, fault.remedy, *at)
+        if finding not in self.known:
+            self.known.add(finding)
+            self.findings.append(finding)
+            if not fault.serious:
+                self.warnings.append(finding)
+
+    @property
+    def serious(self) -> bool:
+        """Whether anything was found that forbids planning."""
+        return len(self.findings) > len(self.warnings)
+
+    def in_order(self) -> list[Finding]:
+        """All findings, those of other files first, then by their place."""
+        own = self.document.source
+        return sorted(self.findings, key=lambda f: (f.source == own, f.line or 0, f.column or 0))
+
+    def parts(self, file: MissionFile, system: TransitionSystem, formula: Formula) -> MissionParts:
+        """The parts, when nothing serious is wrong."""
+        solver: dict[str, Any] = file.solver.model_dump() if file.solver else {}
+        return MissionParts(
+            name=file.name,
+            system=system,
+            team=self.team or (),
+            language=file.spec.language,
+            text=self.formulas.text,
+            formula=formula,
+            horizon=self.horizon,
+            objective=self.objective(file),
+            task_interval=file.task_interval,
+            solver=SolverChoice(**solver),
+            swarm=self.swarm,
+            satisfaction=objective_order(file.objective or ()),
+            prefer=self.preferences(file.spec.prefer),
+            digest=self.document.digest,
+            warnings=tuple(self.warnings),
+            parse_seconds=self.seconds,
+            origin=self.document,
+        )
+
+
+def misplaced(data: Mapping[str, Any]) -> Iterator[tuple[Place, str, str]]:
+    """Keys at the top of a mission file that are missing, too many, or belong elsewhere."""
+    given = [kind for kind in KINDS if kind in data]
+    single = "swarm" in given and "swarms" not in given
+    if not given:
+        remedy = "add 'team: ...', or 'swarm: ...' for a swarm that may split"
+        yield (), "'team' is missing", remedy
+    if "swarm" in given and "swarms" in given:
+        yield ("swarms",), "the mission has 'swarms' beside 'swarm'", "keep one of them"
+    if "margin" in data and given == ["team"]:
+        what = "'margin' is head-room for a swarm, and this mission has a team"
+        yield ("margin",), what, "remove it, or describe a swarm"
+    if "max_subswarms" in data and given == ["team"]:
+        what = "'max_subswarms' bounds swarms, and this mission has a team"
+        yield ("max_subswarms",), what, "remove it, or describe a swarm"
+    if "max_subswarms" in data and single:
+        what = "'max_subswarms' stands here only to bound several swarms together"
+        yield ("max_subswarms",), what, "write it inside 'swarm'"
+    if "min_subswarm" in data:
+        what = "'min_subswarm' is a bound of one swarm"
+        yield ("min_subswarm",), what, "write it inside the swarm"
+
+
+_ORDERED = {f"satisfaction: {order}": order for order in ORDERS}
+
+
+def objective_names(objective: Iterable[str]) -> tuple[str, ...]:
+    """The objectives without the order of satisfaction."""
+    return tuple("satisfaction" if name in _ORDERED else name for name in objective)
+
+
+def objective_order(objective: Iterable[str]) -> Order:
+    """The order of satisfaction that is asked for."""
+    return next((_ORDERED[name] for name in objective if name in _ORDERED), "weighted")
