@@ -75,21 +75,7 @@ circle: explanation.whynot.supply
 circle: explanation.whynot.swarm_edits
 circle: explanation.whynot.time_conflicts
 circle: explanation.whynot.waiting
-circle: logic.atoms
-circle: logic.nodes
-circle: logic.text
-circle: logic.traversal
-circle: mission.costs
-circle: mission.findings
-circle: mission.formulas
-circle: mission.magnitudes
-circle: mission.mission
-circle: mission.mission_checks
-circle: mission.mission_schema
-circle: mission.named_parts
-circle: mission.read
-circle: mission.swarm_rules
-circle: mission.values
+
 late: draw.canvas
 late: draw.map
 late: explanation.explanation
@@ -98,17 +84,11 @@ late: explanation.why.witness_tree
 late: explanation.whynot.explaining
 late: explanation.whynot.facts
 late: limits
-late: logic.nodes
 late: milp.pulp
-late: mission.formulas
-late: mission.mission
-late: mission.mission_checks
-late: mission.named_parts
-late: mission.read
-late: mission.values
+
 late: run.isolate
 name: encode.objectives
-name: mission.objectives
+
 up: cli.arguments -> top
 up: encode.assemble -> search
 up: encode.encoded -> search

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.lazy_names import lazily
+from tsplan.logic import layouts  # noqa: F401  (formulas can be printed once it is loaded)
 from tsplan.logic.atoms import (
     Count,
     Function,

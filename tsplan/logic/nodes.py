@@ -17,6 +17,8 @@ from typing import Any, ClassVar, cast
 
 from tsplan import display
 from tsplan.logic.interning import Interned
+from tsplan.logic.text import text_of
+from tsplan.logic.traversal import packed, unpacked
 
 _SHOWN = 200  # characters of a formula that `repr` shows at most
 
@@ -108,13 +110,9 @@ class Formula(display.Displayed, metaclass=Interned):
         raise TypeError("a formula is neither true nor false by itself; use &, |, ~ to combine it")
 
     def __str__(self) -> str:
-        from tsplan.logic.text import text_of  # noqa: PLC0415  (printing knows all the nodes)
-
         return text_of(self)
 
     def __repr__(self) -> str:
-        from tsplan.logic.text import text_of  # noqa: PLC0415  (printing knows all the nodes)
-
         return f"<{type(self).__name__}: {text_of(self, _SHOWN)}>"
 
     def _repr_svg_(self) -> str:
@@ -128,8 +126,6 @@ class Formula(display.Displayed, metaclass=Interned):
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        from tsplan.logic.traversal import packed, unpacked  # noqa: PLC0415  (walks import nodes)
-
         return unpacked, (packed(self),)
 
 

@@ -1,4 +1,7 @@
-"""Formulas as text. What is printed parses back to the same formula."""
+"""Formulas as text. What is printed parses back to the same formula.
+
+How each class of nodes is written is told by `tsplan.logic.layouts`.
+"""
 
 from __future__ import annotations
 
@@ -6,25 +9,7 @@ import re
 from collections.abc import Iterator
 from enum import IntEnum
 from functools import singledispatch
-from typing import NamedTuple, TypeAlias
-
-from tsplan.logic.atoms import Count, Limit, Linear, Task
-from tsplan.logic.nodes import (
-    Always,
-    And,
-    Constant,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Several,
-    Switch,
-    Until,
-    Window,
-)
+from typing import Any, NamedTuple, TypeAlias
 
 KEYWORDS = frozenset({"true", "True", "false", "False", "not"})
 """Words that are never names, unless they are quoted."""
@@ -46,7 +31,7 @@ class Binding(IntEnum):
 class Operand(NamedTuple):
     """A sub-formula inside a text, in parentheses if it binds less than `least`."""
 
-    formula: Formula
+    formula: Any
     least: Binding
 
 
@@ -60,7 +45,7 @@ class Layout(NamedTuple):
     parts: tuple[Part, ...]
 
 
-def text_of(formula: Formula, longest: int | None = None) -> str:
+def text_of(formula: Any, longest: int | None = None) -> str:
     """The text of a formula; cut off after `longest` characters if that is given."""
     pieces: list[str] = []
     length = 0
@@ -72,7 +57,7 @@ def text_of(formula: Formula, longest: int | None = None) -> str:
     return "".join(pieces)
 
 
-def _pieces(formula: Formula) -> Iterator[str]:
+def _pieces(formula: Any) -> Iterator[str]:
     stack: list[Part] = [Operand(formula, Binding.LOOSE)]
     while stack:
         part = stack.pop()
@@ -103,125 +88,6 @@ def number_text(value: float) -> str:
 
 
 @singledispatch
-def layout(node: Formula) -> Layout:
+def layout(node: Any) -> Layout:
     """How a node is written. Every class of nodes registers its own."""
     raise TypeError(f"no text is registered for {type(node).__name__}")
-
-
-@layout.register
-def _(node: Constant) -> Layout:
-    return Layout(Binding.UNARY, ("true" if node.value else "false",))
-
-
-@layout.register
-def _(node: Not) -> Layout:
-    return Layout(Binding.UNARY, ("!", Operand(node.child, Binding.UNARY)))
-
-
-@layout.register
-def _(node: And) -> Layout:
-    return _joined(node, " && ", Binding.AND)
-
-
-@layout.register
-def _(node: Or) -> Layout:
-    return _joined(node, " || ", Binding.OR)
-
-
-@layout.register
-def _(node: Implies) -> Layout:
-    return _between(node.left, " => ", node.right)
-
-
-@layout.register
-def _(node: Iff) -> Layout:
-    return _between(node.left, " <=> ", node.right)
-
-
-@layout.register
-def _(node: Eventually) -> Layout:
-    return _before("F", node)
-
-
-@layout.register
-def _(node: Always) -> Layout:
-    return _before("G", node)
-
-
-@layout.register
-def _(node: Until) -> Layout:
-    return _between(node.left, f" U{_interval(node)} ", node.right)
-
-
-@layout.register
-def _(node: Release) -> Layout:
-    return _between(node.left, f" R{_interval(node)} ", node.right)
-
-
-@layout.register
-def _(node: Count) -> Layout:
-    if (node.function, node.capability, node.relation, node.bound) == ("sum", None, ">=", 1):
-        return _atom(quoted(node.label))
-    inside = [quoted(node.label)]
-    if node.capability is not None:
-        inside.append(quoted(node.capability))
-    return _comparison(f"{node.function}({','.join(inside)})", node.relation, str(node.bound))
-
-
-@layout.register
-def _(node: Linear) -> Layout:
-    text = ""
-    for name, factor in node.terms:
-        sign = (" - " if factor < 0 else " + ") if text else ""
-        size = abs(factor)
-        text += sign + (quoted(name) if size == 1 else f"{number_text(size)}*{quoted(name)}")
-    return _comparison(text or "0", node.relation, number_text(node.bound))
-
-
-@layout.register
-def _(node: Task) -> Layout:
-    parts = [str(node.duration), quoted(node.label), _pairs(node.needs)]
-    if node.resources:
-        parts.append(_pairs(node.resources))
-    return _atom(f"T({','.join(parts)})")
-
-
-@layout.register
-def _(node: Limit) -> Layout:
-    return _atom(f"L({quoted(node.label)},{_pairs(node.needs)})")
-
-
-def _atom(text: str) -> Layout:
-    return Layout(Binding.UNARY, (text,))
-
-
-def _comparison(left: str, relation: str, right: str) -> Layout:
-    return Layout(Binding.COMPARISON, (f"{left} {relation} {right}",))
-
-
-def _joined(node: Several, sign: str, binding: Binding) -> Layout:
-    parts: list[Part] = []
-    for child in node.children:
-        if parts:
-            parts.append(sign)
-        parts.append(Operand(child, Binding(binding + 1)))
-    return Layout(binding, tuple(parts))
-
-
-def _between(left: Formula, sign: str, right: Formula) -> Layout:
-    parts = (Operand(left, Binding.UNARY), sign, Operand(right, Binding.UNARY))
-    return Layout(Binding.LOOSE, parts)
-
-
-def _before(letter: str, node: Window) -> Layout:
-    parts = (f"{letter}{_interval(node)} ", Operand(node.child, Binding.UNARY))
-    return Layout(Binding.UNARY, parts)
-
-
-def _interval(node: Window | Switch) -> str:
-    return f"[{node.low},{node.high}]"
-
-
-def _pairs(pairs: tuple[tuple[str, int], ...] | tuple[tuple[str, float], ...]) -> str:
-    inside = (f"({quoted(name)},{number_text(amount)})" for name, amount in pairs)
-    return "{" + ",".join(inside) + "}"

@@ -1,0 +1,105 @@
+"""How each class of nodes is written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from tsplan.logic.atoms import Count, Limit, Linear, Task
+from tsplan.logic.nodes import (
+    Always,
+    And,
+    Constant,
+    Eventually,
+    Formula,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Release,
+    Switch,
+    Until,
+)
+from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted
+
+_SIGNS: Mapping[type[Formula], str] = MappingProxyType(
+    {Eventually: "F", Always: "G", Until: "U", Release: "R", Implies: "=>", Iff: "<=>"}
+)
+
+
+@layout.register
+def _(node: Constant) -> Layout:
+    return Layout(Binding.UNARY, ("true" if node.value else "false",))
+
+
+@layout.register
+def _(node: Not) -> Layout:
+    return Layout(Binding.UNARY, ("!", Operand(node.child, Binding.UNARY)))
+
+
+@layout.register
+def _(node: And | Or) -> Layout:
+    sign, binding = (" && ", Binding.AND) if isinstance(node, And) else (" || ", Binding.OR)
+    parts: list[Part] = []
+    for child in node.children:
+        parts += (sign, Operand(child, Binding(binding + 1)))
+    return Layout(binding, tuple(parts[1:]))
+
+
+@layout.register
+def _(node: Implies | Iff | Until | Release) -> Layout:
+    interval = f"[{node.low},{node.high}]" if isinstance(node, Switch) else ""
+    left, right = (Operand(child, Binding.UNARY) for child in node.children)
+    return Layout(Binding.LOOSE, (left, f" {_SIGNS[type(node)]}{interval} ", right))
+
+
+@layout.register
+def _(node: Eventually | Always) -> Layout:
+    sign = f"{_SIGNS[type(node)]}[{node.low},{node.high}] "
+    return Layout(Binding.UNARY, (sign, Operand(node.child, Binding.UNARY)))
+
+
+@layout.register
+def _(node: Count) -> Layout:
+    if (node.function, node.capability, node.relation, node.bound) == ("sum", None, ">=", 1):
+        return _atom(quoted(node.label))
+    inside = [quoted(node.label)]
+    if node.capability is not None:
+        inside.append(quoted(node.capability))
+    return _comparison(f"{node.function}({','.join(inside)})", node.relation, str(node.bound))
+
+
+@layout.register
+def _(node: Linear) -> Layout:
+    text = ""
+    for name, factor in node.terms:
+        sign = (" - " if factor < 0 else " + ") if text else ""
+        size = abs(factor)
+        text += sign + (quoted(name) if size == 1 else f"{number_text(size)}*{quoted(name)}")
+    return _comparison(text or "0", node.relation, number_text(node.bound))
+
+
+@layout.register
+def _(node: Task) -> Layout:
+    parts = [str(node.duration), quoted(node.label), _pairs(node.needs)]
+    if node.resources:
+        parts.append(_pairs(node.resources))
+    return _atom(f"T({','.join(parts)})")
+
+
+@layout.register
+def _(node: Limit) -> Layout:
+    return _atom(f"L({quoted(node.label)},{_pairs(node.needs)})")
+
+
+def _atom(text: str) -> Layout:
+    return Layout(Binding.UNARY, (text,))
+
+
+def _comparison(left: str, relation: str, right: str) -> Layout:
+    return Layout(Binding.COMPARISON, (f"{left} {relation} {right}",))
+
+
+def _pairs(pairs: tuple[tuple[str, int], ...] | tuple[tuple[str, float], ...]) -> str:
+    inside = (f"({quoted(name)},{number_text(amount)})" for name, amount in pairs)
+    return "{" + ",".join(inside) + "}"
