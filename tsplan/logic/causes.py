@@ -19,20 +19,9 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Task
-from tsplan.logic.nodes import (
-    Always,
-    And,
-    Constant,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Until,
-)
+from tsplan.logic.nodes import Formula
 from tsplan.logic.time_horizon import Span
 
 Steps: TypeAlias = npt.NDArray[np.int64]
@@ -79,7 +68,7 @@ def cause(node: Formula, _judged: Judged) -> Cause:
 
 
 @cause.register
-def _(_node: Constant | Count | Linear, _judged: Judged) -> Cause:
+def _(_node: nodes.Constant | Count | Linear, _judged: Judged) -> Cause:
     return Cause(())
 
 
@@ -89,47 +78,47 @@ def _(node: Task | Limit, _judged: Judged) -> Cause:
 
 
 @cause.register
-def _(node: Not | Iff, judged: Judged) -> Cause:
+def _(node: nodes.Not | nodes.Iff, judged: Judged) -> Cause:
     return Cause(tuple(judged.steps for _ in node.children))
 
 
 @cause.register
-def _(_node: And, judged: Judged) -> Cause:
+def _(_node: nodes.And, judged: Judged) -> Cause:
     return Cause(_parts(judged, -np.array([b[judged.steps] for b in judged.below]), every=True))
 
 
 @cause.register
-def _(_node: Or, judged: Judged) -> Cause:
+def _(_node: nodes.Or, judged: Judged) -> Cause:
     return Cause(_parts(judged, np.array([b[judged.steps] for b in judged.below]), every=False))
 
 
 @cause.register
-def _(_node: Implies, judged: Judged) -> Cause:
+def _(_node: nodes.Implies, judged: Judged) -> Cause:
     left, right = (b[judged.steps] for b in judged.below)
     return Cause(_parts(judged, np.array([-left - 1.0, right]), every=False))
 
 
 @cause.register
-def _(node: Eventually, judged: Judged) -> Cause:
+def _(node: nodes.Eventually, judged: Judged) -> Cause:
     best = _extreme(judged, (node.low, node.high), judged.below[0])
     return _one_or_all(judged, (node.low, node.high), best, one=judged.own[judged.steps] >= 0)
 
 
 @cause.register
-def _(node: Always, judged: Judged) -> Cause:
+def _(node: nodes.Always, judged: Judged) -> Cause:
     worst = _extreme(judged, (node.low, node.high), -judged.below[0])
     return _one_or_all(judged, (node.low, node.high), worst, one=judged.own[judged.steps] < 0)
 
 
 @cause.register
-def _(node: Until, judged: Judged) -> Cause:
+def _(node: nodes.Until, judged: Judged) -> Cause:
     left, right = judged.below
     reached = judged.own[judged.steps] >= 0
     return _switched(judged, (node.low, node.high), (left, right), reached)
 
 
 @cause.register
-def _(node: Release, judged: Judged) -> Cause:
+def _(node: nodes.Release, judged: Judged) -> Cause:
     left, right = judged.below
     reached = judged.own[judged.steps] < 0
     return _switched(judged, (node.low, node.high), (-left, -right), reached)

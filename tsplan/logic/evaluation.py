@@ -17,21 +17,10 @@ from types import MappingProxyType
 
 import numpy as np
 
+from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Percent, Relation, Task
 from tsplan.logic.catl import translate
-from tsplan.logic.nodes import (
-    Always,
-    And,
-    Constant,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Until,
-)
+from tsplan.logic.nodes import Formula
 from tsplan.logic.time_horizon import horizon
 from tsplan.logic.traces import CountTrace, SignalTrace, Trace, Values
 from tsplan.logic.traversal import fold, fold_all
@@ -173,12 +162,12 @@ TRUTH: Mapping[Relation, Compare] = MappingProxyType(
 
 _CHOICES: Mapping[type[Formula], tuple[Choose, ...]] = MappingProxyType(
     {
-        And: (np.minimum,),
-        Or: (np.maximum,),
-        Eventually: (np.maximum,),
-        Always: (np.minimum,),
-        Until: (np.maximum, np.minimum),
-        Release: (np.minimum, np.maximum),
+        nodes.And: (np.minimum,),
+        nodes.Or: (np.maximum,),
+        nodes.Eventually: (np.maximum,),
+        nodes.Always: (np.minimum,),
+        nodes.Until: (np.maximum, np.minimum),
+        nodes.Release: (np.minimum, np.maximum),
     }
 )
 """What an operator takes of the values of its operands; until and release at the best change-over
@@ -192,40 +181,42 @@ def value(node: Formula, _below: tuple[Values, ...], _reading: Reading) -> Value
 
 
 @value.register
-def _(node: Constant, _below: tuple[Values, ...], reading: Reading) -> Values:
+def _(node: nodes.Constant, _below: tuple[Values, ...], reading: Reading) -> Values:
     return reading.true if node.value else reading.false
 
 
 @value.register
-def _(_node: Not, below: tuple[Values, ...], reading: Reading) -> Values:
+def _(_node: nodes.Not, below: tuple[Values, ...], reading: Reading) -> Values:
     return reading.negate(below[0])
 
 
 @value.register
-def _(node: And | Or, below: tuple[Values, ...], _reading: Reading) -> Values:
+def _(node: nodes.And | nodes.Or, below: tuple[Values, ...], _reading: Reading) -> Values:
     return reduce(_CHOICES[type(node)][0], _aligned(*below))
 
 
 @value.register
-def _(_node: Implies, below: tuple[Values, ...], reading: Reading) -> Values:
+def _(_node: nodes.Implies, below: tuple[Values, ...], reading: Reading) -> Values:
     left, right = _aligned(*below)
     return np.maximum(reading.negate(left), right)
 
 
 @value.register
-def _(_node: Iff, below: tuple[Values, ...], reading: Reading) -> Values:
+def _(_node: nodes.Iff, below: tuple[Values, ...], reading: Reading) -> Values:
     left, right = _aligned(*below)
     neither = np.minimum(reading.negate(left), reading.negate(right))
     return np.maximum(np.minimum(left, right), neither)
 
 
 @value.register
-def _(node: Eventually | Always, below: tuple[Values, ...], _reading: Reading) -> Values:
+def _(
+    node: nodes.Eventually | nodes.Always, below: tuple[Values, ...], _reading: Reading
+) -> Values:
     return windowed(below[0], node.low, node.high, *_CHOICES[type(node)])
 
 
 @value.register
-def _(node: Until | Release, below: tuple[Values, ...], _reading: Reading) -> Values:
+def _(node: nodes.Until | nodes.Release, below: tuple[Values, ...], _reading: Reading) -> Values:
     return switched(below, (node.low, node.high), *_CHOICES[type(node)])
 
 

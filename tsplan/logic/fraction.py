@@ -22,23 +22,11 @@ from itertools import accumulate
 from math import inf, lcm
 from typing import NamedTuple, TypeAlias
 
+from tsplan.logic import nodes
 from tsplan.logic.atoms import OPPOSITE, Count, Limit, Linear, Task
 from tsplan.logic.catl import TaskInterval, translate
 from tsplan.logic.evaluation import holds, robustness
-from tsplan.logic.nodes import (
-    Always,
-    And,
-    Constant,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Until,
-    disjunction,
-)
+from tsplan.logic.nodes import Formula, disjunction
 from tsplan.logic.normal_form import Polarity, normal
 from tsplan.logic.traces import Trace
 from tsplan.logic.traversal import fold, fold_all
@@ -84,16 +72,16 @@ def _polar(node: Formula, below: tuple[Polarity, ...]) -> Polarity:
 
 
 def _without_release(node: Formula, below: tuple[Formula, ...]) -> Formula:
-    if not isinstance(node, Release):
+    if not isinstance(node, nodes.Release):
         return node.over(below)
     left, right = below
     low, high = node.low, node.high
-    options: list[Formula] = [Always(low, high, right)]
+    options: list[Formula] = [nodes.Always(low, high, right)]
     if low:
-        options.append(Eventually(0, low - 1, left))
+        options.append(nodes.Eventually(0, low - 1, left))
     if high > low:
-        until = Until(0, high - 1 - low, right, And((left, right)))
-        options.append(Eventually(low, low, until) if low else until)
+        until = nodes.Until(0, high - 1 - low, right, nodes.And((left, right)))
+        options.append(nodes.Eventually(low, low, until) if low else until)
     return disjunction(options)
 
 
@@ -128,7 +116,7 @@ def shares_of(tree: Formula, atom: Callable[[Formula], Shares]) -> dict[Formula,
 
 
 def _atom(node: Formula, trace: Trace) -> Shares:
-    if isinstance(node, Constant):
+    if isinstance(node, nodes.Constant):
         return (WHOLE if node.value else NOTHING,) * trace.steps
     if not isinstance(node, Count | Linear):
         return share(node, ())
@@ -145,27 +133,30 @@ def share(node: Formula, _below: tuple[Shares, ...]) -> Shares:
 
 
 @share.register
-def _(node: Constant | Count | Linear, _below: tuple[Shares, ...]) -> Shares:
+def _(node: nodes.Constant | Count | Linear, _below: tuple[Shares, ...]) -> Shares:
     raise ValueError(f"'{node}' is judged on a trace")
 
 
 @share.register
-def _(node: Not | Implies | Iff | Release | Task | Limit, _below: tuple[Shares, ...]) -> Shares:
+def _(
+    node: nodes.Not | nodes.Implies | nodes.Iff | nodes.Release | Task | Limit,
+    _below: tuple[Shares, ...],
+) -> Shares:
     raise ValueError(f"'{node}' has no fraction of its own; take tree_of() first")
 
 
 @share.register
-def _(_node: And, below: tuple[Shares, ...]) -> Shares:
+def _(_node: nodes.And, below: tuple[Shares, ...]) -> Shares:
     return tuple(mean(parts) for parts in zip(*below, strict=False))
 
 
 @share.register
-def _(_node: Or, below: tuple[Shares, ...]) -> Shares:
+def _(_node: nodes.Or, below: tuple[Shares, ...]) -> Shares:
     return tuple(max(parts) for parts in zip(*below, strict=False))
 
 
 @share.register
-def _(node: Always, below: tuple[Shares, ...]) -> Shares:
+def _(node: nodes.Always, below: tuple[Shares, ...]) -> Shares:
     total = list(accumulate((part.fraction for part in below[0]), initial=Fraction(0)))
     length = node.high - node.low + 1
     return tuple(
@@ -178,7 +169,7 @@ def _(node: Always, below: tuple[Shares, ...]) -> Shares:
 
 
 @share.register
-def _(node: Eventually, below: tuple[Shares, ...]) -> Shares:
+def _(node: nodes.Eventually, below: tuple[Shares, ...]) -> Shares:
     return tuple(
         max(below[0][step + node.low : step + node.high + 1])
         for step in range(len(below[0]) - node.high)
@@ -186,7 +177,7 @@ def _(node: Eventually, below: tuple[Shares, ...]) -> Shares:
 
 
 @share.register
-def _(node: Until, below: tuple[Shares, ...]) -> Shares:
+def _(node: nodes.Until, below: tuple[Shares, ...]) -> Shares:
     left, right = below
     steps = len(right) - node.high
     if node.high:  # or else the left side does not matter
@@ -194,7 +185,7 @@ def _(node: Until, below: tuple[Shares, ...]) -> Shares:
     return tuple(max(made for _, made in changes(node, step, left, right)) for step in range(steps))
 
 
-def changes(node: Until, step: int, left: Shares, right: Shares) -> list[tuple[int, Share]]:
+def changes(node: nodes.Until, step: int, left: Shares, right: Shares) -> list[tuple[int, Share]]:
     """Every step at which an until judged at `step` may change over, and its share if it does."""
     held, spare = Fraction(0), inf
     found = []
@@ -228,10 +219,10 @@ def denominator(tree: Formula) -> int:
 
 def _denominator(node: Formula, below: tuple[int, ...]) -> int:
     common = lcm(*below)
-    if isinstance(node, And):
+    if isinstance(node, nodes.And):
         return common * len(below)
-    if isinstance(node, Always):
+    if isinstance(node, nodes.Always):
         return common * (node.high - node.low + 1)
-    if isinstance(node, Until):
+    if isinstance(node, nodes.Until):
         return common * lcm(*range(node.low + 1, node.high + 2))
     return common

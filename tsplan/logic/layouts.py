@@ -5,41 +5,36 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Task
-from tsplan.logic.nodes import (
-    Always,
-    And,
-    Constant,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Switch,
-    Until,
-)
+from tsplan.logic.nodes import Formula
 from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted
 
 _SIGNS: Mapping[type[Formula], str] = MappingProxyType(
-    {Eventually: "F", Always: "G", Until: "U", Release: "R", Implies: "=>", Iff: "<=>"}
+    {
+        nodes.Eventually: "F",
+        nodes.Always: "G",
+        nodes.Until: "U",
+        nodes.Release: "R",
+        nodes.Implies: "=>",
+        nodes.Iff: "<=>",
+    }
 )
 
 
 @layout.register
-def _(node: Constant) -> Layout:
+def _(node: nodes.Constant) -> Layout:
     return Layout(Binding.UNARY, ("true" if node.value else "false",))
 
 
 @layout.register
-def _(node: Not) -> Layout:
+def _(node: nodes.Not) -> Layout:
     return Layout(Binding.UNARY, ("!", Operand(node.child, Binding.UNARY)))
 
 
 @layout.register
-def _(node: And | Or) -> Layout:
-    sign, binding = (" && ", Binding.AND) if isinstance(node, And) else (" || ", Binding.OR)
+def _(node: nodes.And | nodes.Or) -> Layout:
+    sign, binding = (" && ", Binding.AND) if isinstance(node, nodes.And) else (" || ", Binding.OR)
     parts: list[Part] = []
     for child in node.children:
         parts += (sign, Operand(child, Binding(binding + 1)))
@@ -47,14 +42,14 @@ def _(node: And | Or) -> Layout:
 
 
 @layout.register
-def _(node: Implies | Iff | Until | Release) -> Layout:
-    interval = f"[{node.low},{node.high}]" if isinstance(node, Switch) else ""
+def _(node: nodes.Implies | nodes.Iff | nodes.Until | nodes.Release) -> Layout:
+    interval = f"[{node.low},{node.high}]" if isinstance(node, nodes.Switch) else ""
     left, right = (Operand(child, Binding.UNARY) for child in node.children)
     return Layout(Binding.LOOSE, (left, f" {_SIGNS[type(node)]}{interval} ", right))
 
 
 @layout.register
-def _(node: Eventually | Always) -> Layout:
+def _(node: nodes.Eventually | nodes.Always) -> Layout:
     sign = f"{_SIGNS[type(node)]}[{node.low},{node.high}] "
     return Layout(Binding.UNARY, (sign, Operand(node.child, Binding.UNARY)))
 

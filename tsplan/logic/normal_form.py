@@ -6,23 +6,9 @@ from dataclasses import replace
 from functools import singledispatch
 from typing import NamedTuple
 
+from tsplan.logic import nodes
 from tsplan.logic.atoms import OPPOSITE, Count, Limit, Linear, Percent, Relation, Task
-from tsplan.logic.nodes import (
-    DUAL,
-    FALSE,
-    TRUE,
-    Always,
-    And,
-    Constant,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Until,
-)
+from tsplan.logic.nodes import DUAL, FALSE, TRUE, Formula
 from tsplan.logic.traversal import fold
 
 
@@ -71,33 +57,36 @@ def normal(node: Formula, _below: tuple[Polarity, ...]) -> Polarity:
 
 
 @normal.register
-def _(node: Constant, _below: tuple[Polarity, ...]) -> Polarity:
+def _(node: nodes.Constant, _below: tuple[Polarity, ...]) -> Polarity:
     return Polarity(TRUE, FALSE) if node.value else Polarity(FALSE, TRUE)
 
 
 @normal.register
-def _(_node: Not, below: tuple[Polarity, ...]) -> Polarity:
+def _(_node: nodes.Not, below: tuple[Polarity, ...]) -> Polarity:
     return below[0].swapped()
 
 
 @normal.register
 def _(
-    node: And | Or | Eventually | Always | Until | Release, below: tuple[Polarity, ...]
+    node: nodes.And | nodes.Or | nodes.Eventually | nodes.Always | nodes.Until | nodes.Release,
+    below: tuple[Polarity, ...],
 ) -> Polarity:
     dual = DUAL[type(node)].assembled(node.parameters, _failing(below))
     return Polarity(node.over(_holding(below)), dual)
 
 
 @normal.register
-def _(_node: Implies, below: tuple[Polarity, ...]) -> Polarity:
+def _(_node: nodes.Implies, below: tuple[Polarity, ...]) -> Polarity:
     left, right = below
-    return Polarity(Or((left.fails, right.holds)), And((left.holds, right.fails)))
+    return Polarity(nodes.Or((left.fails, right.holds)), nodes.And((left.holds, right.fails)))
 
 
 @normal.register
-def _(_node: Iff, below: tuple[Polarity, ...]) -> Polarity:
-    both, neither = And(_holding(below)), And(_failing(below))
-    return Polarity(Or((both, neither)), And((Or(_failing(below)), Or(_holding(below)))))
+def _(_node: nodes.Iff, below: tuple[Polarity, ...]) -> Polarity:
+    both, neither = nodes.And(_holding(below)), nodes.And(_failing(below))
+    return Polarity(
+        nodes.Or((both, neither)), nodes.And((nodes.Or(_failing(below)), nodes.Or(_holding(below))))
+    )
 
 
 @normal.register
@@ -123,9 +112,9 @@ def _ordered(node: Count | Linear) -> Formula:
     """No = and no !=, said with two ordered relations; of whole numbers no > and no < either."""
     match node.relation:
         case "=":
-            return And((replace(node, relation=">="), replace(node, relation="<=")))
+            return nodes.And((replace(node, relation=">="), replace(node, relation="<=")))
         case "!=":
-            return Or((_strict(node, ">"), _strict(node, "<")))
+            return nodes.Or((_strict(node, ">"), _strict(node, "<")))
         case ">" | "<":
             return _strict(node, node.relation)
     return node

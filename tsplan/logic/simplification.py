@@ -6,22 +6,9 @@ from collections.abc import Iterable, Iterator
 from functools import singledispatch
 from typing import TypeAlias
 
+from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Task
-from tsplan.logic.nodes import (
-    FALSE,
-    TRUE,
-    Always,
-    And,
-    Constant,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Until,
-)
+from tsplan.logic.nodes import FALSE, TRUE, Formula
 from tsplan.logic.traversal import fold
 
 Below: TypeAlias = "tuple[Formula, ...]"
@@ -48,51 +35,51 @@ def simpler(node: Formula, _below: Below) -> Formula:
 
 
 @simpler.register
-def _(node: Constant | Count | Linear | Task | Limit, _below: Below) -> Formula:
+def _(node: nodes.Constant | Count | Linear | Task | Limit, _below: Below) -> Formula:
     return node
 
 
 @simpler.register
-def _(_node: Not, below: Below) -> Formula:
+def _(_node: nodes.Not, below: Below) -> Formula:
     return _negated(below[0])
 
 
 @simpler.register
-def _(node: And | Or, below: Below) -> Formula:
+def _(node: nodes.And | nodes.Or, below: Below) -> Formula:
     return _joined(type(node), below)
 
 
 @simpler.register
-def _(node: Implies, below: Below) -> Formula:
+def _(node: nodes.Implies, below: Below) -> Formula:
     left, right = below
-    if isinstance(left, Constant) or isinstance(right, Constant):
-        return _joined(Or, (_negated(left), right))
+    if isinstance(left, nodes.Constant) or isinstance(right, nodes.Constant):
+        return _joined(nodes.Or, (_negated(left), right))
     return node.over(below)
 
 
 @simpler.register
-def _(node: Iff, below: Below) -> Formula:
+def _(node: nodes.Iff, below: Below) -> Formula:
     left, right = below
-    if isinstance(left, Constant):
+    if isinstance(left, nodes.Constant):
         return right if left is TRUE else _negated(right)
-    if isinstance(right, Constant):
+    if isinstance(right, nodes.Constant):
         return left if right is TRUE else _negated(left)
     return node.over(below)
 
 
 @simpler.register
-def _(node: Eventually | Always, below: Below) -> Formula:
+def _(node: nodes.Eventually | nodes.Always, below: Below) -> Formula:
     return _window(type(node), node.low, node.high, below[0])
 
 
 @simpler.register
-def _(node: Until | Release, below: Below) -> Formula:
+def _(node: nodes.Until | nodes.Release, below: Below) -> Formula:
     """Rules of until; release has the same with constants and windows exchanged."""
     left, right = below
     low, high = node.low, node.high
-    until = isinstance(node, Until)
+    until = isinstance(node, nodes.Until)
     true, false = (TRUE, FALSE) if until else (FALSE, TRUE)
-    some, every = (Eventually, Always) if until else (Always, Eventually)
+    some, every = (nodes.Eventually, nodes.Always) if until else (nodes.Always, nodes.Eventually)
     if right is false or high == 0:
         return right
     if left is true:
@@ -105,29 +92,31 @@ def _(node: Until | Release, below: Below) -> Formula:
 
 
 def _negated(formula: Formula) -> Formula:
-    if isinstance(formula, Constant):
+    if isinstance(formula, nodes.Constant):
         return FALSE if formula is TRUE else TRUE
-    return formula.child if isinstance(formula, Not) else Not(formula)
+    return formula.child if isinstance(formula, nodes.Not) else nodes.Not(formula)
 
 
-def _joined(kind: type[And | Or], parts: Iterable[Formula]) -> Formula:
+def _joined(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Formula:
     """Parts under `and` without TRUE, or FALSE if one is; under `or` the other way round."""
-    idle, decisive = (TRUE, FALSE) if kind is And else (FALSE, TRUE)
+    idle, decisive = (TRUE, FALSE) if kind is nodes.And else (FALSE, TRUE)
     kept = tuple(part for part in _flat(kind, parts) if part is not idle)
     if decisive in kept or len(kept) < 2:  # noqa: PLR2004  (a single part is itself)
         return decisive if decisive in kept else (*kept, idle)[0]
     return kind(kept)
 
 
-def _flat(kind: type[And | Or], parts: Iterable[Formula]) -> Iterator[Formula]:
+def _flat(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Iterator[Formula]:
     """Each part once, in order; parts of the same kind are replaced by their own parts."""
     inner = (part.children if isinstance(part, kind) else (part,) for part in parts)
     yield from dict.fromkeys(part for group in inner for part in group)
 
 
-def _window(kind: type[Eventually | Always], low: int, high: int, child: Formula) -> Formula:
+def _window(
+    kind: type[nodes.Eventually | nodes.Always], low: int, high: int, child: Formula
+) -> Formula:
     """A window over a constant is the constant; a window over a like window is one window."""
-    if isinstance(child, Constant) or high == 0:
+    if isinstance(child, nodes.Constant) or high == 0:
         return child
     if isinstance(child, kind):
         return kind(low + child.low, high + child.high, child.child)

@@ -17,38 +17,26 @@ from typing import Any, NamedTuple
 from antlr4.tree.Tree import ErrorNode
 
 from tsplan.errors import Finding
-from tsplan.logic.nodes import (
-    FALSE,
-    TRUE,
-    Always,
-    And,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Until,
-)
+from tsplan.logic import nodes
+from tsplan.logic.nodes import FALSE, TRUE, Formula
 from tsplan.logic.parser.numerals import exact, whole
 from tsplan.logic.parser.source import Source
 from tsplan.logic.text_spans import Span, Way, Written
 
 PREFIXES: Mapping[str, type[Formula]] = MappingProxyType(
     {
-        "NOT": Not,
-        "NEXT": Eventually,
-        "EVENTUALLY": Eventually,
-        "DIAMOND": Eventually,
-        "ALWAYS": Always,
-        "BOX": Always,
+        "NOT": nodes.Not,
+        "NEXT": nodes.Eventually,
+        "EVENTUALLY": nodes.Eventually,
+        "DIAMOND": nodes.Eventually,
+        "ALWAYS": nodes.Always,
+        "BOX": nodes.Always,
     }
 )
 """Operators before their operand, by the name of their token."""
 
 CONNECTIVES: Mapping[str, type[Formula]] = MappingProxyType(
-    {"IMPLIES": Implies, "IFF": Iff, "UNTIL": Until, "RELEASE": Release}
+    {"IMPLIES": nodes.Implies, "IFF": nodes.Iff, "UNTIL": nodes.Until, "RELEASE": nodes.Release}
 )
 """Operators between two operands that never share a level with others."""
 
@@ -225,9 +213,10 @@ class Reader(ABC):
         """Join operands with && and ||, of which && binds tighter."""
         ends = [0, *(n for n, kind in enumerate(kinds, start=1) if kind != "AND"), len(parts)]
         choices = [
-            _joined(And, operands[first:end], parts[first:end]) for first, end in pairwise(ends)
+            _joined(nodes.And, operands[first:end], parts[first:end])
+            for first, end in pairwise(ends)
         ]
-        return _joined(Or, choices, parts)
+        return _joined(nodes.Or, choices, parts)
 
 
 def reach(first: Any, last: Any = None) -> Span:
