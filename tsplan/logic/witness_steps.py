@@ -102,7 +102,7 @@ def _below(place: _Place, values: Mapping[Formula, Shares]) -> Iterator[_Place]:
     node = place.node
     judged: list[set[int]] = [set() for _ in node.children]
     for step in place.steps:
-        for number, later in chosen(node, step, values):
+        for number, later in witness_steps(node, step, values):
             judged[number].add(later)
     for child, steps in zip(node.children, judged, strict=True):
         if steps:
@@ -111,7 +111,9 @@ def _below(place: _Place, values: Mapping[Formula, Shares]) -> Iterator[_Place]:
             yield _Place(child, place.depth + 1, place.steps, counted=False)
 
 
-def chosen(node: Formula, step: int, values: Mapping[Formula, Shares]) -> Iterator[tuple[int, int]]:
+def witness_steps(
+    node: Formula, step: int, values: Mapping[Formula, Shares]
+) -> Iterator[tuple[int, int]]:
     """Which children, at which steps, the fraction of a node at a step is the mean or maximum of.
 
     Of alternatives only the best is named, the first of them where several are.
@@ -146,7 +148,7 @@ def satisfied(tree: Formula, trace: Trace) -> tuple[Pair, ...]:
         if values[node][step].fraction == 1:
             found.append((node, step))
             continue
-        for number, later in chosen(node, step, values):
+        for number, later in witness_steps(node, step, values):
             pair = (node.children[number], later)
             if pair not in seen:
                 seen.add(pair)
@@ -182,10 +184,10 @@ def _runs(steps: list[int]) -> Iterator[tuple[int, int]]:
             begin = place
 
 
-class Spot(NamedTuple):
+class Occurrence(NamedTuple):
     """A sub-formula where it stands in a tree, and every step at which it may matter.
 
-    `parent` is the number of its parent's spot, -1 for the root, and `child` its place there.
+    `parent` is the number of its parent's occurrence, -1 for the root, and `child` its place there.
     """
 
     node: Formula
@@ -195,16 +197,18 @@ class Spot(NamedTuple):
     steps: tuple[int, ...]
 
 
-def spots(tree: Formula) -> list[Spot]:
+def occurrences(tree: Formula) -> list[Occurrence]:
     """Every place in a tree, parents first.
 
     Raises ValueError for a tree with more than `MOST_PAIRS` pairs.
     """
-    found = [Spot(tree, 0, -1, 0, (0,))]
+    found = [Occurrence(tree, 0, -1, 0, (0,))]
     pairs = 1
-    for number, spot in enumerate(found):  # it grows while it is walked
-        for child, below in enumerate(spot.node.children):
-            steps = {later for step in spot.steps for later in reach(spot.node, child, step)}
+    for number, occurrence in enumerate(found):  # it grows while it is walked
+        for child, below in enumerate(occurrence.node.children):
+            steps = {
+                later for step in occurrence.steps for later in reach(occurrence.node, child, step)
+            }
             pairs += len(steps)
             if pairs > MOST_PAIRS:
                 raise ValueError(
@@ -212,7 +216,9 @@ def spots(tree: Formula) -> list[Spot]:
                     "ask for the weighted order"
                 )
             if steps:
-                found.append(Spot(below, spot.depth + 1, number, child, tuple(sorted(steps))))
+                found.append(
+                    Occurrence(below, occurrence.depth + 1, number, child, tuple(sorted(steps)))
+                )
     return found
 
 
@@ -236,23 +242,29 @@ def levels(tree: Formula, trace: Trace) -> Levels:
     count apart even where the same formula stands there.
     """
     values = shares(tree, trace)
-    everywhere = spots(tree)
-    counts = [0] * (1 + max(spot.depth for spot in everywhere))
+    everywhere = occurrences(tree)
+    counts = [0] * (1 + max(occurrence.depth for occurrence in everywhere))
     pairs: dict[Pair, None] = {}
     covered: list[set[int]] = []
-    for spot in everywhere:
-        above = _covered_from_above(spot, everywhere, covered)
-        held = {step for step in spot.steps if values[spot.node][step].fraction == 1}
+    for occurrence in everywhere:
+        above = _covered_from_above(occurrence, everywhere, covered)
+        held = {step for step in occurrence.steps if values[occurrence.node][step].fraction == 1}
         topmost = held - above
-        counts[spot.depth] += len(topmost)
-        pairs.update(((spot.node, step), None) for step in sorted(topmost))
+        counts[occurrence.depth] += len(topmost)
+        pairs.update(((occurrence.node, step), None) for step in sorted(topmost))
         covered.append(held | above)
     return Levels(tuple(counts), tuple(pairs))
 
 
-def _covered_from_above(spot: Spot, everywhere: list[Spot], covered: list[set[int]]) -> set[int]:
-    """Steps of a spot that lie in the window of a pair that is covered itself."""
-    if spot.parent < 0:
+def _covered_from_above(
+    occurrence: Occurrence, everywhere: list[Occurrence], covered: list[set[int]]
+) -> set[int]:
+    """Steps of a occurrence that lie in the window of a pair that is covered itself."""
+    if occurrence.parent < 0:
         return set()
-    parent = everywhere[spot.parent].node
-    return {later for step in covered[spot.parent] for later in reach(parent, spot.child, step)}
+    parent = everywhere[occurrence.parent].node
+    return {
+        later
+        for step in covered[occurrence.parent]
+        for later in reach(parent, occurrence.child, step)
+    }

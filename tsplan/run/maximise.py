@@ -17,7 +17,7 @@ from tsplan.encode.partial.conflict_graph import Rivals
 from tsplan.encode.partial.partial_model import Claimed, Wish, claimed, valued
 from tsplan.exact import exact
 from tsplan.logic import Formula
-from tsplan.logic.witness_steps import spots
+from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
 from tsplan.plans.plan import ObjectiveValue
@@ -126,7 +126,7 @@ class Settling:
         `together` settles several depths in one go where exact weights allow it. `refuted` says
         that the whole tree holds in no plan.
         """
-        deepest = max(spot.depth for spot in spots(tree))
+        deepest = max(occurrence.depth for occurrence in occurrences(tree))
         every = claimed(self.setting, tree, deepest).claims.by_depth
         counts = [len(columns) for columns in every]
         counts[0] = 0 if refuted else counts[0]

@@ -26,7 +26,7 @@ from tsplan.exact import exact
 from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.fraction import shares
 from tsplan.logic.traces import CountTrace
-from tsplan.logic.witness_steps import Pair, demanded, levels, satisfied, spots
+from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences, satisfied
 from tsplan.mission import Mission
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.run.maximise import Settled, Settling
@@ -248,6 +248,6 @@ def refuse_if_too_large(mission: Mission) -> None:
     if mission.satisfaction == "weighted":
         return
     try:
-        spots(mission.tree(mission.formula))
+        occurrences(mission.tree(mission.formula))
     except ValueError as error:
         raise MissionError([Finding(str(error))]) from None

@@ -19,7 +19,7 @@ import numpy as np
 from tsplan.encode.selection import Choices
 from tsplan.encode.witness import Request
 from tsplan.logic import Eventually, Formula, Or, positive
-from tsplan.logic.witness_steps import Spot, reach
+from tsplan.logic.witness_steps import Occurrence, reach
 from tsplan.milp.model import INFINITY, Draft, Ints, Terms
 
 
@@ -32,52 +32,56 @@ class Claims:
 
 
 def claim(
-    everywhere: Sequence[Spot],
+    everywhere: Sequence[Occurrence],
     deepest: int,
     choices: Choices,
     draft: Draft,
     possible: Callable[[Formula, int], bool],
 ) -> Claims:
-    """Columns and rows for claims at the spots of a tree down to the depth `deepest`.
+    """Columns and rows for claims at the occurrences of a tree down to the depth `deepest`.
 
     `possible(node, step)` is False only where a node of the positive normal form holds in no plan.
     """
     by_depth: list[list[int]] = [[] for _ in range(deepest + 1)]
     requests: list[Request] = []
     covers: list[dict[int, tuple[int, ...]]] = []
-    for spot in everywhere:
-        if spot.depth > deepest:
+    for occurrence in everywhere:
+        if occurrence.depth > deepest:
             break
-        above = _above(spot, everywhere, covers)
-        node = positive(spot.node)
+        above = _above(occurrence, everywhere, covers)
+        node = positive(occurrence.node)
         made: dict[int, tuple[int, ...]] = {}
-        for step in spot.steps:
+        for step in occurrence.steps:
             made[step] = above[step]
-            if _claimable(spot, everywhere) and possible(node, step):
+            if _claimable(occurrence, everywhere) and possible(node, step):
                 column = int(choices.free([step])[0])
-                by_depth[spot.depth].append(column)
+                by_depth[occurrence.depth].append(column)
                 requests.append((node, step, (column,)))
-                cover = _cover(column, above[step], draft, leaf=spot.depth == deepest)
+                cover = _cover(column, above[step], draft, leaf=occurrence.depth == deepest)
                 made[step] = (cover,)
         covers.append(made)
     columns = tuple(np.array(made, dtype=np.int64) for made in by_depth)
     return Claims(columns, tuple(requests))
 
 
-def _claimable(spot: Spot, everywhere: Sequence[Spot]) -> bool:
-    return spot.parent < 0 or not isinstance(everywhere[spot.parent].node, Or | Eventually)
+def _claimable(occurrence: Occurrence, everywhere: Sequence[Occurrence]) -> bool:
+    return occurrence.parent < 0 or not isinstance(
+        everywhere[occurrence.parent].node, Or | Eventually
+    )
 
 
 def _above(
-    spot: Spot, everywhere: Sequence[Spot], covers: Sequence[dict[int, tuple[int, ...]]]
+    occurrence: Occurrence,
+    everywhere: Sequence[Occurrence],
+    covers: Sequence[dict[int, tuple[int, ...]]],
 ) -> dict[int, tuple[int, ...]]:
-    """For every step of a spot, columns of which one is 1 where some ancestor is claimed."""
-    found: dict[int, dict[int, None]] = {step: {} for step in spot.steps}
-    if spot.parent >= 0:
-        parent = everywhere[spot.parent]
+    """For every step of a occurrence, columns of which one is 1 where some ancestor is claimed."""
+    found: dict[int, dict[int, None]] = {step: {} for step in occurrence.steps}
+    if occurrence.parent >= 0:
+        parent = everywhere[occurrence.parent]
         for step in parent.steps:
-            for later in reach(parent.node, spot.child, step):
-                found[later].update(dict.fromkeys(covers[spot.parent][step]))
+            for later in reach(parent.node, occurrence.child, step):
+                found[later].update(dict.fromkeys(covers[occurrence.parent][step]))
     return {step: tuple(columns) for step, columns in found.items()}
 
 

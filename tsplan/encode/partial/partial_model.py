@@ -17,7 +17,7 @@ from tsplan.encode.selection import ALWAYS
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
 from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares_of
-from tsplan.logic.witness_steps import spots
+from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import Draft
 from tsplan.mission import Mission, Preference
 
@@ -103,7 +103,7 @@ def claimed(setting: Setting, tree: Formula, deepest: int) -> Claimed:
     """The model of all plans with claims at the places of a tree down to a depth."""
     found: list[Claims] = []
     demands: list[Demand] = []
-    everywhere = spots(tree)
+    everywhere = occurrences(tree)
 
     def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
         made = claim(everywhere, deepest, encoder.choices, draft, encoder.outlook.possible)
