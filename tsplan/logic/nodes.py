@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from types import MappingProxyType
-from typing import Any, ClassVar, cast
+from typing import Any, cast
 
 from tsplan import display
 from tsplan.logic.interning import Interned
@@ -37,20 +37,15 @@ class Formula(display.Displayed, metaclass=Interned):
 
     __slots__ = ("__weakref__",)
 
-    operands: ClassVar[tuple[str, ...]] = ()
-    """Names of the fields that are sub-formulas, in the order of the text."""
-
     def __post_init__(self) -> None:
-        """Refuse what is no formula or no interval."""
-        if isinstance(self, Window | Switch):
-            _interval(self.low, self.high)
+        """Refuse operands that are no formulas."""
         for child in self.children:
             _formula(child)
 
     @property
     def children(self) -> tuple[Formula, ...]:
         """The sub-formulas one level below, in the order of the text."""
-        return tuple(getattr(self, name) for name in self.operands)
+        return ()
 
     @property
     def parameters(self) -> tuple[Any, ...]:
@@ -144,6 +139,27 @@ def _interval(low: object, high: object) -> None:
         raise ValueError(f"the interval [{low},{high}] is empty or begins before now")
 
 
+class _OfOne(Formula):
+    __slots__ = ()
+    child: Formula
+
+    @property
+    def children(self) -> tuple[Formula, ...]:
+        """The child."""
+        return (self.child,)
+
+
+class _OfTwo(Formula):
+    __slots__ = ()
+    left: Formula
+    right: Formula
+
+    @property
+    def children(self) -> tuple[Formula, ...]:
+        """Left and right."""
+        return self.left, self.right
+
+
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Constant(Formula):
     """What always holds (`TRUE`) or never does (`FALSE`)."""
@@ -152,10 +168,9 @@ class Constant(Formula):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
-class Not(Formula):
+class Not(_OfOne):
     """The child does not hold."""
 
-    operands: ClassVar[tuple[str, ...]] = ("child",)
     child: Formula
 
 
@@ -195,10 +210,9 @@ class Or(Several):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
-class Pair(Formula):
+class Pair(_OfTwo):
     """A left and a right sub-formula."""
 
-    operands: ClassVar[tuple[str, ...]] = ("left", "right")
     left: Formula
     right: Formula
 
@@ -214,13 +228,17 @@ class Iff(Pair):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
-class Window(Formula):
+class Window(_OfOne):
     """One sub-formula over the steps `low .. high` from now, both included."""
 
-    operands: ClassVar[tuple[str, ...]] = ("child",)
     low: int
     high: int
     child: Formula
+
+    def __post_init__(self) -> None:
+        """Refuse operands that are no formulas, and what is no interval."""
+        _interval(self.low, self.high)
+        Formula.__post_init__(self)
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -234,14 +252,18 @@ class Always(Window):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
-class Switch(Formula):
+class Switch(_OfTwo):
     """A left and a right sub-formula and the window in which they change over."""
 
-    operands: ClassVar[tuple[str, ...]] = ("left", "right")
     low: int
     high: int
     left: Formula
     right: Formula
+
+    def __post_init__(self) -> None:
+        """Refuse operands that are no formulas, and what is no interval."""
+        _interval(self.low, self.high)
+        Formula.__post_init__(self)
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
