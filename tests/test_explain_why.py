@@ -76,10 +76,10 @@ def test_a_tree_by_hand():
     harvest, clear, either = top.children
     # both fields have one agent at steps 1..3; both steps 1 and 2 start a task with none to spare
     assert isinstance(harvest.formula, Eventually)
-    assert (harvest.chosen, harvest.availability) == ((1,), (0.0,))
+    assert (harvest.witness_steps, harvest.availability) == ((1,), (0.0,))
     (task,) = harvest.children
     assert task.formula is parse("T(1,field,{(see,1)})", language="catl")
-    assert (task.steps, task.chosen) == ((1,), ())
+    assert (task.steps, task.witness_steps) == ((1,), ())
     (field,) = task.children
     assert (field.steps, field.counts, field.tightest) == ((1, 2), (1, 1), 1)
     assert field.present == (Presence("east", 1, ("a-0",)), Presence("west", 1, ("a-1",)))
@@ -87,8 +87,8 @@ def test_a_tree_by_hand():
     assert clear.children[0].steps == (0, 1, 2, 3, 4)
     assert clear.availability == (0.0,)
     early, late = either.children
-    assert (early.needed, early.availability, early.chosen) == (False, (-2.0,), (0,))
-    assert (late.needed, late.chosen, late.availability) == (True, (5,), (0.0,))
+    assert (early.needed, early.availability, early.witness_steps) == (False, (-2.0,), (0,))
+    assert (late.needed, late.witness_steps, late.availability) == (True, (5,), (0.0,))
     assert late.children[0].children[0].present == (Presence("hill", 1, ("a-1",)),)
 
 
@@ -107,7 +107,7 @@ def test_the_earliest_of_the_most_robust_steps_is_chosen():
     walks = [("a", "home hill home hill hill"), ("a", "home home home hill hill")]
     mission, plan = made("F[0,4] top", walks)
     top = plan.explain(mission)
-    assert (top.chosen, top.availability) == ((3,), (1.0,))
+    assert (top.witness_steps, top.availability) == ((3,), (1.0,))
     assert top.children[0].counts == (2,)
 
 
@@ -123,15 +123,15 @@ def test_until_and_release_say_where_they_change_over():
     assert "left side ends at 3" in str(top)
     mission, plan = made("(sum(field) <= 1) U[1,4] (sum(top) >= 2)", walks)
     top = plan.explain(mission)
-    assert (top.chosen, top.availability) == ((4,), (0.0,))
+    assert (top.witness_steps, top.availability) == ((4,), (0.0,))
     assert [child.steps for child in top.children] == [(0, 1, 2, 3), (4,)]
     mission, plan = made("field R[0,5] (sum(top) <= 1)", walks)
     top = plan.explain(mission)
-    assert top.chosen == (3,)
+    assert top.witness_steps == (3,)
     assert [child.steps for child in top.children] == [(3,), (0, 1, 2, 3)]
     mission, plan = made("(sum(home) >= 9) R[0,5] (sum(top) <= 2)", walks)
     top = plan.explain(mission)
-    assert top.chosen == (None,)
+    assert top.witness_steps == (None,)
     assert [child.steps for child in top.children] == [(), (0, 1, 2, 3, 4, 5)]
     assert "held all through" in str(top)
     assert "not needed" in str(top)
@@ -142,7 +142,7 @@ def test_negation_turns_what_settles_a_window():
     mission, plan = made("!F[0,3] top && !G[0,3] home", walks)
     never, sometimes = plan.explain(mission).children
     assert never.children[0].children[0].steps == (0, 1, 2, 3)
-    assert sometimes.children[0].chosen == (2,)
+    assert sometimes.children[0].witness_steps == (2,)
     assert sometimes.children[0].children[0].steps == (2,)
     assert sometimes.children[0].holds is False
 
@@ -190,12 +190,12 @@ def test_requirements_by_hand():
     field = found["see at every field \u2265 1"]
     assert field.counts.tolist() == [0, 1, 1, 1, 0, 0]
     assert field.margins.tolist() == [-1, 0, 0, 0, -1, -1]
-    assert (field.windows, field.chosen, field.spare) == (((0, 5),), ((1, 2),), 0)
+    assert (field.windows, field.witness_steps, field.slack) == (((0, 5),), ((1, 2),), 0)
     assert (field.label, field.capability, field.relation, field.bound) == ("field", "see", ">=", 1)
     early, late = found["see at top \u2265 2"], found["see at top \u2265 1"]
-    assert (early.windows, early.chosen, early.spare) == (((0, 2),), (), None)
-    assert (late.windows, late.chosen) == (((3, 5),), ((5, 5),))
-    assert found["lift at top \u2264 0"].chosen == ((0, 4),)
+    assert (early.windows, early.witness_steps, early.slack) == (((0, 2),), (), None)
+    assert (late.windows, late.witness_steps) == (((3, 5),), ((5, 5),))
+    assert found["lift at top \u2264 0"].witness_steps == ((0, 4),)
     assert not field.counts.flags.writeable
 
 
@@ -203,7 +203,7 @@ def test_one_atom_in_two_windows_is_one_requirement():
     mission, plan = made("F[0,1] top && F[3,4] top", [("a", "home hill home home hill")])
     (one,) = plan.requirements(mission)
     assert one.windows == ((0, 1), (3, 4))
-    assert one.chosen == ((1, 1), (4, 4))
+    assert one.witness_steps == ((1, 1), (4, 4))
 
 
 def test_runs():
@@ -275,7 +275,7 @@ def rebuilt(node, values, at):
                 for s in range(step + formula.low, step + formula.high + 1)
                 if s in values[0]
             ]
-            assert values[0][node.chosen[place]] == value
+            assert values[0][node.witness_steps[place]] == value
             return (max if isinstance(formula, Eventually) else min)(inside)
         case Until() | Release():
             return switched(formula, values, step, value)
@@ -333,8 +333,8 @@ def test_random_requirements_stay_in_their_windows_and_settle_the_goal(seed):
         assert r.windows == wheres[r.atom]
         assert r.label in LABELS
         inside = {s for first, last in r.windows for s in range(first, last + 1)}
-        steps = {s for first, last in r.chosen for s in range(first, last + 1)}
+        steps = {s for first, last in r.witness_steps for s in range(first, last + 1)}
         assert steps == set(used[r.atom].tolist())
         assert steps <= inside
-        if value >= 0 and r.chosen:
-            assert r.spare >= value
+        if value >= 0 and r.witness_steps:
+            assert r.slack >= value

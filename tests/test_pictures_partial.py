@@ -53,21 +53,21 @@ def wishful():
 def test_preferred_formulas_are_charted_by_their_names():
     mission, found = wishful()
     rows = found.requirements(mission)
-    assert [(row.title, row.wish, row.spare) for row in rows] == [
+    assert [(row.title, row.soft, row.slack) for row in rows] == [
         ("agents at b ≥ 1", None, 0),
         ("both: agents at a ≥ 1", "both", -1),
         ("both: agents at b ≥ 1", "both", None),
         ("late: agents at b ≥ 1", "late", 0),
     ]
-    assert [row.chosen for row in rows] == [((3, 3),), ((3, 3),), (), ((4, 6),)]
+    assert [row.witness_steps for row in rows] == [((3, 3),), ((3, 3),), (), ((4, 6),)]
 
 
 def test_parts_that_hold_are_not_hidden_by_one_that_fails():
     formula = "G[0,6] a && F[2,4] b"
     whole = made(formula=formula)
     part = made(formula=formula, objective=[{"satisfaction": "weighted"}])
-    assert [row.spare for row in whole[1].requirements(whole[0])] == [-1, None]
-    assert [row.spare for row in part[1].requirements(part[0])] == [-1, 0]
+    assert [row.slack for row in whole[1].requirements(whole[0])] == [-1, None]
+    assert [row.slack for row in part[1].requirements(part[0])] == [-1, 0]
     assert [row.windows for row in part[1].requirements(part[0])] == [((0, 6),), ((2, 4),)]
 
 

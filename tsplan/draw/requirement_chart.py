@@ -81,7 +81,7 @@ def shown_rows(rows: Sequence[Requirement]) -> tuple[Requirement, ...]:
     """The rows in the order of the formula; of too many, those with the least to spare."""
     if len(rows) <= MOST_ROWS:
         return tuple(rows)
-    rank = sorted(range(len(rows)), key=lambda n: (rows[n].spare is None, rows[n].spare or 0.0, n))
+    rank = sorted(range(len(rows)), key=lambda n: (rows[n].slack is None, rows[n].slack or 0.0, n))
     return tuple(rows[n] for n in sorted(rank[:MOST_ROWS]))
 
 
@@ -105,7 +105,7 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
     for first, last in row.windows:
         _shade(ax, place, (first, last), _WINDOW, "window")
     paint, meaning = (_MISSED, "missed") if _fails(row) else (_CHOSEN, "chosen")
-    for first, last in row.chosen:
+    for first, last in row.witness_steps:
         _shade(ax, place, (first, last), paint, meaning)
         ax.plot([first], [place + 0.1], marker="v", markersize=3.5, color=DARK, gid="witness")
     ax.axhline(base, color=LINE, linewidth=0.5)
@@ -121,7 +121,7 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
 
 
 def _fails(row: Requirement) -> bool:
-    return row.spare is not None and row.spare < 0
+    return row.slack is not None and row.slack < 0
 
 
 def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
@@ -138,7 +138,7 @@ def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: st
 def _write_spare(ax: Any, y: float, row: Requirement) -> None:
     """How many agents there are to spare, and the largest count, right of the row."""
     spare, most, _ = _beside(row)
-    colour = LINE if row.spare is None else (GOOD if row.spare >= 0 else BAD)
+    colour = LINE if row.slack is None else (GOOD if row.slack >= 0 else BAD)
     for words, shift, paint in ((spare, -0.55, colour), (most, 0.55, LINE)):
         ax.annotate(
             words, (1.0, y), xycoords=("axes fraction", "data"), xytext=(4, -shift * SMALL * 1.2),
@@ -149,7 +149,7 @@ def _write_spare(ax: Any, y: float, row: Requirement) -> None:
 
 def _beside(row: Requirement) -> tuple[str, str, float]:
     """The two texts right of a row, and the inches they take."""
-    spare = row.spare
+    spare = row.slack
     if spare is None:
         words = "not used"
     else:

@@ -37,13 +37,13 @@ class Cause(NamedTuple):
     """What settles a node at some steps.
 
     `below` has the steps of each child that settle it, sorted; a child without any is not needed.
-    `chosen` has one step for each step of the node, where the node is settled by a choice of
+    `witness_steps` has one step for each step of the node, where the node is settled by a choice of
     steps: the step of an eventuality, the tightest of an `always`, the change-over of an until or
     release; NONE where there is no such step.
     """
 
     below: tuple[Steps, ...]
-    chosen: Steps | None = None
+    witness_steps: Steps | None = None
 
 
 class Judged(NamedTuple):

@@ -43,10 +43,10 @@ class Requirement:
     `counts` has the measured number at every step 0..horizon: agents at all states with the label
     together (`sum`), at the state with the fewest (`min`) or the most (`max`). `margins` is the
     atom's availability at every step. `windows` are the steps `(first, last)` at which the formula
-    can ask for it, one for each place in the formula; `chosen` are the runs of steps at which
-    the plan satisfies the formula by it, or comes nearest to it where it does not hold; empty where
-    the plan takes another branch. `places` is the number of states with the label. `wish` is the
-    name of the preferred formula that the atom belongs to, None for what has to hold.
+    can ask for it, one for each place in the formula; `witness_steps` are the runs of steps at
+    which the plan satisfies the formula by it, or comes nearest to it where it does not hold; empty
+    where the plan takes another branch. `places` is the number of states with the label. `soft` is
+    the name of the preferred formula that the atom belongs to, None for what has to hold.
     """
 
     atom: Count
@@ -54,8 +54,8 @@ class Requirement:
     counts: Ints
     margins: Floats
     windows: tuple[Span, ...]
-    chosen: tuple[Span, ...]
-    wish: str | None = None
+    witness_steps: tuple[Span, ...]
+    soft: str | None = None
 
     @property
     def label(self) -> str:
@@ -78,9 +78,9 @@ class Requirement:
         return cast("int", self.atom.bound)  # a goal has no percentages
 
     @property
-    def spare(self) -> float | None:
-        """The least availability over the chosen steps: agents to spare; None without any."""
-        inside = [self.margins[first : last + 1].min() for first, last in self.chosen]
+    def slack(self) -> float | None:
+        """The least availability over the witness steps: agents to spare; None without any."""
+        inside = [self.margins[first : last + 1].min() for first, last in self.witness_steps]
         return float(min(inside)) if inside else None
 
     @property
@@ -94,7 +94,7 @@ class Requirement:
         where = every[self.atom.function] if self.places > 1 else "at"
         sign = {">=": "\u2265", "<=": "\u2264"}.get(self.atom.relation, self.atom.relation)
         said = f"{who} {where} {self.atom.label} {sign} {self.atom.bound}"
-        return f"{self.wish}: {said}" if self.wish else said
+        return f"{self.soft}: {said}" if self.soft else said
 
 
 def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
@@ -106,7 +106,7 @@ def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
     """
     refuse_misfit(plan, mission)
     made = []
-    for wish, formula in _demands(mission):
+    for name, formula in _demands(mission):
         trace = trace_of(plan, mission, formula)
         values = margins(formula, trace)
         made += [
@@ -116,8 +116,8 @@ def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
                 counts=_frozen(measured(atom, trace)),
                 margins=_frozen(values[atom]),
                 windows=tuple(sorted(owed.windows)),
-                chosen=runs(owed.steps),
-                wish=wish,
+                witness_steps=runs(owed.steps),
+                soft=name,
             )
             for (atom, _), owed in obligations(formula, JUDGED, values).items()
             if isinstance(atom, Count)

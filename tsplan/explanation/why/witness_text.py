@@ -79,7 +79,7 @@ def verdict(node: WitnessNode) -> str:
     worst = node.worst or 0.0
     level = ("unbounded" if worst > 0 else "impossible") if math.isinf(worst) else number(worst)
     words = [_held(node), f"availability {level}"]
-    if node.chosen:
+    if node.witness_steps:
         words.append(_choice(node))
     if node.counts:
         least, most = min(node.counts), max(node.counts)
@@ -115,7 +115,7 @@ def _held(node: WitnessNode) -> str:
 
 def _choice(node: WitnessNode) -> str:
     """The steps that a temporal operator rests on."""
-    steps = [step for step in node.chosen if step is not None]
+    steps = [step for step in node.witness_steps if step is not None]
     if not steps:
         return "held all through" if isinstance(node.formula, Release) else "never given up"
     words = _RESTS.get(type(node.formula), ("step", "step"))
@@ -130,7 +130,7 @@ _RESTS: Mapping[type[Formula], tuple[str, str]] = MappingProxyType(
         Release: ("released at", "right side fails at"),
     }
 )
-"""What the chosen steps are, where an operator holds and where it fails."""
+"""What the witness steps are, where an operator holds and where it fails."""
 
 
 def _who(node: WitnessNode) -> list[str]:

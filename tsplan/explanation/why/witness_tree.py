@@ -46,7 +46,7 @@ class WitnessNode:
     """One node of the formula, where it stands, and what settles it there.
 
     `steps` are those at which it is judged because the nodes above it rest on it there, and
-    `availability` its robustness at each of them. `chosen` has, for each of these steps, the step
+    `availability` its robustness at each of them. `witness_steps` has, for each of these, the step
     that a temporal operator rests on: where an eventuality is met first and best, where an `always`
     is tightest, where an until changes over or a release sets free; None where there is none. A
     node that is not `needed` is a branch that nothing rests on, judged where its parent is (or
@@ -57,7 +57,7 @@ class WitnessNode:
     meaning: Formula
     steps: tuple[int, ...]
     availability: tuple[float, ...]
-    chosen: tuple[int | None, ...] = ()
+    witness_steps: tuple[int | None, ...] = ()
     needed: bool = True
     counts: tuple[int, ...] = ()
     present: tuple[Presence, ...] = ()
@@ -176,7 +176,7 @@ class _Builder:
         values = self._margins[meaning][steps]
         rests: Steps | None = None
         if place.formula.children and steps.size:
-            rests = cause_of(meaning, steps, self._margins).chosen
+            rests = cause_of(meaning, steps, self._margins).witness_steps
         chosen = () if rests is None else rests.tolist()
         atom = meaning if isinstance(meaning, Count) else None
         return WitnessNode(
@@ -184,7 +184,7 @@ class _Builder:
             meaning=meaning,
             steps=place.steps,
             availability=tuple(values.tolist()),
-            chosen=tuple(None if step == NONE else step for step in chosen),
+            witness_steps=tuple(None if step == NONE else step for step in chosen),
             needed=place.needed,
             counts=() if atom is None else tuple(measured(atom, self._trace)[steps].tolist()),
             present=()
