@@ -20,7 +20,7 @@ import families
 import tsplan
 from tsplan import Mission
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.facts import facts_of
+from tsplan.explanation.whynot.fact_finders import facts_of
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from tests.joint_plans import small_enough
 from tests.test_explain_conflicts import ROW, row
 from tsplan.explanation import Fact
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.facts import facts_of
+from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.mission import Group, Mission
 from tsplan.testing import random_mission, random_swarm_mission, random_task_mission
 from tsplan.ts import TransitionSystem

@@ -14,9 +14,9 @@ import tsplan
 from tests.test_explain_conflicts import row
 from tsplan.explanation import Conflict, Explanation, explain
 from tsplan.explanation.report import print_explanation
-from tsplan.explanation.whynot import facts, oracle
+from tsplan.explanation.whynot import fact_finders, oracle
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.facts import facts_of
+from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.explanation.whynot.oracle import EnoughError
 from tsplan.plans.plan import Plan
 from tsplan.process.interrupt import on_interrupt
@@ -67,14 +67,14 @@ def test_ctrl_c_at_any_question_keeps_what_was_found_before(monkeypatch) -> None
 
 
 def test_ctrl_c_while_facts_are_looked_for(monkeypatch) -> None:
-    finder = facts.unreachable
+    finder = fact_finders.unreachable
 
     def interrupted(view: Context):
         signal.raise_signal(signal.SIGINT)
         yield from finder(view)
 
     asked = interrupting(monkeypatch, 0)
-    monkeypatch.setattr(facts, "unreachable", interrupted)
+    monkeypatch.setattr(fact_finders, "unreachable", interrupted)
     made = explain(MISSION)
     assert not asked
     assert made.cut["facts"] == "interrupt"

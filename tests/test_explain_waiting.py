@@ -13,7 +13,7 @@ from tests.seeds import sampled
 from tsplan.cli import main
 from tsplan.explanation import explain
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.facts import facts_of
+from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.mission import Group, Mission
 from tsplan.testing import random_mission
 from tsplan.ts import Edge, State, TransitionSystem

@@ -63,32 +63,17 @@ circle: document.kinds
 circle: document.mishaps
 circle: draw.map
 circle: draw.starts
-circle: explanation.explanation
-circle: explanation.explanation_json
-circle: explanation.part_words
-circle: explanation.why.witness_text
-circle: explanation.why.witness_tree
-circle: explanation.whynot.elements
-circle: explanation.whynot.facts
-circle: explanation.whynot.formula_edits
-circle: explanation.whynot.supply
-circle: explanation.whynot.swarm_edits
-circle: explanation.whynot.time_conflicts
-circle: explanation.whynot.waiting
 
 late: draw.canvas
 late: draw.map
-late: explanation.explanation
-late: explanation.why.requirements
-late: explanation.why.witness_tree
-late: explanation.whynot.explaining
-late: explanation.whynot.facts
 late: limits
 late: milp.pulp
 
 late: run.isolate
+
 name: encode.objectives
 
+name: explanation.whynot.fact_finders
 up: cli.arguments -> top
 up: encode.assemble -> search
 up: encode.encoded -> search

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import unicodedata
+from collections.abc import Iterable
 
 _HIDDEN = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
 """Kinds of characters that act on a terminal or reorder a line instead of being seen."""
@@ -63,6 +64,25 @@ def number(value: float | None, infinite: str = "open") -> str:
     if abs(value) < 1:
         return f"{value:.{_DECIMALS}g}"
     return f"{value:,.{_DECIMALS}f}".rstrip("0").rstrip(".")
+
+
+def many(count: int, noun: str) -> str:
+    """A number of things.
+
+    >>> many(1, "step"), many(2, "agent")
+    ('1 step', '2 agents')
+    """
+    return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
+def run_words(spans: Iterable[tuple[int, int]], most: int | None = None) -> str:
+    """Runs of steps in words, `most` of them at most.
+
+    >>> run_words([(1, 3), (7, 7)])
+    '1..3, 7'
+    """
+    said = [str(first) if first == last else f"{first}..{last}" for first, last in spans]
+    return ", ".join(said if most is None or len(said) <= most else [*said[:most], "..."])
 
 
 def known(value: float | None) -> float | None:

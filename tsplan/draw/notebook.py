@@ -9,7 +9,7 @@ from tsplan.draw import svg
 from tsplan.draw.layout import Places, places
 from tsplan.draw.palette import HUES, Paint, Palette
 from tsplan.draw.timeline import Row, keys_of, rows_of, ways
-from tsplan.explanation.why.witness_text import operator_text
+from tsplan.logic.text import operator_text
 from tsplan.plans.summary import infinite_word, names, objective_line, outcome
 from tsplan.words import number
 

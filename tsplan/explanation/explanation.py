@@ -9,24 +9,12 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 if TYPE_CHECKING:
-    from tsplan.explanation.whynot.edits import Edit
+    from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
     from tsplan.mission import Mission
 
 FORMAT = "tsplan-explanation/1"
 
 PartKind: TypeAlias = Literal["formula", "team", "start", "waiting", "capacity", "swarm"]
-ChangeKind: TypeAlias = Literal[
-    "add_agents",
-    "extend_deadline",
-    "shorten_task",
-    "lower_need",
-    "loosen_limit",
-    "more_subswarms",
-    "waiting",
-    "edge",
-]
-
-
 Cut: TypeAlias = Literal["interrupt", "time_limit", "memory", "precision", "patience"]
 """Why something was not looked at to its end: the run was interrupted, its time was up, the
 system's memory was, a solver's precision did not do, or one question took longer than its share of

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import Part, Place, SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
-from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number
+from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number, value_text
 from tsplan.explanation.whynot.occurrences import Occurrence, Way, conjuncts, counts_of, node_at
 from tsplan.explanation.whynot.soft_constraints import (
     file_path,
@@ -18,9 +18,9 @@ from tsplan.explanation.whynot.soft_constraints import (
     occurrence_of,
     of_occurrence,
 )
-from tsplan.logic.text import number_text
 from tsplan.ts.map_lint import listed
 from tsplan.ts.waits import without_wait
+from tsplan.words import many
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -29,25 +29,14 @@ _KINDS = ("formula", "team", "start", "waiting", "capacity", "swarm")
 """The order in which parts of a conflict are said."""
 
 
-def counted(number: int, noun: str) -> str:
-    """A number of things.
-
-    >>> counted(1, "step"), counted(2, "agent")
-    ('1 step', '2 agents')
-    """
-    return f"{number} {noun}{'' if number == 1 else 's'}"
-
-
 def agents(number: int, capability: str | None) -> str:
     """A number of agents, with the capability they are counted for."""
-    return counted(number, "agent") + (f" with {capability}" if capability else "")
+    return many(number, "agent") + (f" with {capability}" if capability else "")
 
 
 def room_of(margin: Fraction | int) -> str:
     """A head-room: agents, or a share of the swarm."""
-    if isinstance(margin, Fraction):
-        return f"{number_text(float(100 * margin))}%"
-    return agents(margin, None)
+    return value_text(margin) if isinstance(margin, Fraction) else agents(margin, None)
 
 
 def swarm_words(mission: Mission, name: str) -> str:
@@ -131,7 +120,7 @@ class Wording:
             return f"{ends_words(key)} holds at most {most}{' (both ways together)' * both}"
         group = self.mission.team[key[0]]
         if kind == "team":
-            return f"the team has {counted(group.count, 'agent')} of class {group.class_name}"
+            return f"the team has {many(group.count, 'agent')} of class {group.class_name}"
         where = ", ".join(f"'{state}' ({count})" for state, count in group.starts)
         where = where if len(group.starts) > 1 else f"'{group.starts[0][0]}'"
         return f"the agents of class {group.class_name} start at {where}"
@@ -144,7 +133,7 @@ class Wording:
         if which == "least":
             return f"every sub-swarm of {whose} has at least {agents(bound, None)}"
         have = "have" if (name, which) == TOGETHER else "has"
-        return f"{whose} {have} at most {counted(bound, 'sub-swarm')} at a step"
+        return f"{whose} {have} at most {many(bound, 'sub-swarm')} at a step"
 
 
 def ends_words(ends: tuple[str, ...]) -> str:

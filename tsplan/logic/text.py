@@ -70,6 +70,20 @@ def _pieces(formula: Any) -> Iterator[str]:
         stack += reversed(parts)
 
 
+def operator_text(formula: Any, longest: int = 60) -> str:
+    """The text of a node's operator alone; of an atom or task, its whole text, cut off if long.
+
+    >>> from tsplan.logic import parse
+    >>> operator_text(parse("F[0,3] a")), operator_text(parse("sum(a) > 2"))
+    ('F[0,3]', 'sum(a) > 2')
+    """
+    if not formula.children:
+        return text_of(formula, longest)
+    parts = layout(formula).parts
+    signs = dict.fromkeys(part.strip() for part in parts if not isinstance(part, Operand))
+    return " ".join(sign for sign in signs if sign)
+
+
 def quoted(name: str) -> str:
     """A label, capability or signal as the grammars read it: in quotes unless it is a plain word.
 

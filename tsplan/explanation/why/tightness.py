@@ -8,9 +8,8 @@ from math import isinf
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.explanation.explanation import Fact, Place, SoftConstraint
-from tsplan.explanation.part_words import agents, counted
+from tsplan.explanation.part_words import agents
 from tsplan.explanation.why.critical_atoms import CriticalAtom, critical_atoms
-from tsplan.explanation.why.witness_text import run_words
 from tsplan.explanation.whynot.changes import least
 from tsplan.explanation.whynot.conflicts import Finder
 from tsplan.explanation.whynot.edits import swarm_size
@@ -35,6 +34,7 @@ from tsplan.logic import (
     resolve_percent,
     translate,
 )
+from tsplan.words import many, run_words
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.context import Context
@@ -200,7 +200,7 @@ def _deadline_slack(context: Context, oracle: Oracle, way: Way) -> Fact:
     elif not slack.steps:
         text = "cannot be a step sooner"
     else:
-        far = counted(slack.steps, "step")
+        far = many(slack.steps, "step")
         text = f"could be{_unless(slack)} {far} sooner, at {node.high - slack.steps}"
     whole = context.wording.whole(way)
     place = context.wording.sources.place(Occurrence(way))

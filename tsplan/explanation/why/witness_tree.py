@@ -6,23 +6,27 @@ below it. All values come from the evaluator and the counts of the plan.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.explanation.why.requirements import measured, trace_of
-from tsplan.explanation.why.witness_text import tree_text
+from tsplan.explanation.why.requirements import measured, runs, trace_of
 from tsplan.logic.atoms import Count, Limit, Task
 from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of
 from tsplan.logic.evaluation import margins
-from tsplan.logic.nodes import And, Formula, Implies, Or
+from tsplan.logic.nodes import Always, And, Eventually, Formula, Implies, Or, Release, Until
 from tsplan.logic.obligations import Obligation, obligations
+from tsplan.logic.text import operator_text
 from tsplan.logic.traversal import walk
+from tsplan.plans.summary import names
+from tsplan.words import number, run_words
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -30,6 +34,13 @@ if TYPE_CHECKING:
 
 MOST_IDS = 4
 """Agents that are named at one state; more are only counted."""
+
+MOST_LINES = 2000
+"""Nodes that are printed; a formula that repeats itself can have many more."""
+
+_LONGEST = 60  # characters of a formula in one line
+_RUNS = 4
+_STATES = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,3 +232,107 @@ def meanings(mission: Mission, formula: Formula) -> Mapping[Formula, Formula]:
         plain = translate(node, interval=mission.task_interval)
         found[node] = resolve_percent(plain, mission.having)
     return found
+
+
+# --- in words ----------------------------------------------------------------------------------
+
+
+def tree_text(top: WitnessNode) -> str:
+    """The tree, one node a line: what it is, when it holds, its availability and its choice.
+
+    Nodes are indented by two columns for each level.
+    """
+    rows: list[tuple[str, str]] = []
+    rest = 0
+    for depth, node in top.walk():
+        if len(rows) >= MOST_LINES:
+            rest += 1
+            if rest > MOST_LINES:
+                break
+            continue
+        rows.append(("  " * depth + title(node), verdict(node)))
+    width = min(max(len(left) for left, _ in rows), _LONGEST)
+    lines = [f"{left:<{width}}  {right}".rstrip() for left, right in rows]
+    if rest:
+        more = f"more than {MOST_LINES}" if rest > MOST_LINES else str(rest)
+        lines.append(f"... and {more} further nodes")
+    return "\n".join(lines)
+
+
+def title(node: WitnessNode) -> str:
+    """A node without what is below it, and what an atom means where its text alone does not say."""
+    text = operator_text(node.formula)
+    if not node.formula.children and node.meaning is not node.formula and not node.children:
+        return f"{text} (that is {node.meaning})"
+    return text
+
+
+def verdict(node: WitnessNode) -> str:
+    """What is said about a node: whether it holds, where, how well, and what it rests on."""
+    if not node.steps:
+        return "not needed"
+    worst = node.worst or 0.0
+    level = ("unbounded" if worst > 0 else "impossible") if math.isinf(worst) else number(worst)
+    words = [_held(node), f"availability {level}"]
+    if node.witness_steps:
+        words.append(_choice(node))
+    if node.counts:
+        least, most = min(node.counts), max(node.counts)
+        words += [f"count {least}" if least == most else f"count {least}..{most}", *_who(node)]
+    text = ", ".join(words)
+    return text if node.needed else f"(not needed: {text})"
+
+
+def _at(steps: Iterable[int]) -> str:
+    """Steps in words; only the first few runs of them."""
+    return run_words(runs(np.array(sorted(set(steps)), dtype=np.int64)), _RUNS)
+
+
+def _held(node: WitnessNode) -> str:
+    where = f"at {_at(node.steps)}"
+    if node.holds:
+        return f"holds {where}"
+    failing = [s for s, value in zip(node.steps, node.availability, strict=True) if value < 0]
+    if len(failing) == len(node.steps):
+        return f"fails {where}"
+    return f"holds {where} but for {_at(failing)}"
+
+
+def _choice(node: WitnessNode) -> str:
+    """The steps that a temporal operator rests on."""
+    steps = [step for step in node.witness_steps if step is not None]
+    if not steps:
+        return "held all through" if isinstance(node.formula, Release) else "never given up"
+    words = _RESTS.get(type(node.formula), ("step", "step"))
+    return f"{words[0 if node.holds else 1]} {_at(steps)}"
+
+
+_RESTS: Mapping[type[Formula], tuple[str, str]] = MappingProxyType(
+    {
+        Eventually: ("met at", "closest at"),
+        Always: ("tightest at", "tightest at"),
+        Until: ("right side at", "left side ends at"),
+        Release: ("released at", "right side fails at"),
+    }
+)
+"""What the witness steps are, where an operator holds and where it fails."""
+
+
+def _who(node: WitnessNode) -> list[str]:
+    """Who stands there at the tightest step; empty states count where every state does."""
+    everywhere = isinstance(node.meaning, Count) and node.meaning.function == "min"
+    there = [presence for presence in node.present if presence.count or everywhere]
+    if not there:
+        return []
+    shown = "; ".join(_presence(presence) for presence in there[:_STATES])
+    more = f"; {len(there) - _STATES} more states" if len(there) > _STATES else ""
+    return [f"at step {node.tightest}: {shown}{more}"]
+
+
+def _presence(presence: Presence) -> str:
+    if not presence.ids:
+        who = f"{presence.count:,} agents" if presence.count else "nobody"
+        return f"{who} at {presence.state}"
+    more = presence.count - len(presence.ids)
+    rest = f" and {more:,} more" if more else ""
+    return f"{names(presence.ids)}{rest} at {presence.state}"

@@ -13,10 +13,11 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from tsplan.errors import MissionError
-from tsplan.explanation.explanation import Change, ChangeKind, SoftConstraint
+from tsplan.explanation.explanation import Change, SoftConstraint
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import Edit, touched
-from tsplan.explanation.whynot.facts import facts_of
+from tsplan.explanation.whynot.edits import touched
+from tsplan.explanation.whynot.fact_finders import facts_of
+from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
 from tsplan.explanation.whynot.oracle import EnoughError
 from tsplan.explanation.whynot.relaxing import relaxed
 

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, TypeAlias, get_args
 
 from tsplan.clock import Clock
 from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, Fact, Status
+from tsplan.explanation.why.tightness import slacks, tight_facts
 from tsplan.explanation.whynot.changes import ORDER, Repairs, ranked
 from tsplan.explanation.whynot.conflicts import Core, Finder
 from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import Edit, candidates, rank
-from tsplan.explanation.whynot.facts import facts_of
+from tsplan.explanation.whynot.edits import candidates, rank
+from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.explanation.whynot.joint_repair import JointRepair
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
 from tsplan.parameters import refuse_options
@@ -22,6 +23,7 @@ from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
 
 if TYPE_CHECKING:
+    from tsplan.explanation.whynot.mission_numbers import Edit
     from tsplan.mission import Mission
 
 Listener: TypeAlias = Callable[[str], object]
@@ -199,8 +201,6 @@ class _Run:
 
     def _feasible(self, *, slack: bool) -> None:
         """What is tight about a mission that can be met."""
-        from tsplan.explanation.why.tightness import slacks, tight_facts  # noqa: PLC0415  (rarely needed)
-
         self.oracle.clock = self.clock
         self.facts.clear()
         with self._stage("tight"):

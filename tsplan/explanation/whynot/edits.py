@@ -6,15 +6,13 @@ Which may help against a conflict: those that touch one of its parts.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from fractions import Fraction
 from itertools import pairwise
 from math import ceil, inf
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
-from tsplan.explanation.part_words import counted, ends_words, room_of
-from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number, Value, moved
+from tsplan.explanation.part_words import ends_words, room_of
+from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Edit, Number, Value
 from tsplan.explanation.whynot.occurrences import (
     Occurrence,
     Way,
@@ -30,7 +28,7 @@ from tsplan.logic import labels as labels_of
 from tsplan.ts.waits import without_wait
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import ChangeKind, PartKind
+    from tsplan.explanation.explanation import PartKind
     from tsplan.explanation.whynot.context import Context
     from tsplan.mission import Mission
 
@@ -45,40 +43,6 @@ MOST_EDGES = 12
 
 _BEYOND = {">=": 0, ">": 1, "<=": 0, "<": -1}
 """What a relation adds to its bound: `> 2` asks for 3 agents, `< 2` allows 1."""
-
-
-@dataclass(frozen=True, slots=True)
-class Edit:
-    """A number of the mission to be moved by 1, 2, ... up to `most`.
-
-    It grows, or shrinks with `sense` -1. `now` is the number as people are told it, `text` what is
-    said of the change: `{new}` stands for the new number, `{agents}` for it as one of agents, and
-    `{steps}` and `{added}` for the amount of the change; `text_at_most` is said of the largest.
-    """
-
-    number: Number
-    kind: ChangeKind
-    most: int
-    text: str
-    now: Value = 0
-    sense: int = 1
-    text_at_most: str = ""
-
-    def applied(self, mission: Mission, amount: int) -> Mission:
-        """The mission after the change; MissionError where it would not fit together."""
-        now = self.number.get(mission)
-        return self.number.put(mission, moved(now, self.sense * amount)) if amount else mission
-
-    def words(self, amount: int) -> str:
-        """The change in words."""
-        new = moved(self.now, self.sense * amount)
-        text = self.text_at_most if self.text_at_most and amount == self.most else self.text
-        return text.format(
-            new=room_of(new) if isinstance(new, Fraction) else new,
-            agents=new if isinstance(new, Percent) else counted(new, "agent"),
-            steps=counted(amount, "step"),
-            added=counted(amount, "agent"),
-        )
 
 
 def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:

@@ -25,8 +25,8 @@ from tsplan.explanation.whynot.relaxing import bounded_above, relaxed
 from tsplan.explanation.whynot.soft_constraints import robot_entries
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import Change, ChangeKind, SoftConstraint
-    from tsplan.explanation.whynot.edits import Edit
+    from tsplan.explanation.explanation import Change, SoftConstraint
+    from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
     from tsplan.explanation.whynot.oracle import Oracle
 
 MOST_WAYS = 12

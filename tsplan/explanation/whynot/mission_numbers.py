@@ -7,16 +7,18 @@ its swarms, so that what searches for a smallest change knows numbers alone.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.explanation.whynot.occurrences import Way, exchanged, node_at
 from tsplan.logic import Count, Formula, Percent, horizon, translate
+from tsplan.logic.text import number_text
 from tsplan.mission import Group
 from tsplan.ts import Edge, TransitionSystem
 from tsplan.ts.waits import with_waits, without_wait
+from tsplan.words import many
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission, SwarmRules
@@ -24,6 +26,16 @@ if TYPE_CHECKING:
 Value: TypeAlias = int | Fraction | Percent
 Pair: TypeAlias = tuple[str, str]
 
+ChangeKind: TypeAlias = Literal[
+    "add_agents",
+    "extend_deadline",
+    "shorten_task",
+    "lower_need",
+    "loosen_limit",
+    "more_subswarms",
+    "waiting",
+    "edge",
+]
 NumberKind: TypeAlias = Literal["formula", "agents", "capacity", "edge", "wait", "swarm"]
 
 MARGIN = ("", "margin")
@@ -66,6 +78,45 @@ def moved(value: Any, steps: int) -> Any:
     if isinstance(value, Fraction):
         return max(value + Fraction(steps, 100), Fraction(0))
     return value + steps
+
+
+def value_text(value: Any) -> str:
+    """A number in words; a share as a percentage."""
+    return f"{number_text(float(100 * value))}%" if isinstance(value, Fraction) else str(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """A number of the mission to be moved by 1, 2, ... up to `most`.
+
+    It grows, or shrinks with `sense` -1. `now` is the number as people are told it, `text` what is
+    said of the change: `{new}` stands for the new number, `{agents}` for it as one of agents, and
+    `{steps}` and `{added}` for the amount of the change; `text_at_most` is said of the largest.
+    """
+
+    number: Number
+    kind: ChangeKind
+    most: int
+    text: str
+    now: Value = 0
+    sense: int = 1
+    text_at_most: str = ""
+
+    def applied(self, mission: Mission, amount: int) -> Mission:
+        """The mission after the change; MissionError where it would not fit together."""
+        now = self.number.get(mission)
+        return self.number.put(mission, moved(now, self.sense * amount)) if amount else mission
+
+    def words(self, amount: int) -> str:
+        """The change in words."""
+        new = moved(self.now, self.sense * amount)
+        text = self.text_at_most if self.text_at_most and amount == self.most else self.text
+        return text.format(
+            new=value_text(new),
+            agents=value_text(new) if isinstance(new, Percent) else many(new, "agent"),
+            steps=many(amount, "step"),
+            added=many(amount, "agent"),
+        )
 
 
 # --- the formula -------------------------------------------------------------------------------

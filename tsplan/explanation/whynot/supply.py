@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tsplan.explanation.explanation import Fact, SoftConstraint
-from tsplan.explanation.part_words import agents, counted, swarm_words
+from tsplan.explanation.part_words import agents, swarm_words
 from tsplan.explanation.whynot.context import able
 from tsplan.explanation.whynot.mission_numbers import TOGETHER
 from tsplan.explanation.whynot.occurrences import Way
 from tsplan.explanation.whynot.unconditional_demands import Demand, Span, demands_below
 from tsplan.logic import Always, And, Eventually, Formula
+from tsplan.words import many
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.context import Context
@@ -166,9 +167,9 @@ def _all_swarms(context: Context) -> Iterator[Fact]:
             words.append(f"{name} at {max(len(sites), 1)} ({places})")
         if needs and number > rules.together:
             text = (
-                f"at one step there must be {counted(number, 'sub-swarm')}: {', '.join(words)}; "
+                f"at one step there must be {many(number, 'sub-swarm')}: {', '.join(words)}; "
                 f"all swarms together may be divided into "
-                f"{counted(rules.together, 'sub-swarm')} at most"
+                f"{many(rules.together, 'sub-swarm')} at most"
             )
             yield context.fact("swarm", text, needs, SoftConstraint("swarm", TOGETHER))
 
@@ -189,7 +190,7 @@ def _too_many(context: Context, name: str, sites: list[tuple[Demand, str]]) -> I
     where = f"at one step agents must be at {len(sites)} places ({', '.join(p for _, p in sites)})"
     whose = swarm_words(context.mission, name)
     if bounds.most is not None and bounds.most < len(sites):
-        most = counted(bounds.most, "sub-swarm")
+        most = many(bounds.most, "sub-swarm")
         text = f"{where}; {whose} may be divided into {most} at most"
         yield context.fact("swarm", text, needs, SoftConstraint("swarm", (name, "most")))
     size = context.mission.having(needs[0].capability)

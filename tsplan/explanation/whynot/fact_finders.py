@@ -12,13 +12,14 @@ from math import ceil, inf
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import Fact
-from tsplan.explanation.part_words import agents, counted
+from tsplan.explanation.part_words import agents
 from tsplan.explanation.whynot.context import Context, able, latest_of
 from tsplan.explanation.whynot.soft_constraints import WAITING, waiting_constraints
 from tsplan.explanation.whynot.supply import divided, scarcity
 from tsplan.explanation.whynot.time_conflicts import contradictions, crowding, timing
 from tsplan.ts.reachability import usable
 from tsplan.ts.waits import longest_ways, without_wait
+from tsplan.words import many
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.context import Arrival
@@ -119,7 +120,7 @@ def stuck(context: Context) -> Iterator[Fact]:
                 there = "it cannot go on from there" if start == end else there
                 wait = f", and nobody can wait at '{end}'" if end in missing else ""
                 text = (
-                    f"{counted(1, 'agent')} of class {group.class_name} that starts at '{start}' "
+                    f"{many(1, 'agent')} of class {group.class_name} that starts at '{start}' "
                     f"can be nowhere after step {int(length)}: {there}{wait}; the mission lasts "
                     f"{mission.horizon} steps"
                 )
