@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import tsplan
-from tests.joint_plans import best
+from tests.joint_plans import best, small_enough
 from tsplan import Mission
 from tsplan.errors import MissionError
 from tsplan.explanation import Change, Conflict, Explanation, SoftConstraint, explain
@@ -24,8 +24,8 @@ def everything(mission: Mission) -> frozenset[SoftConstraint]:
 
 
 def possible(question: Mission | Problem) -> bool:
-    """Whether there is a plan, by the reference encoding; of swarms, by all joint plans."""
-    if isinstance(question, Mission) and question.swarm is not None:
+    """Whether there is a plan, by the reference encoding; of few agents, by all joint plans."""
+    if isinstance(question, Mission) and question.swarm is not None and small_enough(question):
         return best(question) is not None
     plan = tsplan.plan(
         question,
