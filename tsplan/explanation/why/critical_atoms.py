@@ -56,7 +56,7 @@ def critical_atoms(mission: Mission, plan: Plan) -> tuple[CriticalAtom, ...]:
         CriticalAtom(*key, runs(np.array(sorted(steps), dtype=np.int64)))
         for key, steps in found.items()
     ]
-    listed.sort(key=lambda item: (*_order(item.occurrence), item.steps, item.place))
+    listed.sort(key=lambda c: (c.occurrence.way, c.occurrence.need or 0, c.steps, c.place))
     return tuple(listed[:MOST_ATOMS])
 
 
@@ -94,7 +94,3 @@ def _places(
     for state, count in zip(mission.system.labels[atom.label], present, strict=True):
         if count == deciding:
             yield f"'{state}'", count
-
-
-def _order(occurrence: Occurrence) -> tuple[Way, int]:
-    return occurrence.way, occurrence.need or 0

@@ -52,9 +52,14 @@ def tight_facts(context: Context, oracle: Oracle) -> tuple[Fact, ...]:
     """
     if not robot_entries(context.mission):
         return ()
-    best = _most_robust(context.mission, oracle)
-    if best is None or best.availability is None or isinf(best.availability):
+    left = oracle.clock.left
+    limit = _PATIENCE if left is None else min(_PATIENCE, max(left / 2, 1.0))
+    wanted = replace(context.mission, objective=("availability",), prefer=(), warnings=())
+    best = oracle.planned(wanted, limit)
+    if best is None or not best.has_paths:
         return ()
+    if best.availability is None or isinf(best.availability):
+        return ()  # it asks for nothing
     level = int(best.availability)
     spare = agents(level, None)
     begin = context.wording.sources.place(Occurrence(()))
@@ -67,15 +72,6 @@ def tight_facts(context: Context, oracle: Oracle) -> tuple[Fact, ...]:
         named = "; ".join(words for words, _ in reason)
         text += f"; with {level + 1} to spare these cannot hold together: {named}"
     return (Fact("tight", text, reason[0][1] if reason else begin), *_bindings(context, best))
-
-
-def _most_robust(mission: Mission, oracle: Oracle) -> Plan | None:
-    """A plan with the most agents to spare, as far as the time allows."""
-    left = oracle.clock.left
-    limit = _PATIENCE if left is None else min(_PATIENCE, max(left / 2, 1.0))
-    wanted = replace(mission, objective=("availability",), prefer=(), warnings=())
-    best = oracle.planned(wanted, limit)
-    return best if best is not None and best.has_paths else None
 
 
 def _bindings(context: Context, best: Plan) -> Iterator[Fact]:
@@ -101,20 +97,19 @@ def _held_down(context: Context, oracle: Oracle, level: int) -> list[tuple[str, 
     """An irreducible set of requirements that cannot hold with one agent more to spare."""
     mission = context.mission
     harder = replace(mission, formula=tightened(mission, level + 1), objective=(), warnings=())
-    harder = replace(harder, text=str(harder.formula))
-    other = oracle.about(harder)
+    other = oracle.about(replace(harder, text=str(harder.formula)))
     other.patience = _PATIENCE
     finder = Finder(other)
     core = finder.within(finder.everything)
     if core is None:
         return []
-    known = [item for group in formula_groups(mission) for item in group]
-    constraints = {item for item in core.constraints if item.kind != "formula"}
-    constraints.update(
-        item
-        for item in known
-        if any(_within(c, item) for c in core.constraints if c.kind == "formula")
-    )
+    parts = [item for item in core.constraints if item.kind == "formula"]
+    constraints = core.constraints.difference(parts) | {
+        known
+        for group in formula_groups(mission)
+        for known in group
+        if any(_within(part, known) for part in parts)
+    }
     return [(part.text, part.place) for part in context.wording.parts(constraints)]
 
 
@@ -162,6 +157,11 @@ class _Slack(NamedTuple):
     steps: int
     sure: bool
 
+    @property
+    def least(self) -> str:
+        """What is said before a number of steps that may be larger."""
+        return "" if self.sure else " at least"
+
 
 def slacks(context: Context, oracle: Oracle) -> Iterator[Fact]:
     """How much sooner each deadline, and how much tighter each bound of a swarm, could be."""
@@ -201,7 +201,7 @@ def _deadline_slack(context: Context, oracle: Oracle, way: Way) -> Fact:
         text = "cannot be a step sooner"
     else:
         far = many(slack.steps, "step")
-        text = f"could be{_unless(slack)} {far} sooner, at {node.high - slack.steps}"
+        text = f"could be{slack.least} {far} sooner, at {node.high - slack.steps}"
     whole = context.wording.whole(way)
     place = context.wording.sources.place(Occurrence(way))
     return Fact("slack", f"the deadline {node.high} {text}, in {whole}", place)
@@ -221,13 +221,9 @@ def _bound_slack(context: Context, oracle: Oracle, bound: SoftConstraint) -> Fac
     elif not slack.steps:
         text = "it cannot be tighter"
     else:
-        text = f"it could be{_unless(slack)} {now + sense * slack.steps}"
+        text = f"it could be{slack.least} {now + sense * slack.steps}"
     part = context.wording.fact(bound)
     return Fact("slack", f"{part.text}: {text}", part.place, (part,))
-
-
-def _unless(slack: _Slack) -> str:
-    return "" if slack.sure else " at least"
 
 
 def _deadlines(mission: Mission) -> list[Way]:

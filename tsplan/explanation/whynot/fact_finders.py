@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from tsplan.explanation.explanation import Fact
 from tsplan.explanation.part_words import agents
 from tsplan.explanation.whynot.context import Context, able, latest_of
-from tsplan.explanation.whynot.soft_constraints import WAITING, waiting_constraints
+from tsplan.explanation.whynot.soft_constraints import WAITING
 from tsplan.explanation.whynot.supply import divided, scarcity
 from tsplan.explanation.whynot.time_conflicts import contradictions, crowding, timing
 from tsplan.ts.reachability import usable
@@ -124,8 +124,8 @@ def stuck(context: Context) -> Iterator[Fact]:
                     f"can be nowhere after step {int(length)}: {there}{wait}; the mission lasts "
                     f"{mission.horizon} steps"
                 )
-                own = context.entry(number)
-                yield context.fact("waiting", text, [], *waiting_constraints(mission), *own)
+                waits = [WAITING] if missing else []
+                yield context.fact("waiting", text, [], *waits, *context.entry(number))
                 break
 
 

@@ -48,7 +48,7 @@ def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
     return (
         *(SoftConstraint("team", (number,)) for number in entries),
         *(SoftConstraint("start", (number,)) for number in entries),
-        *waiting_constraints(mission),
+        *((WAITING,) if without_wait(system) else ()),
         *group_bounds(mission),
         *(
             SoftConstraint("capacity", (state.name,))
@@ -59,18 +59,10 @@ def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
     )
 
 
-def waiting_constraints(mission: Mission) -> tuple[SoftConstraint, ...]:
-    """The constraint of a map on which agents cannot wait everywhere; nothing for others."""
-    return (WAITING,) if without_wait(mission.system) else ()
-
-
 def robot_entries(mission: Mission) -> tuple[int, ...]:
     """The numbers of the team's entries that are no swarms."""
-    return tuple(
-        number
-        for number, group in enumerate(mission.team)
-        if mission.group_bounds(group.class_name) is None
-    )
+    bounds = [mission.group_bounds(group.class_name) for group in mission.team]
+    return tuple(number for number, own in enumerate(bounds) if own is None)
 
 
 def group_bounds(mission: Mission) -> tuple[SoftConstraint, ...]:
