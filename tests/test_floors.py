@@ -73,7 +73,6 @@ late: run.isolate
 
 name: encode.objectives
 
-name: explanation.whynot.fact_finders
 up: cli.arguments -> top
 up: encode.assemble -> search
 up: encode.encoded -> search
