@@ -56,17 +56,12 @@ LATE = frozenset(
 
 KNOWN: frozenset[str] = frozenset(
     """
-circle: document.compose
-circle: document.document
-circle: document.files
-circle: document.kinds
-circle: document.mishaps
 circle: draw.map
 circle: draw.starts
 
 late: draw.canvas
 late: draw.map
-late: limits
+
 late: milp.pulp
 
 late: run.isolate

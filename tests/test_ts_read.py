@@ -278,7 +278,7 @@ graph:
   - [a, c, {weight: 1}]
   - [d, b, {weight: 0}]
 """
-    assert [finding.split(";")[0] for finding in findings(text)] == [
+    assert [finding.split(";")[0] for finding in findings(read, text)] == [
         "m.yaml:6:9: no state is called 'c'",
         "m.yaml:7:6: no state is called 'd'",
         "m.yaml:7:21: duration: 0 is not a whole number from 1 on",

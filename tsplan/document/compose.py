@@ -15,6 +15,7 @@ from yaml import events
 from tsplan.document.mishaps import FORMULA_KEYS, quoted, stopped
 from tsplan.document.pause import collector_paused
 from tsplan.document.scalars import STANDARD, TAGS, resolve
+from tsplan.document.yaml_nodes import SET, TUPLE, Node
 from tsplan.errors import Finding, InputError, in_order
 from tsplan.words import nfc
 
@@ -23,42 +24,10 @@ TOO_DEEP = (f"nested deeper than {DEEPEST} levels", "use a flatter structure")
 MOST_FROM_ALIASES = 100_000
 
 MERGE = "<<"
-SET = STANDARD + "set"
-TUPLE = STANDARD + "python/tuple"
 _COLLECTIONS = frozenset({"!", SET, TUPLE, "!Ts", "!Model"}) | {
     STANDARD + word for word in ("map", "seq", "omap", "python/dict", "python/list")
 }
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-
-
-@dataclass(slots=True, eq=False)
-class Node:
-    """One value of a document, with its place (from 1) and its children.
-
-    `children` follows `value`: a dict or list of nodes, None for scalars. `text` is a scalar's
-    own text; `start` and `end` are offsets into the document's text; `keys` holds the places of a
-    mapping's keys, None for others. `size` counts the nodes below, aliases expanded. `flow` says
-    that a scalar stands inside braces or brackets.
-    """
-
-    value: Any
-    line: int
-    column: int
-    start: int
-    end: int
-    tag: str | None = None
-    text: str | None = None
-    style: str | None = None
-    children: dict[str, Node] | list[Node] | None = None
-    keys: dict[str, tuple[int, int]] | None = None
-    size: int = 1
-    flow: bool = False
-
-    def put(self, key: str, child: Node, place: tuple[int, int]) -> None:
-        """Take in an entry of a mapping, whose key stands at a place."""
-        assert isinstance(self.children, dict)
-        assert self.keys is not None
-        self.children[key], self.value[key], self.keys[key] = child, child.value, place
 
 
 @dataclass(slots=True, eq=False)
@@ -189,18 +158,18 @@ class Composer:
         if anchor is not None:
             self._anchors[anchor] = node
         if not self._stack:
-            self.root = _as_set(node)
+            self.root = node.as_list()
             return
         top = self._stack[-1]
         if isinstance(top.node.children, list):
-            node = _as_set(node)
+            node = node.as_list()
             top.node.size += node.size
             top.node.value.append(node.value)
             top.node.children.append(node)
         elif top.key is None:
             top.key = node
         else:
-            self._entry(top, top.key, _as_set(node))
+            self._entry(top, top.key, node.as_list())
             top.key = None
 
     def _entry(self, top: _Open, key_node: Node, node: Node) -> None:
@@ -250,15 +219,6 @@ class Composer:
             return "(" + ", ".join(str(child.text) for child in node.children) + ")"
         self._report(node, "a key cannot be a collection", "use a word")
         return ""
-
-
-def _as_set(node: Node) -> Node:
-    """A `!!set` as the list of its members; every other node as it is."""
-    if node.tag == SET and isinstance(node.children, dict):
-        places = (node.keys or {}).items()
-        node.children = [Node(key, *at, node.start, node.end, text=key) for key, at in places]
-        node.value = [child.value for child in node.children]
-    return node
 
 
 def compose(text: str, source: str) -> Node:

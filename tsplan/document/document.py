@@ -8,9 +8,10 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from tsplan.document import mishaps
-from tsplan.document.compose import Node, compose
+from tsplan.document.compose import compose
 from tsplan.document.files import read_text
-from tsplan.document.kinds import kind_of_text
+from tsplan.document.kinds import kind_of_data, kind_of_text, remedy_for
+from tsplan.document.yaml_nodes import Node
 from tsplan.errors import Finding, InputError
 from tsplan.exact import digits, is_lost
 from tsplan.words import nfc
@@ -97,6 +98,16 @@ class Document:
     def key_finding(self, path: Path, message: str, remedy: str = "") -> Finding:
         """A finding at the place of the key that a path ends with."""
         return Finding(message, remedy, self.source, *self.key_place(path))
+
+    def misfit(self, path: Path, wanted: str) -> Finding | None:
+        """The one thing to say of what is of another kind than is wanted; None where it may fit."""
+        data = self.at(path)
+        kind = kind_of_data(data)
+        if kind is None and isinstance(data, str) and not path:
+            kind = kind_of_text(self.content)
+        if kind is None or kind == wanted:
+            return None
+        return self.finding(path, f"this is {kind}", remedy_for(kind, wanted, self.source))
 
     def lost_digits(self, path: Path, number: float | None) -> list[Finding]:
         """A finding where the number at a path is written with digits that get lost."""

@@ -4,12 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
-
-from tsplan.errors import Finding
-
-if TYPE_CHECKING:
-    from tsplan.document.document import Document, Path
+from typing import Any
 
 _SIGNATURES: tuple[tuple[bytes, str], ...] = (
     (b"\x89PNG\r\n", "a PNG picture"),
@@ -92,18 +87,12 @@ def kind_of_data(data: Any) -> str | None:
     return MAP if "states" in data or isinstance(data.get("graph"), Mapping) else None
 
 
-def misfit(document: Document, path: Path, wanted: str) -> Finding | None:
-    """The one thing to say of a document that is not of the wanted kind; None if it may be."""
-    data = document.at(path)
-    kind = kind_of_data(data)
-    if kind is None and isinstance(data, str) and not path:
-        kind = kind_of_text(document.content)
-    if kind is None or kind == wanted:
-        return None
+def remedy_for(kind: str, wanted: str, source: str) -> str:
+    """What to do with a document of one kind where another is wanted."""
     remedy = _REMEDIES.get((wanted, kind), f"what is wanted is {wanted}, written in YAML")
     if (wanted, kind) == (MISSION, MAP):
-        remedy += f" (map: {document.source.replace(chr(92), '/').rpartition('/')[2]})"
-    return document.finding(path, f"this is {kind}", remedy)
+        remedy += f" (map: {source.replace(chr(92), '/').rpartition('/')[2]})"
+    return remedy
 
 
 _REMEDIES: Mapping[tuple[str, str], str] = {

@@ -8,10 +8,7 @@ nothing here looks at them: only the character at which reading stopped counts.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from tsplan.document.compose import Node
+from tsplan.document.yaml_nodes import Node
 
 Words = tuple[str, str]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 from tsplan.document import Document
-from tsplan.document.compose import Node
+from tsplan.document.yaml_nodes import Node
 from tsplan.errors import MOST_TOLD, Finding, InputError
 from tsplan.logic import TRUE, Formula, conjunction, parse_with_places
 from tsplan.logic.text_spans import Way, Written

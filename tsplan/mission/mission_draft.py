@@ -12,7 +12,7 @@ from typing import Any
 
 from tsplan.document import Document
 from tsplan.document.files import beside
-from tsplan.document.kinds import MISSION, misfit
+from tsplan.document.kinds import MISSION
 from tsplan.document.validation import salvaged, validated
 from tsplan.errors import Finding, InputError, MissionError
 from tsplan.logic import Formula
@@ -46,7 +46,7 @@ def parts_from_document(
     document: Document, folder: Path, system: TransitionSystem | None = None
 ) -> MissionParts:
     """The parts of a mission from its document. With `system`, its own map is not read."""
-    strange = misfit(document, (), MISSION)
+    strange = document.misfit((), MISSION)
     if strange is not None:
         raise MissionError([strange])
     document = spelled_out(document)

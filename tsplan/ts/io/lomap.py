@@ -16,8 +16,8 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field
 
 from tsplan.document import Document, Path, validated
-from tsplan.document.compose import SET, TUPLE, Node
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
+from tsplan.document.yaml_nodes import SET, TUPLE, Node
 from tsplan.errors import MapError
 from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.io.flow_style import flow, given, short, word

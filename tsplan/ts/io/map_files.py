@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from tsplan.document import Document, Path, read_document
 from tsplan.document.files import write_whole
-from tsplan.document.kinds import MAP, misfit
+from tsplan.document.kinds import MAP
 from tsplan.document.pause import collector_paused
 from tsplan.errors import InputError, MapError
 from tsplan.ts.io.lomap import is_lomap, lomap_to_yaml, read_lomap
@@ -49,7 +49,7 @@ def map_from_document(document: Document, path: Path = ()) -> TransitionSystem:
         Everything that is wrong with it, each with its place.
 
     """
-    fault = misfit(document, path, MAP)
+    fault = document.misfit(path, MAP)
     if fault is not None:
         raise MapError([fault])
     return next(form for form in FORMATS if form.recognises(document, path)).read(document, path)
