@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.test_ts_read import FARM, ROBOT, read
+from tsplan.document.flow_style import flow
 from tsplan.errors import MapError
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
-from tsplan.ts.io.flow_style import flow
 from tsplan.ts.io.lomap import lomap_to_yaml
 from tsplan.ts.io.map_files import load_map, map_text, save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml

@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from tsplan.document.files import write_whole
+from tsplan.document.flow_style import flow, word
 from tsplan.errors import Finding, FormulaError, MissionError
 from tsplan.logic import Formula, Percent, parse
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 from tsplan.mission.vocabulary import Language
-from tsplan.ts.io.flow_style import flow, word
 from tsplan.ts.io.map_files import save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 

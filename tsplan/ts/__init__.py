@@ -1,11 +1,11 @@
 """Transition systems: the maps that agents move on.
 
-- `parts`, `checks`, `system`: states, edges, and the frozen system made of them.
-- `read`, `own`, `lomap`, `emit`, `write`: files, in the package's own format and in LOMAP's.
-- `build`: grids, and systems from networkx graphs.
-- `paths`: what can be reached, and how fast.
+- `edges`, `validity`, `system`: states and edges, what is wrong with them, and the frozen system.
+- `io`: files; each format is one module, and `io.map_files` finds the one that fits.
+- `builders`: grids, and systems from networkx graphs.
+- `reachability`, `waits`: what can be reached, how fast, and where agents can stay.
 - `product`: two systems moving at once, and moves split into single steps.
-- `lint`: what is allowed but probably not meant.
+- `map_lint`: what is allowed but probably not meant.
 """
 
 from tsplan.ts.edges import ByClass, Edge, State

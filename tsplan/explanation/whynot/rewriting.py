@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
+from tsplan.document.flow_style import flow
 from tsplan.errors import InputError
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
@@ -21,7 +22,6 @@ from tsplan.explanation.whynot.soft_constraints import file_path, group_bounds, 
 from tsplan.logic import Formula
 from tsplan.mission import mission_from_text
 from tsplan.mission.mission_writer import group_entry, margin_text
-from tsplan.ts.io.flow_style import flow
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 if TYPE_CHECKING:

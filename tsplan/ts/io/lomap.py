@@ -17,10 +17,10 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from tsplan.document import Document, Path, validated
 from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
+from tsplan.document.flow_style import flow, given, short, word
 from tsplan.document.yaml_nodes import SET, TUPLE, Node
 from tsplan.errors import MapError
 from tsplan.ts.edges import Edge, Pair, State
-from tsplan.ts.io.flow_style import flow, given, short, word
 from tsplan.ts.io.map_draft import MapDraft, written_once
 from tsplan.ts.system import Extras, TransitionSystem
 from tsplan.ts.validity import CORNERS

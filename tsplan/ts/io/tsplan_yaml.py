@@ -9,9 +9,9 @@ from pydantic import BaseModel, ConfigDict, Field, PlainValidator, RootModel
 
 from tsplan.document import Document, Path
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
+from tsplan.document.flow_style import flow, given, short, word
 from tsplan.errors import MapError
 from tsplan.ts.edges import ByClass, Edge, State, missing_waits
-from tsplan.ts.io.flow_style import flow, given, short, word
 from tsplan.ts.io.map_draft import MapDraft, written_once
 from tsplan.ts.system import TransitionSystem
 from tsplan.ts.validity import CORNERS, steps_fault
