@@ -133,6 +133,7 @@ edges:
         ("", "m.yaml:1:1: the map is empty"),
         ("states: {}", "m.yaml:1:9: the map has no states; add at least one state"),
         ("edges: []", "m.yaml:1:1: 'states' is missing"),
+        ("states: {a: {shape: [[0, 0], [1, 0], [1]]}}", "m.yaml:1:38: entry 2 is missing"),
         ("states: [a]", "m.yaml:1:9: states: a list is not a mapping"),
         ("- a", "m.yaml:1:1: a list is not a mapping"),
         ("a map", "m.yaml:1:1: 'a map' is not a mapping"),

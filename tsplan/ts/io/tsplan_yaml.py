@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, PlainValidator, RootModel
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainValidator, RootModel
 
 from tsplan.document import Document, Path
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
@@ -56,7 +56,7 @@ class _Strict(BaseModel):
 class _StateEntry(_Strict):
     labels: Words = []
     at: Point | None = None
-    shape: Annotated[tuple[Point, ...], Field(min_length=CORNERS)] | None = None
+    shape: Annotated[list[Point], Field(min_length=CORNERS), AfterValidator(tuple)] | None = None
     color: Word | None = None
     capacity: Natural | None = None
     needs: Words = []
