@@ -240,6 +240,8 @@ def test_edges_built_in_python_keep_the_same_limits():
             TransitionSystem.build([State("a")], [edge])
     with pytest.raises(MapError):
         TransitionSystem.build([State("a", capacity=10**16)], [])
+    with pytest.raises(MapError, match="capacity: a number of hundreds of digits is more than"):
+        TransitionSystem.build([State("a", capacity=10**400)], [])
     with pytest.raises(MapError):
         TransitionSystem.build([State("a", at=(10**400, 0))], [])
 

@@ -142,7 +142,8 @@ def _capacity(value: Any) -> Iterator[_Flaw]:
         message = f"capacity: {value} is not a whole number of at least 0"
         yield "capacity", message, "write how many agents fit, as in 2"
     elif value is not None and value > LARGEST:
-        message = f"capacity: {value:.3e} is more than {LARGEST:,}"
+        size = f"{value:.3e}" if is_number(value) else "a number of hundreds of digits"
+        message = f"capacity: {size} is more than {LARGEST:,}"
         yield "capacity", message, "leave it out where all agents fit"
 
 
