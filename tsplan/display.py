@@ -7,8 +7,9 @@ the only place below those rooms that names them.
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
+
+from tsplan.lazy_names import lazily
 
 if TYPE_CHECKING:
     from tsplan.draw.canvas import Picture
@@ -19,20 +20,6 @@ if TYPE_CHECKING:
     from tsplan.explanation.why.witness_tree import WitnessNode, explain
     from tsplan.protocol.simulation import Simulation, simulate
     from tsplan.viewer.browser import show_page
-
-_HOMES = {
-    "draw_map": "tsplan.draw.map",
-    "draw_mission": "tsplan.draw.map",
-    "draw_plan": "tsplan.draw.views",
-    "explain": "tsplan.explanation.why.witness_tree",
-    "formula_svg": "tsplan.draw.notebook",
-    "map_svg": "tsplan.draw.notebook",
-    "plan_html": "tsplan.draw.notebook",
-    "requirements": "tsplan.explanation.why.requirements",
-    "show_page": "tsplan.viewer.browser",
-    "simulate": "tsplan.protocol.simulation",
-}
-"""Where each function is, by its name."""
 
 _FORMS = {"image/svg+xml": "_repr_svg_", "text/html": "_repr_html_"}
 
@@ -71,8 +58,15 @@ class Displayed:
         return {"text/plain": self._caption(), **drawn}
 
 
-def __getattr__(name: str) -> Any:
-    """Load a function from its room on first use."""
-    if name not in _HOMES:
-        raise AttributeError(f"module 'tsplan.display' has no attribute '{name}'")
-    return getattr(import_module(_HOMES[name]), name)
+__getattr__, __dir__ = lazily(
+    __name__,
+    {
+        "draw.map": ("draw_map", "draw_mission"),
+        "draw.notebook": ("formula_svg", "map_svg", "plan_html"),
+        "draw.views": ("draw_plan",),
+        "explanation.why.requirements": ("requirements",),
+        "explanation.why.witness_tree": ("explain",),
+        "protocol.simulation": ("simulate",),
+        "viewer.browser": ("show_page",),
+    },
+)

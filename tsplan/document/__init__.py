@@ -25,7 +25,7 @@ __all__ = ["Document", "Path", "parse_document", "read_document", "validated"]
 __getattr__, __dir__ = lazily(
     __name__,
     {
-        "document": ("Document", "Path", "parse_document", "read_document"),
-        "validation": ("validated",),
+        "document.document": ("Document", "Path", "parse_document", "read_document"),
+        "document.validation": ("validated",),
     },
 )

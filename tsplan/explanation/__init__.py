@@ -39,4 +39,4 @@ __all__ = [
 ]
 
 # it loads a solver
-__getattr__, __dir__ = lazily(__name__, {"whynot.diagnosis": ("explain",)})
+__getattr__, __dir__ = lazily(__name__, {"explanation.whynot.diagnosis": ("explain",)})

@@ -119,5 +119,5 @@ __all__ = [
 
 # they need NumPy
 __getattr__, __dir__ = lazily(
-    __name__, {"evaluation": ("CountTrace", "SignalTrace", "holds", "robustness")}
+    __name__, {"logic.evaluation": ("CountTrace", "SignalTrace", "holds", "robustness")}
 )
