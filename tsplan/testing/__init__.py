@@ -66,8 +66,8 @@ class HypothesisMissingError(TsplanError, ImportError):
 _load, __dir__ = lazily(
     __name__,
     {
-        "corpus": ("Expectation", "expectations", "run_corpus"),
-        "formula_strategies": (
+        "testing.corpus": ("Expectation", "expectations", "run_corpus"),
+        "testing.formula_strategies": (
             "ANYTHING",
             "KNOWN",
             "Vocabulary",
@@ -76,8 +76,8 @@ _load, __dir__ = lazily(
             "judged",
             "trace_for",
         ),
-        "mission_strategies": ("maps", "missions", "swarms", "teams"),
-        "random_missions": (
+        "testing.mission_strategies": ("maps", "missions", "swarms", "teams"),
+        "testing.random_missions": (
             "random_map",
             "random_mission",
             "random_swarm_mission",

@@ -52,7 +52,7 @@ def formulas(
     """Formulas of a language with at most `leaves` atoms, over the names of a vocabulary.
 
     >>> from hypothesis import given, settings
-    >>> @settings(max_examples=5, database=None)
+    >>> @settings(max_examples=5, database=None, deadline=None)
     ... @given(formulas("catl", ANYTHING))
     ... def reading_undoes_printing(formula):
     ...     assert logic.parse(str(formula), "catl") is formula
