@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal, TypeAlias
@@ -97,7 +97,9 @@ class WarmLP:
         self._refuted = trivially_infeasible(model)
         set_option(self._highs, "solver", "simplex")
 
-    def bounds(self, columns: Ints, lower: npt.ArrayLike, upper: npt.ArrayLike) -> None:
+    def bounds(
+        self, columns: Ints | Sequence[int], lower: npt.ArrayLike, upper: npt.ArrayLike
+    ) -> None:
         """New bounds for some columns: one number for all of them, or one for each."""
         count = len(columns)
         low, high = _spread(lower, count), _spread(upper, count)

@@ -83,6 +83,12 @@ class Model:
         """The same model between other column bounds."""
         return replace(self, lower=lower, upper=upper)
 
+    def with_fixed(self, columns: Ints, values: npt.ArrayLike) -> Model:
+        """The same model with some columns at given values, rounded to whole numbers."""
+        lower, upper = self.lower.copy(), self.upper.copy()
+        lower[columns] = upper[columns] = np.round(np.asarray(values))
+        return self.with_bounds(lower, upper)
+
     def with_integrality(self, integer: Bools) -> Model:
         """The same model with other columns integer."""
         return replace(self, integer=integer)

@@ -28,7 +28,7 @@ Fixed: TypeAlias = dict[int, float]
 
 
 @dataclass(frozen=True, eq=False)
-class Grown:
+class Explored:
     """What the search knows at its end: the best point it found, and a bound on all points.
 
     The point may have parts of agents, and the bound is what linear programs say of it.
@@ -45,23 +45,23 @@ class _Node(NamedTuple):
     fixed: Fixed
 
 
-@dataclass(frozen=True, eq=False)
-class Witnessing:
-    """The indicators of a model and the groups of them that can be split."""
-
-    indicators: Ints
-    groups: Sequence[Ints]
-
-
-class Tree:
+class BranchAndBound:
     """Branch and bound over the indicators of one model, for the least value of its target.
 
-    `root` is the LP's solution as it is; it can be searched on where the last search stopped.
+    `choices` are the groups of indicators that can be split; `root` is the LP's solution as it is.
     """
 
-    def __init__(self, lp: WarmLP, witnessing: Witnessing, target: Target, root: LPResult) -> None:
+    def __init__(
+        self,
+        lp: WarmLP,
+        indicators: Ints,
+        choices: Sequence[Ints],
+        target: Target,
+        root: LPResult,
+    ) -> None:
         self._lp = lp
-        self._witnessing = witnessing
+        self._indicators = indicators
+        self._choices = choices
         self._target = target
         self._fixed: Fixed = {}
         self._values: Floats | None = None
@@ -71,15 +71,15 @@ class Tree:
         self._heap = [_Node(root.objective, 0, {})]
         self._deep: list[_Node] = []
 
-    def grow(
+    def run(
         self,
         clock: Clock,
         known: float = np.inf,
         *,
         first: bool = False,
         most: float = np.inf,
-    ) -> Grown:
-        """Search until the clock is over; the LP's bounds are restored at the end.
+    ) -> Explored:
+        """Search until the clock is over, from where the last run ended; restores the LP's bounds.
 
         Points that do not beat a `known` value are not looked for; `first` ends with any point. At
         `most` so many linear programs are solved.
@@ -109,7 +109,7 @@ class Tree:
         self._move_to({})
         left = [node.bound for node in (*heap, *deep) if self._promising(node.bound)]
         bound = min([self._cutoff, self._leaf, *left])
-        return Grown(self._values, bound, done=not left)
+        return Explored(self._values, bound, done=not left)
 
     @property
     def _cutoff(self) -> float:
@@ -125,7 +125,7 @@ class Tree:
             return []
         values = result.values
         assert values is not None
-        open_ = fractional(values, self._witnessing.indicators)
+        open_ = fractional(values, self._indicators)
         if not len(open_):
             self._leaf = min(self._leaf, result.objective)
             # parts of agents may be better than whole ones: only the next whole value is at stake
@@ -147,7 +147,7 @@ class Tree:
     def _widest(self, values: Floats) -> Ints | None:
         """The group whose weight is spread widest over its steps."""
         widest, best = None, 0.0
-        for group in self._witnessing.groups:
+        for group in self._choices:
             weight = values[group]
             total = weight.sum()
             if total <= TOLERANCE or weight.max() >= total - TOLERANCE:

@@ -86,7 +86,7 @@ def dive(
                 if not len(open_):
                     return Dived(result.values)
                 column = pick(result.values, open_)
-                _fix(lp, column, 1.0)
+                lp.bounds([column], 1.0, 1.0)
                 decisions.append((column, 1.0))
             elif result.status == "limit":
                 break
@@ -98,22 +98,17 @@ def dive(
                     break
             result = lp.solve(time_limit=clock.left, cutoff=cutoff)
     finally:
-        for column, _ in decisions:
-            lp.bounds(np.array([column]), np.array([0.0]), np.array([1.0]))
+        if decisions:
+            lp.bounds([column for column, _ in decisions], 0.0, 1.0)
     return Dived(None)
-
-
-def _fix(lp: WarmLP, column: int, value: float) -> None:
-    lp.bounds(np.array([column]), np.array([value]), np.array([value]))
 
 
 def _turn(lp: WarmLP, decisions: list[tuple[int, float]]) -> bool:
     """Undo decisions up to the last 1 and make it 0; False if there is none left."""
     while decisions:
         column, value = decisions.pop()
-        lp.bounds(np.array([column]), np.array([0.0]), np.array([1.0]))
-        if value > 0.5:  # noqa: PLR2004 - decisions are 0 or 1
-            _fix(lp, column, 0.0)
+        lp.bounds([column], 0.0, 1.0 - value)
+        if value:
             decisions.append((column, 0.0))
             return True
     return False

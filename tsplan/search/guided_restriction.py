@@ -20,7 +20,7 @@ from tsplan.encode.groups.token_flow import Tokens, Track
 from tsplan.milp.lp import WarmLP
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.target import Target
-from tsplan.search.branch_and_bound import Grown, Tree, Witnessing
+from tsplan.search.branch_and_bound import BranchAndBound, Explored
 
 _SECONDS = 10.0  # for the tokens
 _SLACKS = (0, 2, 6)  # steps that a plan may differ from the tokens it follows
@@ -57,28 +57,26 @@ def guided(
             return
 
 
-def fewest(tokens: Tokens, clock: Clock) -> Grown:
+def fewest(tokens: Tokens, clock: Clock) -> Explored:
     """The fewest tokens added to the starts, or a bound on them; infinite if none will do."""
     if tokens.refuted:
-        return Grown(None, np.inf, done=True)
+        return Explored(None, np.inf, done=True)
     lp = WarmLP(tokens.model, stop=clock.stop)
     root = lp.solve(time_limit=clock.left)
     if root.status != "optimal":
         impossible = root.status == "infeasible"
-        return Grown(None, np.inf if impossible else 0.0, done=impossible)
+        return Explored(None, np.inf if impossible else 0.0, done=impossible)
     target = Target(tokens.model.objective)
-    witnessing = Witnessing(tokens.indicators, tokens.choices)
-    grown = Tree(lp, witnessing, target, root).grow(clock)
-    return replace(grown, bound=target.proven(grown.bound))
+    search = BranchAndBound(lp, tokens.indicators, tokens.choices, target, root)
+    explored = search.run(clock)
+    return replace(explored, bound=target.proven(explored.bound))
 
 
 def _least_moving(tokens: Tokens, values: Floats) -> Model:
     """The model of whole tokens with the witnesses of a point, that move as little as they can."""
     model, fixed = tokens.model, tokens.indicators
-    lower, upper = model.lower.copy(), model.upper.copy()
-    lower[fixed] = upper[fixed] = np.round(values[fixed])
     price = _SPLIT * model.objective + tokens.moving()
-    return model.with_bounds(lower, upper).with_objective(price)
+    return model.with_fixed(fixed, values[fixed]).with_objective(price)
 
 
 def _near(model: Model, swarms: Sequence[Swarm], tracks: Sequence[Track], slack: int) -> Model:

@@ -27,7 +27,7 @@ _SECONDS = 5.0  # for one attempt
 
 
 @dataclass(frozen=True, eq=False)
-class Wholes:
+class Rounding:
     """Makes points of whole agents from points with parts of them, for one search."""
 
     encoded: Encoded
@@ -36,86 +36,66 @@ class Wholes:
     clock: Clock
 
     def near(self, lp: WarmLP, model: Model, values: Floats) -> Floats | None:
-        """A point of whole agents by rounding; `lp` is the relaxation of the model."""
-        encoded = self.encoded
-        if not len(fractional(values, encoded.flows)):
+        """A point with the same witnesses and whole agents, or None.
+
+        `lp` is the relaxation of the model; its bounds are restored before returning.
+        """
+        indicators, flows = self.encoded.indicators, self.encoded.flows
+        if not len(fractional(values, flows)):
             return values
-        rounding = Rounding(lp, model, encoded.indicators, encoded.flows)
-        return rounding.whole(values, self.clock.within(_SECONDS))
+        fixed = np.round(values[indicators])
+        lp.bounds(indicators, fixed, fixed)
+        raised: dict[int, tuple[float, float]] = {}
+        try:
+            return _raised(lp, model, flows, raised, self.clock.within(_SECONDS))
+        finally:
+            columns = np.concatenate([indicators, np.array(list(raised), dtype=np.int64)])
+            lp.bounds(columns, model.lower[columns], model.upper[columns])
 
     def best(self, model: Model, values: Floats, start: Floats | None) -> Floats | None:
         """The best point with the witnesses of `values`, if the solver finds it soon."""
-        logic = self.encoded.indicators
-        return self._fixed(model, logic, values[logic], start)
+        indicators = self.encoded.indicators
+        return self._tried(model.with_fixed(indicators, values[indicators]), start)
 
     def carrying(self, model: Model, flows: Floats, start: Floats | None) -> Floats | None:
         """The best point with the given flows, if there is one."""
-        return self._fixed(model, self.encoded.flows, flows, start)
+        return self._tried(model.with_fixed(self.encoded.flows, flows), start)
 
-    def _fixed(
-        self, model: Model, columns: Ints, values: Floats, start: Floats | None
-    ) -> Floats | None:
-        lower, upper = model.lower.copy(), model.upper.copy()
-        lower[columns] = upper[columns] = np.round(values)
+    def _tried(self, model: Model, start: Floats | None) -> Floats | None:
         options = self.effort.options(self.clock.within(_SECONDS), self.target, start)
-        return tried(self.effort.solver, model.with_bounds(lower, upper), options)
+        return tried(self.effort.solver, model, options)
 
 
-@dataclass(frozen=True, eq=False)
-class Rounding:
-    """Makes the flows of points of one model whole; `lp` is its warm relaxation."""
+def _raised(
+    lp: WarmLP,
+    model: Model,
+    flows: Ints,
+    bounds: dict[int, tuple[float, float]],
+    clock: Clock,
+) -> Floats | None:
+    """Raise the flow nearest below a whole number; lower it where that is impossible.
 
-    lp: WarmLP
-    model: Model
-    indicators: Ints
-    flows: Ints
-
-    def whole(self, values: Floats, clock: Clock) -> Floats | None:
-        """A point with the witnesses of `values` and whole flows, or None.
-
-        The LP's bounds are restored before returning.
-        """
-        fixed = np.round(values[self.indicators])
-        self.lp.bounds(self.indicators, fixed, fixed)
-        raised: dict[int, tuple[float, float]] = {}
-        try:
-            return self._raise(raised, clock)
-        finally:
-            columns = np.concatenate([self.indicators, np.array(list(raised), dtype=np.int64)])
-            self.lp.bounds(columns, self.model.lower[columns], self.model.upper[columns])
-
-    def _raise(self, bounds: dict[int, tuple[float, float]], clock: Clock) -> Floats | None:
-        """Raise the flow nearest below a whole number; lower it where that is impossible."""
-        last: tuple[int, float, float] | None = None
-        tries = max(_LEAST_TRIES, len(self.flows) // 1000)
-        for _ in range(tries):
-            result = self.lp.solve(time_limit=clock.left)
-            if result.status == "optimal":
-                assert result.values is not None
-                column = self._next(result.values)
-                if column is None:
-                    return result.values
-                low, high = bounds.get(column, (self.model.lower[column], self.model.upper[column]))
-                value = float(result.values[column])
-                last = (column, low, float(np.floor(value)))
-                self._bound(bounds, column, float(np.ceil(value)), high)
-            elif result.status == "infeasible" and last is not None:
-                self._bound(bounds, *last)
-                last = None
-            else:
-                break
-        return None
-
-    def _next(self, values: Floats) -> int | None:
-        """The fractional flow that lacks least to a whole number."""
-        open_ = fractional(values, self.flows)
-        if not len(open_):
-            return None
-        part = values[open_] - np.floor(values[open_])
-        return int(open_[np.argmax(part)])
-
-    def _bound(
-        self, bounds: dict[int, tuple[float, float]], column: int, low: float, high: float
-    ) -> None:
-        bounds[column] = (low, high)
-        self.lp.bounds(np.array([column]), np.array([low]), np.array([high]))
+    `bounds` are filled in with what the flows are held between.
+    """
+    last: tuple[int, float, float] | None = None
+    for _ in range(max(_LEAST_TRIES, len(flows) // 1000)):
+        result = lp.solve(time_limit=clock.left)
+        if result.status == "optimal":
+            assert result.values is not None
+            open_ = fractional(result.values, flows)
+            if not len(open_):
+                return result.values
+            part = result.values[open_] % 1.0
+            column = int(open_[np.argmax(part)])  # the one that lacks least to a whole number
+            low, high = bounds.get(column, (model.lower[column], model.upper[column]))
+            value = float(result.values[column])
+            last = (column, low, float(np.floor(value)))
+            bounds[column] = float(np.ceil(value)), high
+        elif result.status == "infeasible" and last is not None:
+            column, low, high = last
+            bounds[column] = low, high
+            last = None
+        else:
+            break
+        lp.bounds([column], *bounds[column])
+    return None

@@ -12,7 +12,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy import sparse
 
 from tsplan.clock import Clock
 from tsplan.encode.arrival_cuts import violated
@@ -22,13 +21,13 @@ from tsplan.errors import SolverError
 from tsplan.exact import digits, relative_gap
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import LPResult, WarmLP
-from tsplan.milp.model import Floats, Model, Tag
+from tsplan.milp.model import INFINITY, Floats, Model
 from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.milp.target import Target
-from tsplan.search.branch_and_bound import Grown, Tree, Witnessing
+from tsplan.search.branch_and_bound import BranchAndBound, Explored
 from tsplan.search.dive import Earliest, Picker, dive, largest
 from tsplan.search.effort import Effort
-from tsplan.search.rounding import Wholes
+from tsplan.search.rounding import Rounding
 from tsplan.stopping import StoppedBy
 
 _ROUNDS = 12  # of separation at the root
@@ -83,7 +82,7 @@ class Search:
         self._refuted = encoded.refuted
         self._first = False
         self._lp: WarmLP | None = None
-        self._wholes = Wholes(encoded, target, effort, clock)
+        self._rounding = Rounding(encoded, target, effort, clock)
         self._began = clock.elapsed
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
@@ -134,7 +133,7 @@ class Search:
 
     def adopt(self, flows: Floats) -> Floats | None:
         """Keep and return the best point of this model with the given flows, if there is one."""
-        values = self._wholes.carrying(self._model, flows, self._values)
+        values = self._rounding.carrying(self._model, flows, self._values)
         if values is not None:
             self._accept(values)
         return values
@@ -265,7 +264,7 @@ class Search:
             if cuts is None or self._clock.over:
                 break
             lp.add_rows(cuts, np.zeros(cuts.shape[0]), np.full(cuts.shape[0], np.inf))
-            self._model = _with_cuts(self._model, cuts)
+            self._model = self._model.with_rows(cuts, 0.0, INFINITY, "visit")
             before = root.objective
             root = lp.solve(time_limit=self._clock.left)
             if root.status != "optimal" or root.objective < before + 1e-3 * max(abs(before), 1.0):
@@ -276,16 +275,16 @@ class Search:
         root = lp.solve(time_limit=self._clock.left)
         if root.status != "optimal":
             return
-        witnessing = Witnessing(self._encoded.indicators, self._encoded.choices)
-        tree = Tree(lp, witnessing, self._target, root)
+        encoded = self._encoded
+        tree = BranchAndBound(lp, encoded.indicators, encoded.choices, self._target, root)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         self._take_turns(tree, _TURNS)
         if not self._done:
-            grown = self._climb(tree, budget)
-            if not self._done and self._nearly(grown, root.objective):
+            explored = self._climb(tree, budget)
+            if not self._done and self._nearly(explored, root.objective):
                 self._climb(tree, budget)
 
-    def _take_turns(self, tree: Tree, seconds: float) -> None:
+    def _take_turns(self, tree: BranchAndBound, seconds: float) -> None:
         """Let the tree and the general solver search in turn while the model is small.
 
         Either may be many times faster than the other. Each turn of the solver is as long as all
@@ -303,42 +302,42 @@ class Search:
                 return
             most *= 4
 
-    def _climb(self, tree: Tree, seconds: float, most: float = np.inf) -> Grown:
+    def _climb(self, tree: BranchAndBound, seconds: float, most: float = np.inf) -> Explored:
         """Let the tree search for so many seconds or programs, and take in what it finds."""
         blind = self._values is None
         clock = self._clock.within(seconds)
-        grown = tree.grow(clock, self._value, first=self._first, most=most)
-        if grown.done and grown.values is None and blind:
+        explored = tree.run(clock, self._value, first=self._first, most=most)
+        if explored.done and explored.values is None and blind:
             self._refuted = True
-            return grown
-        self._raise_bound(grown.bound)
-        if grown.values is not None and grown.done:
-            self._whole(grown.values)
-        elif grown.values is not None:
-            self._keep(grown.values)
-        return grown
+            return explored
+        self._raise_bound(explored.bound)
+        if explored.values is not None and explored.done:
+            self._whole(explored.values)
+        elif explored.values is not None:
+            self._keep(explored.values)
+        return explored
 
-    def _nearly(self, grown: Grown, root: float) -> bool:
+    def _nearly(self, explored: Explored, root: float) -> bool:
         """Whether the tree has closed most of the gap, so that it may well close the rest."""
-        best = self._value if grown.values is None else self._target.value(grown.values)
-        left = best - self._target.step - grown.bound
-        return bool(np.isfinite(best)) and left <= _REST * (grown.bound - root)
+        best = self._value if explored.values is None else self._target.value(explored.values)
+        left = best - self._target.step - explored.bound
+        return bool(np.isfinite(best)) and left <= _REST * (explored.bound - root)
 
     def _keep(self, values: Floats) -> None:
         """Keep a point whose indicators are whole, its flows made whole where they are not."""
-        near = self._wholes.near(self._warm(), self._model, values)
+        near = self._rounding.near(self._warm(), self._model, values)
         if near is None:
-            near = self._wholes.best(self._model, values, self._values)
+            near = self._rounding.best(self._model, values, self._values)
         if near is not None:
             self._accept(near)
 
     def _whole(self, values: Floats) -> None:
         """Keep such a point; a better one of its witnesses is looked for if it is not the best."""
-        near = self._wholes.near(self._warm(), self._model, values)
+        near = self._rounding.near(self._warm(), self._model, values)
         if near is not None:
             self._accept(near)
         if not self._done:
-            best = self._wholes.best(self._model, values, self._values)
+            best = self._rounding.best(self._model, values, self._values)
             if best is not None:
                 self._accept(best)
 
@@ -384,14 +383,3 @@ class Search:
         if progress.bound is not None:
             self._raise_bound(progress.bound)
         return self._clock.stop()
-
-
-def _with_cuts(model: Model, cuts: sparse.csr_array) -> Model:
-    count, more = model.matrix.shape[0], cuts.shape[0]
-    return replace(
-        model,
-        matrix=sparse.csr_array(sparse.vstack([model.matrix, cuts], format="csr")),
-        row_lower=np.append(model.row_lower, np.zeros(more)),
-        row_upper=np.append(model.row_upper, np.full(more, np.inf)),
-        tags=(*model.tags, Tag("visit", count, count + more)),
-    )
