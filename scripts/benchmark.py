@@ -28,7 +28,7 @@ import numpy as np
 
 import tsplan
 from tsplan.encode.assemble import prepare, tight
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.plans.plan import Plan
 from tsplan.run.events import Bound, Event, Incumbent
 
@@ -188,13 +188,13 @@ def build_speed(options: argparse.Namespace) -> None:
 
     for horizon in (100, 200, 300):
         mission = families.scaling(families.Scale(horizon=horizon, tasks=40, map=50), 0)
-        without = {Idea.REDUCTION} if options.whole_map else set()
-        kept = frozenset(Idea) - without
+        without = {Switch.REDUCTION} if options.whole_map else set()
+        kept = frozenset(Switch) - without
         began = time.perf_counter()
-        encoded = tight(prepare(mission, ideas=kept))
+        encoded = tight(prepare(mission, switches=kept))
         seconds = time.perf_counter() - began
         tracemalloc.start()
-        tight(prepare(mission, ideas=kept))
+        tight(prepare(mission, switches=kept))
         _, peak = tracemalloc.get_traced_memory()
         tracemalloc.stop()
         size = encoded.model.size
@@ -300,7 +300,7 @@ def parser() -> argparse.ArgumentParser:
         "--objective", default="travel", help="such as availability,travel; '' for none"
     )
     made.add_argument("--encoding", default="tight", choices=["tight", "reference"])
-    made.add_argument("--without", nargs="*", default=[], help="ideas to switch off")
+    made.add_argument("--without", nargs="*", default=[], help="switches to turn off")
     made.add_argument("--compare", choices=["reference"], help="also run another encoding")
     made.add_argument("--time-limit", type=float, default=600.0)
     made.add_argument("--threads", type=int, default=2)

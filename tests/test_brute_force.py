@@ -10,7 +10,7 @@ import tsplan
 from tests.joint_plans import SENSE, best, small_enough
 from tests.seeds import seed_blocks
 from tsplan import Mission
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.testing import random_mission, random_swarm_mission
 from tsplan.testing.random_missions import SWARM
 
@@ -28,7 +28,7 @@ def small_mixed(seed: int) -> Mission:
 
 
 TIGHT, REFERENCE = {"encoding": "tight"}, {"encoding": "reference"}
-PLAIN = {"without": tuple(idea.value for idea in Idea)}
+PLAIN = {"without": tuple(switch.value for switch in Switch)}
 
 
 def compare(mission: Mission, *ways: dict[str, object]) -> None:

@@ -1,4 +1,4 @@
-"""Both encodings, with each idea on and off, agree on random missions with all operators."""
+"""Both encodings, with each switch on and off, agree on random missions with all operators."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 import tsplan
 from tests.seeds import sampled, seed_blocks
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.plans.plan import Plan
 from tsplan.testing import random_mission
 
@@ -34,16 +34,16 @@ def test_tight_and_reference_agree(seed: int) -> None:
     agree(seed)
 
 
-@pytest.mark.parametrize("idea", list(Idea))
+@pytest.mark.parametrize("switch", list(Switch))
 @pytest.mark.parametrize("seeds", seed_blocks(range(100, 112), range(3000, 3200), 12))
-def test_switching_an_idea_off_changes_no_answer(idea: Idea, seeds: list[int]) -> None:
+def test_switching_a_switch_off_changes_no_answer(switch: Switch, seeds: list[int]) -> None:
     for seed in seeds:
         mission = random_mission(seed)
-        assert answer(tsplan.plan(mission, without=(idea.value,))) == answer(tsplan.plan(mission))
+        assert answer(tsplan.plan(mission, without=(switch.value,))) == answer(tsplan.plan(mission))
 
 
 def test_without_any_idea() -> None:
-    names = tuple(idea.value for idea in Idea)
+    names = tuple(switch.value for switch in Switch)
     for seed in range(120, 140):
         mission = random_mission(seed)
         assert answer(tsplan.plan(mission, without=names)) == answer(tsplan.plan(mission))

@@ -8,7 +8,7 @@ from tsplan import Mission, plan
 from tsplan.encode.assemble import prepare, tight
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.model_objectives import Travel
-from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem
@@ -30,8 +30,8 @@ def two_places(agents: int, formula: str = TWO_PLACES) -> Mission:
     return Mission.of(map=line(), team=[Group.of("c", {"s": agents}, {"c"})], formula=formula)
 
 
-def lp_bound(mission: Mission, *without: Idea) -> float:
-    setting = prepare(mission, ideas=ALL_IDEAS - set(without))
+def lp_bound(mission: Mission, *without: Switch) -> float:
+    setting = prepare(mission, switches=ALL_SWITCHES - set(without))
     encoded = tight(setting)
     objective = Travel().vector(setting, encoded)
     return WarmLP(encoded.model.with_objective(objective)).solve().objective
@@ -61,7 +61,7 @@ def test_two_agents_must_come_to_each_of_two_places_at_once() -> None:
     mission = two_places(4)
     optimum = plan(mission).objective[0].value
     assert optimum == 2 * 2 + 2 * 4
-    assert lp_bound(mission, Idea.TOGETHER) < lp_bound(mission) <= optimum + 1e-6
+    assert lp_bound(mission, Switch.TOGETHER) < lp_bound(mission) <= optimum + 1e-6
 
 
 def test_going_from_one_place_of_a_region_to_another_is_not_coming() -> None:

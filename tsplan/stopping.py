@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Protocol
 
 
 class StoppedBy(StrEnum):
@@ -26,13 +25,6 @@ class Halted(Exception):  # noqa: N818 - nothing has gone wrong
         super().__init__(words or reason.value)
         self.reason = reason
         self.words = words
-
-
-class Deadline(Protocol):
-    """Something that knows when to stop."""
-
-    def check(self) -> None:
-        """Raise Halted if it is time to stop."""
 
 
 LIMITS = frozenset(StoppedBy) - {StoppedBy.GAP}

@@ -1,4 +1,4 @@
-"""Visit cuts that a fractional solution violates, found for all windows of a family at once.
+"""Arrival cuts that a fractional solution violates, found for all windows of a family at once.
 
 For a family whose columns each ask over consecutive steps, the cut of window [lo, hi] reads
 `n(lo) + C(hi) - C(lo) >= S(hi) - E(lo)`: C cumulative arrivals, S(hi) what the columns that begin

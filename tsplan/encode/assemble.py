@@ -26,12 +26,12 @@ from tsplan.encode.groups.group_rows import (
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.memory import Watch
 from tsplan.encode.model_objectives import ModelObjective, model_objective
-from tsplan.encode.options import ALL_IDEAS, Idea
 from tsplan.encode.own_constraints import constraint_rows, states_of, terms_of
 from tsplan.encode.precedence import legs_of, route_rows
 from tsplan.encode.reference import ReferenceEncoder
-from tsplan.encode.robustness_bound import Outlook
-from tsplan.encode.witness import Ways, WitnessEncoder, Witnesses
+from tsplan.encode.robustness_bound import OptimisticBound
+from tsplan.encode.switches import ALL_SWITCHES, Switch
+from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
 from tsplan.logic import Count, Formula, capabilities, walk
 from tsplan.milp.model import Draft, Ints
 from tsplan.mission import Mission
@@ -49,7 +49,7 @@ def objectives_of(mission: Mission) -> tuple[ModelObjective, ...]:
 def prepare(
     mission: Mission,
     constraints: Sequence[Constraint] = (),
-    ideas: frozenset[Idea] = ALL_IDEAS,
+    switches: frozenset[Switch] = ALL_SWITCHES,
     goal: Formula | None = None,
     *,
     clock: Clock | None = None,
@@ -82,10 +82,10 @@ def prepare(
         reduced=tuple(whole(item.graph) for item in classes),
         arrays=arrays,
         constraints=tuple(constraints),
-        ideas=ideas,
+        switches=switches,
         clock=clock,
     )
-    if Idea.REDUCTION not in ideas:
+    if Switch.REDUCTION not in switches:
         return setting
     if not all(objective.reducible(setting) for objective in objectives_of(mission)):
         return setting
@@ -143,24 +143,29 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     With `chain` eventualities under an always get as few witnesses as possible: a restriction,
     whose flow columns are the same, for finding a first plan.
     """
-    ways = Ways(chain=chain, visits=Idea.VISITS in setting.ideas)
-    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, ways)
+    rules = WitnessRules(chain=chain, visits=Switch.VISITS in setting.switches)
+    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, rules)
 
 
-_WAYS = Ways()
+_RULES = WitnessRules()
 
 Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 """Asks an encoder for what is to hold; it may add columns and rows of its own to the draft."""
 
 
 def assembled(
-    setting: Setting, ask: Asking, level: int = 0, ways: Ways = _WAYS, *, optional: bool = False
+    setting: Setting,
+    ask: Asking,
+    level: int = 0,
+    rules: WitnessRules = _RULES,
+    *,
+    optional: bool = False,
 ) -> Encoded:
     """The tight model of what `ask` requires; its formulas are parts of the setting's goal.
 
     `optional` says that not all demands need be met.
     """
-    return _Assembly(setting, level).tight(ask, ways, optional=optional)
+    return _Assembly(setting, level).tight(ask, rules, optional=optional)
 
 
 class _Assembly:
@@ -178,14 +183,14 @@ class _Assembly:
         self._flows: list[Ints] = []
         self._laid: dict[int, ClassColumns] = {}
 
-    def tight(self, ask: Asking, ways: Ways, *, optional: bool) -> Encoded:
+    def tight(self, ask: Asking, rules: WitnessRules, *, optional: bool) -> Encoded:
         setting, draft = self._setting, self._draft
         swarms = {swarm.number: swarm.places.entered for swarm in self._swarms}
         self._flow(number for number in range(len(setting.classes)) if number not in swarms)
         robots = self._network(self._laid)
         if not swarms:
             self._shared_rows(robots)
-        witnesses = self._witnesses(ask, ways, self._network({**swarms, **self._laid}))
+        witnesses = self._witnesses(ask, rules, self._network({**swarms, **self._laid}))
         families: list[Sited] = []
         occupied = None
         if swarms:
@@ -195,7 +200,7 @@ class _Assembly:
         network = self._network(self._laid)
         if swarms:
             self._shared_rows(network)
-        elif Idea.TOGETHER in setting.ideas:
+        elif Switch.TOGETHER in setting.switches:
             legs = legs_of(witnesses, network)
             if "travel" in setting.mission.objective:
                 route_rows(legs, network, draft)
@@ -246,30 +251,32 @@ class _Assembly:
         capacity_rows(network, setting.arrays, draft)
         constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
 
-    def _witnesses(self, ask: Asking, ways: Ways, network: Network) -> Witnesses:
+    def _witnesses(self, ask: Asking, rules: WitnessRules, network: Network) -> Witnesses:
         """What the formula asks for; of groups it is not asked by visits."""
         setting = self._setting
         atoms = setting.atoms(network, self._level)
-        outlook = Outlook(setting.goal, atoms, trusting=Idea.OUTLOOK not in setting.ideas)
-        ways = replace(ways, share=Idea.SHARING in setting.ideas)
+        optimistic = OptimisticBound(
+            setting.goal, atoms, trusting=Switch.OUTLOOK not in setting.switches
+        )
+        rules = replace(rules, share=Switch.SHARING in setting.switches)
         if self._swarms:
-            ways = replace(ways, visits=False, chain=False)
-        return ask(WitnessEncoder(self._draft, outlook, ways), self._draft, network)
+            rules = replace(rules, visits=False, chain=False)
+        return ask(WitnessEncoder(self._draft, optimistic, rules), self._draft, network)
 
     def _demand_rows(self, network: Network, witnesses: Witnesses) -> list[Sited]:
-        rows = DemandRows(network, self._draft, self._setting.ideas)
+        rows = DemandRows(network, self._draft, self._setting.switches)
         rows.write(witnesses)
         return rows.families
 
     def _occupied(self, robots: Network, witnesses: Witnesses, *, optional: bool) -> Encoded:
         """The relaxation that knows where groups are, made of all that was drafted so far."""
         swarms, draft = self._swarms, self._draft
-        staffing = occupied_rows(swarms, robots, self._setting.together, witnesses, draft)
+        rows = occupied_rows(swarms, robots, self._setting.together, witnesses, draft)
         if optional:
             served_rows(swarms, robots, witnesses, draft)
         entered = [swarm.places.entered.unrolled()[2] for swarm in swarms]
         made = self._encoded(robots, witnesses, [*entered, *self._flows], decided=())
-        return replace(made, families=tuple(staffing.families))
+        return replace(made, families=tuple(rows.families))
 
     def _encoded(
         self,

@@ -1,12 +1,12 @@
 """Demands as rows: how many agents must be, or must come, where and when.
 
 For every set of states and capability there is one count column per step (`present`) and one
-cumulative column of arrivals by moves (`arrived`). Demands of literals that exclude each other
-share one row, `n(tau) >= sum of m_s * literal_s`, which is far stronger than a row for each. No
-big-M is needed, since counts are not negative.
+cumulative column of arrivals by moves (`arrived`). Demands of selections that exclude each other
+share one row, `n(tau) >= sum of m_s * s`, which is far stronger than a row for each. No big-M is
+needed, since counts are not negative.
 
-*Visit cuts*: whoever is present at some step of [lo, hi] was there at lo or arrived in (lo, hi], so
-`n(lo) + arrivals(lo, hi] >= sum of m_s * literal_s` over the literals with a demand in the window.
+*Arrival cuts*: whoever is present at some step of [lo, hi] was there at lo or arrived in (lo, hi],
+so `n(lo) + arrivals(lo, hi] >= sum of m_s * s` over the selections s with a demand in the window.
 In a fractional solution one waiting agent can no longer be counted again at every step.
 """
 
@@ -24,22 +24,22 @@ from tsplan.encode.atom_encoders import Site
 from tsplan.encode.demand_runs import Family, family
 from tsplan.encode.encoder_rules import Cover, Demand, Witnesses
 from tsplan.encode.flow_network import Network
-from tsplan.encode.joint_demands import Region, Together
-from tsplan.encode.options import Idea
+from tsplan.encode.joint_demands import JointDemands, Region
 from tsplan.encode.running_sums import RunningSums
-from tsplan.encode.selection import Literal, less
+from tsplan.encode.selection import Selection, less
 from tsplan.encode.step_runs import Run, most_at_once
+from tsplan.encode.switches import Switch
 from tsplan.milp.model import Block, Draft, Floats, Ints, Terms
 
 LONG = 1000
-"""Steps of a family from which on its visit cuts are left to separation, the whole window's apart.
+"""Steps of a family from which on its arrival cuts are left to separation, but for the window's.
 
 A chain for all of them would double the LP, whose iterations cost as much as it has rows.
 """
 
 _SEVERAL = 2
 _ANYWAY = -1  # in the place of a column: what is asked for whatever the witnesses are
-_ALL = frozenset(Idea)
+_ALL = frozenset(Switch)
 
 Place: TypeAlias = tuple[Site, str | None]
 
@@ -68,20 +68,20 @@ class SiteColumns:
 
 
 class DemandRows:
-    """Writes the rows of all demands, and keeps what is needed to separate more visit cuts."""
+    """Writes the rows of all demands, and keeps what is needed to separate more arrival cuts."""
 
-    def __init__(self, network: Network, draft: Draft, options: frozenset[Idea] = _ALL) -> None:
+    def __init__(self, network: Network, draft: Draft, options: frozenset[Switch] = _ALL) -> None:
         self._options = options
-        self._cuts = Idea.VISITS in options
+        self._cuts = Switch.VISITS in options
         self._network = network
         self._draft = draft
-        self._needs = Block("staffing")
-        self._visits = Block("visit")
+        self._needs = Block("demand")
+        self._arrivals = Block("arrival")
         self.families: list[tuple[SiteColumns, Family]] = []
 
     def write(self, witnesses: Witnesses) -> None:
-        """Rows for every demand, visit cuts, and what is asked for at several places together."""
-        lower = _by_place(need for need in witnesses.lasting if not need.bound.upper)
+        """Rows for every demand, arrival cuts, and what is asked for at several places together."""
+        lower = _by_place(need for need in witnesses.demands if not need.bound.upper)
         for (states, capability), needs in lower.items():
             span = min(need.first for need in needs), max(need.last for need in needs)
             site = self._site(np.array(states), capability, *span)
@@ -91,13 +91,13 @@ class DemandRows:
                 self._demand_rows(site, made)
                 self._window_rows(site, made)
             self._cover_rows(site, asked, witnesses.covers)
-        if Idea.TOGETHER in self._options:
+        if Switch.TOGETHER in self._options:
             self._together([need for needs in lower.values() for need in needs], witnesses)
         for place, visits in _by_place(witnesses.visits).items():
             self._visited(*place, visits)
         self._needs.write(self._draft)
-        self._visits.write(self._draft)
-        limits = _by_place(need for need in witnesses.lasting if need.bound.upper)
+        self._arrivals.write(self._draft)
+        limits = _by_place(need for need in witnesses.demands if need.bound.upper)
         for (states, capability), needs in limits.items():
             self._limits(np.array(states), capability, needs, witnesses)
 
@@ -112,17 +112,17 @@ class DemandRows:
         moments, moment = np.unique(first, return_inverse=True)
         here, there, constant = self._network.present_at(site, capability, moments)
         visit, at = np.nonzero(moment[:, None] == here)
-        literals = [visit.literal for visit in visits]
-        lower = np.array([0.0 if literal else 1.0 for literal in literals]) - constant
-        self._needs.add(come, (visit, there[at], 1.0), less(literals), lower=lower)
+        selections = [visit.selection for visit in visits]
+        lower = np.array([0.0 if selection else 1.0 for selection in selections]) - constant
+        self._needs.add(come, (visit, there[at], 1.0), less(selections), lower=lower)
 
     def _together(self, lower: Sequence[Demand], witnesses: Witnesses) -> None:
-        """Rule out witnesses that need too many agents at once; visit cuts of whole regions."""
+        """Rule out witnesses that need too many agents at once; arrival cuts of whole regions."""
         able: dict[str | None, list[Demand]] = defaultdict(list)
         for need in lower:
             able[need.bound.capability].append(need)
         for capability, needs in able.items():
-            joint = Together(needs, witnesses.choices)
+            joint = JointDemands(needs, witnesses.choices)
             joint.rule_out(self._network.agents(capability))
             for region in joint.regions() if self._cuts else ():
                 self._region_rows(region, capability, witnesses)
@@ -166,20 +166,20 @@ class DemandRows:
         return columns
 
     def _demand_rows(self, site: SiteColumns, family: Family) -> None:
-        """`n(tau) >= base + sum of surplus * literal` for every step of the family."""
+        """`n(tau) >= base + sum of surplus * selection` for every step of the family."""
         here = site.present[family.steps - site.first]
         row, columns, surplus = family.surplus(self._draft)
         every = np.arange(len(here))
         self._needs.add((every, here, 1.0), (row, columns, -surplus), lower=family.base)
 
     def _window_rows(self, site: SiteColumns, family: Family) -> None:
-        """Visit cuts of the family's whole window, of its beginnings and of its ends."""
+        """Arrival cuts of the family's whole window, of its beginnings and of its ends."""
         count = len(family.steps) - 1
         # the demand itself says as much of a single step or column
         if not self._cuts or count < 1 or len(family.columns) < _SEVERAL:
             return
         ends, begins = np.arange(1, count + 1), np.arange(1, count)
-        if Idea.LAZY in self._options and count >= LONG:
+        if Switch.LAZY in self._options and count >= LONG:
             ends, begins = ends[-1:], begins[:0]
         low = np.concatenate([np.zeros_like(ends), begins])
         high = np.concatenate([ends, np.full_like(begins, count)])
@@ -188,12 +188,12 @@ class DemandRows:
         later, others, rest = family.ending.over(self._draft, low[late:], high[late:])
         come = site.come(family.steps[low], family.steps[high])
         asked = (row, columns, -need), (later + late, others, -rest)
-        self._visits.add(*come, *asked, lower=np.zeros(len(low)))
+        self._arrivals.add(*come, *asked, lower=np.zeros(len(low)))
 
     def _cover_rows(
         self, site: SiteColumns, asked: Mapping[int, Sequence[Run]], covers: Sequence[Cover]
     ) -> None:
-        """Visit cuts of shared windows: if every witness asks for agents here, some must come."""
+        """Arrival cuts of shared windows: if every witness asks for agents here, some must come."""
         edges: dict[int, list[tuple[Ints, Floats]]] = {}
         for cover in covers if self._cuts else ():
             if id(cover.columns) not in edges:
@@ -207,18 +207,18 @@ class DemandRows:
             for steps, amounts in edges[id(cover.columns)]:
                 if cover.begin < cover.end and amounts[members].all():
                     window = steps[members].min(keepdims=True), steps[members].max(keepdims=True)
-                    self._arrive(site, window, float(amounts[members].min()), cover.literal)
+                    self._arrive(site, window, float(amounts[members].min()), cover.selection)
 
     def _arrive(
-        self, site: SiteColumns, window: tuple[Ints, Ints], need: float, literal: Literal
+        self, site: SiteColumns, window: tuple[Ints, Ints], need: float, selection: Selection
     ) -> None:
-        terms = (*site.come(*window), (0, literal, -need))
-        self._visits.add(*terms, lower=0.0 if literal else need)
+        terms = (*site.come(*window), (0, selection, -need))
+        self._arrivals.add(*terms, lower=0.0 if selection else need)
 
     def _limits(
         self, site: Ints, capability: str | None, needs: Sequence[Demand], witnesses: Witnesses
     ) -> None:
-        """`n(tau) <= N - sum of (N - m_s) * literal_s`, N the most agents that can be there."""
+        """`n(tau) <= N - sum of (N - m_s) * s`, N the most agents that can be there."""
         most = self._network.most(site, capability)
         for made in self._families(_runs_of(needs, most), witnesses):
             index, here, constant = self._network.present_at(site, capability, made.steps)
@@ -227,10 +227,10 @@ class DemandRows:
             self._draft.sums(*terms, lower=-np.inf, upper=upper, kind="limit")
 
     def _families(self, asked: Mapping[int, Sequence[Run]], witnesses: Witnesses) -> list[Family]:
-        """Demands at one site by exclusive literals; what holds in any case goes with the first."""
+        """Demands at a site by exclusive selections; what holds in any case goes with the first."""
         columns = [column for column in asked if column != _ANYWAY]
         base = asked.get(_ANYWAY, ())
-        joint = Idea.FAMILIES in self._options
+        joint = Switch.FAMILIES in self._options
         groups = witnesses.choices.families(columns) if joint else [[column] for column in columns]
         return [
             family(members, asked, base, everywhere=number == 0)
@@ -269,6 +269,6 @@ def _runs_of(needs: Sequence[Demand], most: Ints | None = None) -> dict[int, lis
                 Run(need.first + begin, need.first + end - 1, float(part[begin]) - amount)
                 for begin, end in pairwise(edges)
             ]
-        for column in need.literal or (_ANYWAY,):
+        for column in need.selection or (_ANYWAY,):
             asked[column] += [run for run in runs if run.amount > 0]
     return {column: most_at_once(runs) for column, runs in asked.items() if runs}

@@ -30,7 +30,7 @@ class Pieces(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """Demands at one site by literals of which at most one is 1.
+    """Demands at one site by selections of which at most one is 1.
 
     `steps` are those at which something is asked for, `base` what is asked for there in any case.
     Pieces speak of positions in `steps` and are sorted by column, then by step.
@@ -42,7 +42,7 @@ class Family:
     base: Floats
 
     def surplus(self, draft: Draft) -> Sums:
-        """At every position what the literals ask for beyond the base, as sums of columns."""
+        """At every position what the selections ask for beyond the base, as sums of columns."""
         column, first, last, amount = self._beyond_base()
         length = last - first + 1
         if not chain_pays(int(length.sum()), len(self.steps), len(column)):

@@ -18,7 +18,7 @@ from tsplan.encode.flow_network import Network, unroll
 from tsplan.encode.groups.group_rows import Swarm
 from tsplan.encode.map_reduction import Reduced
 from tsplan.encode.memory import Watch
-from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Formula
 from tsplan.milp.model import Draft, Floats, Ints, Model
 from tsplan.mission import Mission
@@ -37,7 +37,7 @@ class Setting:
     reduced: tuple[Reduced, ...]
     arrays: MapArrays
     constraints: tuple[Constraint, ...] = ()
-    ideas: frozenset[Idea] = ALL_IDEAS
+    switches: frozenset[Switch] = ALL_SWITCHES
     monotone: bool = False  # nothing bounds a count from above
     clock: Clock = field(default_factory=Clock)  # heard while models are made
 

@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from tsplan.encode.atom_encoders import Bound
-from tsplan.encode.robustness_bound import Outlook
-from tsplan.encode.selection import Choices, Literal, Relay
+from tsplan.encode.robustness_bound import OptimisticBound
+from tsplan.encode.selection import Relay, Selection, SelectionColumns
 from tsplan.encode.step_runs import Span, by_column, joined, steps_of
 from tsplan.logic import Formula
 from tsplan.milp.model import Ints
@@ -19,12 +19,12 @@ from tsplan.milp.model import Ints
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """`bound` must hold at the steps `first .. last` where `literal` is 1."""
+    """`bound` must hold at the steps `first .. last` where `selection` is 1."""
 
     bound: Bound
     first: int
     last: int
-    literal: Literal
+    selection: Selection
 
     @property
     def step(self) -> int:
@@ -34,58 +34,58 @@ class Demand:
 
 @dataclass(frozen=True, eq=False)
 class Cover:
-    """At least one of `columns[begin:end]` is 1 where `literal` is 1 (F under an always)."""
+    """At least one of `columns[begin:end]` is 1 where `selection` is 1 (F under an always)."""
 
     columns: Ints
     begin: int
     end: int
-    literal: Literal
+    selection: Selection
 
 
 @dataclass(eq=False)
 class Witnesses:
-    """What a formula asks of the agents, as demands under literals.
+    """What a formula asks of the agents, as demands under selections.
 
     Of `visits` it is enough that they hold at some step of theirs, for one agent.
     """
 
-    choices: Choices
-    lasting: list[Demand] = field(default_factory=list)
+    choices: SelectionColumns
+    demands: list[Demand] = field(default_factory=list)
     covers: list[Cover] = field(default_factory=list)
     visits: list[Demand] = field(default_factory=list)
 
     @cached_property
-    def demands(self) -> list[Demand]:
-        """What is demanded step by step, exclusive literals added up."""
+    def stepwise(self) -> list[Demand]:
+        """What is demanded step by step, exclusive selections added up."""
         asked: dict[Bound, list[Span]] = defaultdict(list)
-        for need in self.lasting:
-            asked[need.bound].append(Span(need.first, need.last, need.literal))
+        for need in self.demands:
+            asked[need.bound].append(Span(need.first, need.last, need.selection))
         return [
-            Demand(bound, step, step, literal)
+            Demand(bound, step, step, selection)
             for bound, spans in asked.items()
-            for step, literal in self.choices.by_step(joined(spans))
+            for step, selection in self.choices.by_step(joined(spans))
         ]
 
 
 class Asker:
-    """Gathers what is required of each formula, under the literals of one set of choices."""
+    """Gathers what is required of each formula, under the selections of one set of choices."""
 
-    def __init__(self, choices: Choices, outlook: Outlook) -> None:
+    def __init__(self, choices: SelectionColumns, optimistic: OptimisticBound) -> None:
         self._requests: dict[Formula, list[Span]] = defaultdict(list)
         self.choices = choices
-        self.outlook = outlook
+        self.optimistic = optimistic
 
     def ask(self, node: Formula, span: Span) -> None:
-        """Require a formula at all steps of a span; what cannot hold refutes the literal."""
-        if self.outlook.possible_throughout(node, span.first, span.last):
+        """Require a formula at all steps of a span; what cannot hold refutes the selection."""
+        if self.optimistic.possible_throughout(node, span.first, span.last):
             self._requests[node].append(span)
         else:
-            self.choices.refute(span.literal, "impossible")
+            self.choices.refute(span.selection, "impossible")
 
-    def ask_at(self, node: Formula, options: Iterable[tuple[int, Literal]]) -> None:
-        """Require a formula at each of some steps, under a literal each."""
-        for step, literal in options:
-            self.ask(node, Span(step, step, literal))
+    def ask_at(self, node: Formula, options: Iterable[tuple[int, Selection]]) -> None:
+        """Require a formula at each of some steps, under a selection each."""
+        for step, selection in options:
+            self.ask(node, Span(step, step, selection))
 
     def asked(self, node: Formula) -> list[Span]:
         """Everything that is required of a formula by those that have it as a part."""
@@ -94,47 +94,47 @@ class Asker:
     def times(self, node: Formula, runs: Iterable[tuple[int, int]]) -> list[int]:
         """The steps of several runs at which a formula may hold, in order, each once."""
         steps = steps_of((first, last) for first, last in runs if first <= last).tolist()
-        return [step for step in steps if self.outlook.possible(node, step)]
+        return [step for step in steps if self.optimistic.possible(node, step)]
 
-    def options(self, literal: Literal, steps: Sequence[int], kind: str) -> list[Literal]:
-        """One literal per option, by the steps they begin; a single one needs no column."""
+    def options(self, selection: Selection, steps: Sequence[int], kind: str) -> list[Selection]:
+        """One selection per option, by the steps they begin; a single one needs no column."""
         if not steps:
-            self.choices.refute(literal, kind)
+            self.choices.refute(selection, kind)
             return []
         if len(steps) == 1:
-            return [literal]
-        return [(column,) for column in self.choices.choose(literal, list(steps), kind).tolist()]
+            return [selection]
+        return [(column,) for column in self.choices.choose(selection, list(steps), kind).tolist()]
 
     def families(self, once: Sequence[Span]) -> list[list[Span]]:
         """Spans of one column each, in families that exclude each other; `ALWAYS` on its own."""
-        of = {span.literal[0]: span for span in once if span.literal}
+        of = {span.selection[0]: span for span in once if span.selection}
         found = [sorted(of[column] for column in family) for family in self.choices.families(of)]
-        return [*([span] for span in once if not span.literal), *found]
+        return [*([span] for span in once if not span.selection), *found]
 
     def relayed(
         self, family: Sequence[Span], window: Ints, times: Sequence[int], kind: str
-    ) -> list[tuple[int, Literal]]:
+    ) -> list[tuple[int, Selection]]:
         """One witness at one of `times` for the spans of a family, each in a window of its own."""
         low, high = window.T
         served = np.searchsorted(times, low) < np.searchsorted(times, high, side="right")
         for place in np.flatnonzero(~served).tolist():
-            self.choices.refute(family[place].literal, kind)
+            self.choices.refute(family[place].selection, kind)
         if not served.any():
             return []
-        literals = [family[place].literal for place in np.flatnonzero(served).tolist()]
-        parents = tuple(column for literal in literals for column in literal)
+        selections = [family[place].selection for place in np.flatnonzero(served).tolist()]
+        parents = tuple(column for selection in selections for column in selection)
         low, high = low[served], high[served]
         if len(times) == 1 or (low[0] == low[-1] and high[0] == high[-1]):
             options = self.options(parents, times, kind)
         else:
-            each = [len(literal) for literal in literals]
+            each = [len(selection) for selection in selections]
             columns, at = np.array(parents, dtype=np.int64), np.array(times, dtype=np.int64)
             waiting = Relay(columns, np.repeat(low, each), np.repeat(high, each), at)
             options = [(column,) for column in self.choices.relay(waiting, kind).tolist()]
         return list(zip(times, options, strict=True))
 
     def shared(
-        self, node: Formula, requests: Sequence[tuple[int, Literal]], window: Ints, kind: str
+        self, node: Formula, requests: Sequence[tuple[int, Selection]], window: Ints, kind: str
     ) -> dict[int, int]:
         """Witnesses shared between requests, one at least in the window of each.
 
@@ -142,19 +142,19 @@ class Asker:
         """
         times = self.times(node, window.tolist())
         columns = self.choices.free(times)
-        literals = [literal for _, literal in requests]
-        self.choices.cover_windows((columns, times), (window[:, 0], window[:, 1]), literals, kind)
+        selections = [selection for _, selection in requests]
+        self.choices.cover_windows((columns, times), (window[:, 0], window[:, 1]), selections, kind)
         found = dict(zip(times, columns.tolist(), strict=True))
         self.ask_at(node, [(time, (column,)) for time, column in found.items()])
         return found
 
 
-def sorted_out(spans: Iterable[Span]) -> tuple[list[Span], dict[Literal, list[Span]]]:
+def sorted_out(spans: Iterable[Span]) -> tuple[list[Span], dict[Selection, list[Span]]]:
     """Columns that ask at one step only, and the spans of those that ask at several."""
     asked = by_column(spans)
     again = {
-        literal: runs
-        for literal, runs in asked.items()
+        selection: runs
+        for selection, runs in asked.items()
         if len(runs) > 1 or runs[0].first < runs[0].last
     }
-    return [runs[0] for literal, runs in asked.items() if literal not in again], again
+    return [runs[0] for selection, runs in asked.items() if selection not in again], again

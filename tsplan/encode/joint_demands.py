@@ -5,7 +5,7 @@ of a conjunction, both sides of an until. Place by place the LP may serve them o
 with the same agents, a little for every witness. Taken together they give two more rows:
 
 * a witness that needs more agents with a capability at one step than there are is impossible;
-* the visit cut of the union of the places: so many agents must come to the region as a whole, and
+* the arrival cut of the union of the places: so many agents must come to the region as a whole, and
   going from one of its places to another is not coming.
 """
 
@@ -20,7 +20,7 @@ import numpy as np
 
 from tsplan.encode.atom_encoders import Site
 from tsplan.encode.encoder_rules import Demand
-from tsplan.encode.selection import ALWAYS, Choices
+from tsplan.encode.selection import ALWAYS, SelectionColumns
 from tsplan.encode.step_runs import Run, pieces
 
 
@@ -44,18 +44,18 @@ class Region:
     always: Sequence[Run]
 
 
-class Together:
+class JointDemands:
     """The needs of one capability by the columns that imply them."""
 
-    def __init__(self, needs: Iterable[Demand], choices: Choices) -> None:
+    def __init__(self, needs: Iterable[Demand], choices: SelectionColumns) -> None:
         self._choices = choices
         self._own: dict[int, list[Demand]] = defaultdict(list)
         self._always: list[Demand] = []
         for need in needs:
             if need.bound.amount > 0:
-                if not need.literal:
+                if not need.selection:
                     self._always.append(need)
-                for column in need.literal:
+                for column in need.selection:
                     self._own[column].append(need)
         self._ends = np.array([(need.first, need.last) for need in self._always]).reshape(-1, 2)
         self._base = _needs(self._always)
@@ -111,12 +111,12 @@ def apart(demands: Iterable[Demand]) -> dict[Site, Demand]:
 
 
 def _needs(demands: Sequence[Demand]) -> list[Needs]:
-    """What demands need at places apart, at the steps of those under a literal if there are any."""
-    conditional = any(need.literal for need in demands)
+    """Needs at places apart, at the steps of demands under a selection if there are any."""
+    conditional = any(need.selection for need in demands)
     return [
         Needs(first, last, {place: need.bound.amount for place, need in apart(active).items()})
         for first, last, active in pieces(demands)
-        if not conditional or any(need.literal for need in active)
+        if not conditional or any(need.selection for need in active)
     ]
 
 

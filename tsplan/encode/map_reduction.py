@@ -20,10 +20,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.encode.shortcuts import Kept, shortcuts
 from tsplan.milp.model import Bools, Ints
-from tsplan.stopping import Deadline
 
 _CROWDED = 2  # shortcuts for each edge of the full graph: fewer are worth their shorter ways
 
@@ -49,7 +49,7 @@ def whole(graph: ClassGraph) -> Reduced:
     return Reduced(graph, tuple(np.arange(len(graph.tail)).reshape(-1, 1)))
 
 
-def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Deadline) -> Reduced | None:
+def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) -> Reduced | None:
     """The reduced graph of one class, or None where reduction would not be exact.
 
     Where the states that matter lie around a hub there may be far more pairs of them than edges;

@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from tsplan.stopping import Deadline, Halted, StoppedBy
+from tsplan.clock import Clock
+from tsplan.stopping import Halted, StoppedBy
 
 COLUMN_BYTES = 400
 ENTRY_BYTES = 250
@@ -23,7 +24,7 @@ _UNLIMITED = 1 << 60  # what control groups say when they do not limit anything 
 class Watch:
     """Hears of every block of a draft before it is made; raises Halted where that must not be."""
 
-    def __init__(self, clock: Deadline, room: Callable[[], int | None] | None = None) -> None:
+    def __init__(self, clock: Clock, room: Callable[[], int | None] | None = None) -> None:
         self._clock = clock
         self._room = (room or free_memory)()
 

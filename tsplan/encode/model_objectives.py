@@ -22,7 +22,7 @@ from tsplan.encode.groups.group_sizes import sizes, smallest, with_smallest
 from tsplan.encode.groups.occupancy import split_terms
 from tsplan.encode.own_constraints import resolve
 from tsplan.encode.read_back import availability, last_arrival, moving
-from tsplan.encode.robustness_bound import Outlook
+from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
 
@@ -164,7 +164,9 @@ class Availability(LevelObjective):
 
     def ideal(self, setting: Setting) -> float:
         """Every atom on its own, by team and travel times; infinite if nothing is asked for."""
-        return Outlook(setting.goal, setting.atoms(setting.unrolled())).best(setting.goal, 0)
+        return OptimisticBound(setting.goal, setting.atoms(setting.unrolled())).best(
+            setting.goal, 0
+        )
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """The column of the reference encoding."""

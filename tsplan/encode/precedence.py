@@ -29,7 +29,7 @@ class Leg(NamedTuple):
     way: int
 
 
-class Ways:
+class TravelGaps:
     """How many steps must lie between two demands, so that the same agents can meet both."""
 
     def __init__(self, network: Network, states: Iterable[int]) -> None:
@@ -69,9 +69,9 @@ class Ways:
 def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:
     """The ways that lie between the witnesses of relays, as far as they are sure."""
     needs: dict[int, list[Demand]] = defaultdict(list)
-    for need in witnesses.lasting:
-        if len(need.literal) == 1 and not need.bound.upper:
-            needs[need.literal[0]].append(need)
+    for need in witnesses.demands:
+        if len(need.selection) == 1 and not need.bound.upper:
+            needs[need.selection[0]].append(need)
     pairs = [
         (relayed, before, after)
         for relayed in witnesses.choices.relays
@@ -79,7 +79,7 @@ def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:
         and (after := _alike(needs, relayed.columns))
     ]
     bounds = [need.bound for _, *both in pairs for need, *_ in both]
-    ways = Ways(network, (state for bound in bounds for state in bound.states))
+    ways = TravelGaps(network, (state for bound in bounds for state in bound.states))
     found = []
     for relayed, before, after in pairs:
         low, times = relayed.waiting.low, relayed.waiting.times

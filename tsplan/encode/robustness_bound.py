@@ -1,8 +1,8 @@
 """What could hold at best: an optimistic robustness of every sub-formula at every step.
 
 Each atom is judged on its own. The result bounds the true availability from above, so a sub-formula
-whose outlook is below the wanted level cannot hold and needs no columns; the root's outlook bounds
-the mission's availability.
+whose bound is below the wanted level cannot hold and needs no columns; the root's bounds the
+mission's availability.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from tsplan.logic.traces import CountTrace
 from tsplan.milp.model import Floats, Ints
 
 
-class Outlook:
+class OptimisticBound:
     """Optimistic robustness of the nodes of one formula; nothing is ruled out by a trusting one."""
 
     def __init__(self, root: Formula, atoms: Atoms, *, trusting: bool = False) -> None:

@@ -1,7 +1,7 @@
-"""Literals of the tight encoding: sums of 0/1 columns of which at most one is 1.
+"""Selections of the tight encoding: sums of 0/1 columns of which at most one is 1.
 
-A *choice* is a set of 0/1 columns of which exactly one is 1 where its parent literal is. A
-*literal* is a sum of columns that exclude each other, so it is 0 or 1 itself; the empty literal
+A *choice* is a set of 0/1 columns of which exactly one is 1 where its parent selection is. A
+*selection* is a sum of columns that exclude each other, so it is 0 or 1 itself; the empty selection
 stands for "always". Which columns exclude each other is told by their ancestry
 (`encode.exclusion`).
 """
@@ -15,16 +15,16 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from tsplan.encode.exclusion import Lineage, common, exclusive, families
+from tsplan.encode.exclusion import Ancestry, common, exclusive, families
 from tsplan.encode.running_sums import RunningSums
-from tsplan.encode.step_runs import ALWAYS, Literal, Span, by_column
+from tsplan.encode.step_runs import ALWAYS, Selection, Span, by_column
 from tsplan.milp.model import INFINITY, Block, Draft, Ints
 
-__all__ = ["ALWAYS", "Choices", "Lineage", "Literal", "Relay", "Timed", "exclusive"]
+__all__ = ["ALWAYS", "Ancestry", "Relay", "Selection", "SelectionColumns", "Timed", "exclusive"]
 
 Timed: TypeAlias = tuple[Ints, Sequence[int]]  # columns of a choice and the steps they stand for
 
-_WRITTEN = 4  # literals written out for each change of who asks
+_WRITTEN = 4  # selections written out for each change of who asks
 
 
 class Relay(NamedTuple):
@@ -49,12 +49,12 @@ class Relayed:
     theirs: RunningSums
 
 
-class Choices:
+class SelectionColumns:
     """Makes indicator columns in a draft and remembers their ancestry."""
 
     def __init__(self, draft: Draft) -> None:
         self._draft = draft
-        self._lineage: dict[int, Lineage] = {}
+        self._ancestry: dict[int, Ancestry] = {}
         self._free: set[int] = set()
         self._count = 0
         self.columns: list[int] = []
@@ -66,7 +66,7 @@ class Choices:
     # --- columns ---------------------------------------------------------------------------------
 
     def choose(
-        self, parent: Literal, steps: Sequence[int], kind: str, *, exactly: bool = True
+        self, parent: Selection, steps: Sequence[int], kind: str, *, exactly: bool = True
     ) -> Ints:
         """Columns of which exactly one (else: at most one) is 1 where `parent` is, none elsewhere.
 
@@ -75,9 +75,9 @@ class Choices:
         columns = self._decided(steps)
         one = 0.0 if parent else 1.0
         self._total(columns, parent, one if exactly else -INFINITY, one, kind)
-        above = self.lineage(parent)
+        above = self.ancestry(parent)
         for column in columns.tolist():
-            self._lineage[column] = {**above, self._count: (column, column)}
+            self._ancestry[column] = {**above, self._count: (column, column)}
         self._count += 1
         if exactly or len(columns) > 1:
             self.groups.append(columns)
@@ -87,7 +87,7 @@ class Choices:
         """Columns that exclude nothing: each may be 1 whenever its own sub-formula holds."""
         columns = self._decided(steps)
         for column in columns.tolist():
-            self._lineage[column] = {self._count: (column, column)}
+            self._ancestry[column] = {self._count: (column, column)}
             self._count += 1
         self._free.update(columns.tolist())
         return columns
@@ -127,53 +127,55 @@ class Choices:
         self._ahead(relayed.theirs, begun[last] - 1, relayed.own, times[last], kind)
 
     def running(self, changes: RunningSums, above: Sequence[int]) -> list[Span]:
-        """The totals of `changes`, each as a literal for as long as it lasts.
+        """The totals of `changes`, each as a selection for as long as it lasts.
 
         A total is 1 while one of `above` is at work, and 0 otherwise. Its column may be a parent
         of others, but nothing is decided by it.
         """
         totals = changes.chain(self._draft).tolist()
-        self._lineage |= dict.fromkeys(totals, self.lineage(above))
+        self._ancestry |= dict.fromkeys(totals, self.ancestry(above))
         self._free.update(totals)
         first = changes.positions.tolist()
         runs = zip(first, first[1:], totals, strict=False)
         return [Span(begin, after - 1, (total,)) for begin, after, total in runs]
 
     def waiting(
-        self, asked: Mapping[int, Sequence[Literal]], ends: Mapping[int, int], kind: str
+        self, asked: Mapping[int, Sequence[Selection]], ends: Mapping[int, int], kind: str
     ) -> list[tuple[int, int]]:
         """Steps and columns that are 1 while something asked for has not come to its end.
 
-        `asked` are the literals that begin to wait at a step, `ends` the columns that end all
+        `asked` are the selections that begin to wait at a step, `ends` the columns that end all
         waiting at theirs.
         """
         steps = range(min(asked), max(ends, default=min(asked)))
         columns = self._draft.columns(len(steps), upper=1.0).tolist()
         rows = Block(kind)
-        before: Sequence[Literal] = ()
+        before: Sequence[Selection] = ()
         for step, column in zip(steps, columns, strict=True):
             more = [column, ends[step]] if step in ends else [column]
             for less in (*before, *asked.get(step, ())):
                 rows.add((0, more, 1.0), (0, less, -1.0), lower=0.0 if less else 1.0)
             before = [(column,)]
         rows.write(self._draft)
-        self._lineage |= {column: {} for column in columns}
+        self._ancestry |= {column: {} for column in columns}
         self._free.update(columns)
         return list(zip(steps, columns, strict=True))
 
     # --- rows ------------------------------------------------------------------------------------
 
-    def _total(self, columns: Ints, parent: Literal, lower: float, upper: float, kind: str) -> None:
+    def _total(
+        self, columns: Ints, parent: Selection, lower: float, upper: float, kind: str
+    ) -> None:
         """Bounds on the sum of `columns` less the parent."""
         terms = (0, columns, 1.0), (0, parent, -1.0)
         self._draft.sums(*terms, lower=lower, upper=upper, kind=kind)
 
-    def cover(self, columns: Ints, parent: Literal, kind: str) -> None:
+    def cover(self, columns: Ints, parent: Selection, kind: str) -> None:
         """At least one of `columns` is 1 where `parent` is 1."""
         self._total(columns, parent, 0.0 if parent else 1.0, INFINITY, kind)
 
     def cover_windows(
-        self, timed: Timed, windows: tuple[Ints, Ints], parents: Sequence[Literal], kind: str
+        self, timed: Timed, windows: tuple[Ints, Ints], parents: Sequence[Selection], kind: str
     ) -> None:
         """At least one column of each window of times is 1 where its parent is 1."""
         columns, times = timed
@@ -198,64 +200,64 @@ class Choices:
         index, columns, values = less.over(self._draft, lowest, to)
         self._draft.sums(ahead, (index, columns, -values), count=len(until), kind=kind)
 
-    def refute(self, literal: Literal, kind: str) -> None:
-        """The literal cannot be 1; an impossible `ALWAYS` refutes the whole problem."""
-        if literal:
-            self._draft.sums((0, literal, 1.0), upper=0.0, kind=kind)
+    def refute(self, selection: Selection, kind: str) -> None:
+        """The selection cannot be 1; an impossible `ALWAYS` refutes the whole problem."""
+        if selection:
+            self._draft.sums((0, selection, 1.0), upper=0.0, kind=kind)
         else:
             self.refuted = True
 
     # --- ancestry --------------------------------------------------------------------------------
 
-    def lineage(self, literal: Iterable[int]) -> Lineage:
-        """Choices that all columns of a literal descend from, with the options they came by."""
-        return common(self._lineage[column] for column in literal)
+    def ancestry(self, selection: Iterable[int]) -> Ancestry:
+        """Choices that all columns of a selection descend from, with the options they came by."""
+        return common(self._ancestry[column] for column in selection)
 
     def ancestors(self, column: int) -> set[int]:
         """Other columns that are 1 wherever `column` is."""
-        above = self._lineage[column].values()
+        above = self._ancestry[column].values()
         return {first for first, last in above if first == last} - {column}
 
     def families(self, columns: Iterable[int]) -> list[list[int]]:
         """Partition columns, greedily and in order, into families that exclude each other."""
         ordered = sorted(set(columns))
-        bound = {c: self._lineage[c] for c in ordered if c not in self._free}
+        bound = {c: self._ancestry[c] for c in ordered if c not in self._free}
         # a free column excludes nothing, so it is a family of its own
         return families(bound) + [[column] for column in ordered if column in self._free]
 
-    def merged(self, literals: Iterable[Literal]) -> list[Literal]:
-        """Fewer literals that say the same: exclusive ones are added up.
+    def merged(self, selections: Iterable[Selection]) -> list[Selection]:
+        """Fewer selections that say the same: exclusive ones are added up.
 
         The result may overlap only where the same column was asked for twice.
         """
-        unique = set(literals)
+        unique = set(selections)
         if ALWAYS in unique:
             return [ALWAYS]
         if len(unique) == 1:
             return list(unique)
-        columns = {column for literal in unique for column in literal}
+        columns = {column for selection in unique for column in selection}
         return [tuple(family) for family in self.families(columns)]
 
-    def by_step(self, spans: Sequence[Span]) -> list[tuple[int, Literal]]:
-        """Every step with each of its literals, exclusive ones added up; steps are in order.
+    def by_step(self, spans: Sequence[Span]) -> list[tuple[int, Selection]]:
+        """Every step with each of its selections, exclusive ones added up; steps are in order.
 
-        Where the literals of all steps together would be far longer than the list of who begins
+        Where the selections of all steps together would be far longer than the list of who begins
         and ends, each family of exclusive columns has a column for its running total instead.
         """
         if not spans:
             return []
-        written = sum((last - first + 1) * len(literal) for first, last, literal in spans)
-        changes = sum(len(literal) for _, _, literal in spans)
+        written = sum((last - first + 1) * len(selection) for first, last, selection in spans)
+        changes = sum(len(selection) for _, _, selection in spans)
         steps = max(span.last for span in spans) - min(span.first for span in spans) + 1
         long = written > _WRITTEN * (2 * changes + 3 * steps)
-        found: dict[int, list[Literal]] = defaultdict(list)
-        for first, last, literal in self._as_totals(spans) if long else spans:
+        found: dict[int, list[Selection]] = defaultdict(list)
+        for first, last, selection in self._as_totals(spans) if long else spans:
             for step in range(first, last + 1):
-                found[step].append(literal)
+                found[step].append(selection)
         return [
-            (step, literal)
+            (step, selection)
             for step in sorted(found)
-            for literal in (found[step] if long else self.merged(found[step]))
+            for selection in (found[step] if long else self.merged(found[step]))
         ]
 
     def _as_totals(self, spans: Sequence[Span]) -> list[Span]:
@@ -277,8 +279,8 @@ class Choices:
         return found
 
 
-def less(literals: Sequence[Literal]) -> tuple[Ints, Ints, float]:
-    """The terms that take a literal each from as many rows."""
-    index = np.repeat(np.arange(len(literals)), [len(literal) for literal in literals])
-    columns = [column for literal in literals for column in literal]
+def less(selections: Sequence[Selection]) -> tuple[Ints, Ints, float]:
+    """The terms that take a selection each from as many rows."""
+    index = np.repeat(np.arange(len(selections)), [len(selection) for selection in selections])
+    columns = [column for selection in selections for column in selection]
     return index, np.array(columns, dtype=np.int64), -1.0

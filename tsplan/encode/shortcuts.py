@@ -21,9 +21,9 @@ from typing import TypeAlias
 
 import numpy as np
 
+from tsplan.clock import Clock
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.milp.model import Bools, Ints
-from tsplan.stopping import Deadline
 from tsplan.ts.reachability import Lengths, quickest
 
 _CROWDED = 40  # states for each goal below which searches nearby are faster than compiled code
@@ -54,7 +54,7 @@ class _Moves:
 
 
 def shortcuts(
-    graph: ClassGraph, kept: Kept, longest: float, clock: Deadline
+    graph: ClassGraph, kept: Kept, longest: float, clock: Clock
 ) -> tuple[Ints, Ints, list[Ints]]:
     """Tails, heads and ways (edges in order) of all shortcuts that take at most `longest` steps.
 

@@ -12,19 +12,19 @@ import numpy as np
 
 from tsplan.milp.model import Ints
 
-Literal: TypeAlias = tuple[int, ...]
+Selection: TypeAlias = tuple[int, ...]
 """Columns of which at most one is 1; their sum is 0 or 1 itself."""
 
-ALWAYS: Literal = ()
+ALWAYS: Selection = ()
 """What holds in any case."""
 
 
 class Span(NamedTuple):
-    """Something is required at the steps `first .. last` where a literal is 1."""
+    """Something is required at the steps `first .. last` where a selection is 1."""
 
     first: int
     last: int
-    literal: Literal
+    selection: Selection
 
 
 class Run(NamedTuple):
@@ -65,13 +65,13 @@ def steps_of(runs: Iterable[tuple[int, int]]) -> Ints:
 
 def joined(spans: Iterable[Span]) -> list[Span]:
     """The same requirements without those said twice, in the order of their beginnings."""
-    asked: dict[Literal, list[tuple[int, int]]] = defaultdict(list)
-    for first, last, literal in spans:
-        asked[literal].append((first, last))
+    asked: dict[Selection, list[tuple[int, int]]] = defaultdict(list)
+    for first, last, selection in spans:
+        asked[selection].append((first, last))
     always = union(asked.pop(ALWAYS, []))
     found = [Span(first, last, ALWAYS) for first, last in always]
-    for literal, runs in asked.items():
-        found += [Span(*rest, literal) for run in union(runs) for rest in _without(run, always)]
+    for selection, runs in asked.items():
+        found += [Span(*rest, selection) for run in union(runs) for rest in _without(run, always)]
     return sorted(found)
 
 
@@ -89,16 +89,16 @@ def _without(run: tuple[int, int], others: Sequence[tuple[int, int]]) -> Iterato
         yield first, last
 
 
-def by_column(spans: Iterable[Span]) -> dict[Literal, list[Span]]:
+def by_column(spans: Iterable[Span]) -> dict[Selection, list[Span]]:
     """The same requirements by single columns, and by `ALWAYS` for what is required in any case."""
     single = [
-        Span(first, last, (column,)) if literal else Span(first, last, ALWAYS)
-        for first, last, literal in spans
-        for column in literal or (-1,)
+        Span(first, last, (column,)) if selection else Span(first, last, ALWAYS)
+        for first, last, selection in spans
+        for column in selection or (-1,)
     ]
-    found: dict[Literal, list[Span]] = defaultdict(list)
+    found: dict[Selection, list[Span]] = defaultdict(list)
     for span in joined(single):
-        found[span.literal].append(span)
+        found[span.selection].append(span)
     return found
 
 

@@ -1,17 +1,18 @@
 """The tight encoding of a formula: one direction, one witness per eventuality.
 
-The formula is in positive normal form and its root must hold, so only "literal = 1 implies the
-sub-formula" is needed. Nodes are visited parents first; at each node the literals under which it
+The formula is in positive normal form and its root must hold, so only "selection = 1 implies the
+sub-formula" is needed. Nodes are visited parents first; at each node the selections under which it
 is required, each over runs of steps, are gathered, exclusive ones are added up where a choice is
 made, and the requirement is handed to its children. What arrives at the atoms is a list of demands:
-from this step to that, under this literal, at least (at most) so many agents here.
+from this step to that, under this selection, at least (at most) so many agents here.
 
-* and, G hand their literal down and add nothing.
-* or, F, U, R choose one witness (`Choices.choose`). Exactly one is no loss.
-* F, U required at several steps under literals that exclude each other choose one witness for all
-  of them (`Choices.relay`): eventualities in a row have a column for each step, not for each pair.
+* and, G hand their selection down and add nothing.
+* or, F, U, R choose one witness (`SelectionColumns.choose`). Exactly one is no loss.
+* F, U required at several steps under selections that exclude each other choose one witness for all
+  of them (`SelectionColumns.relay`): eventualities in a row have a column for each step, not for
+  each pair.
 * F of one agent somewhere needs no witness: the agent is there at the window's beginning or comes.
-* F required at several steps under one literal (F under G) shares its witnesses between the
+* F required at several steps under one selection (F under G) shares its witnesses between the
   windows instead: each window holds at least one. A *chained* encoding asks for the fewest
   witnesses that can cover the windows, one choice each, in order and close enough together. That
   leaves plans out, so it only serves to find a first plan.
@@ -27,8 +28,8 @@ from typing import TypeAlias
 import numpy as np
 
 from tsplan.encode.encoder_rules import Asker, Cover, Demand, Witnesses, sorted_out
-from tsplan.encode.robustness_bound import Outlook
-from tsplan.encode.selection import ALWAYS, Choices, Literal, Timed
+from tsplan.encode.robustness_bound import OptimisticBound
+from tsplan.encode.selection import ALWAYS, Selection, SelectionColumns, Timed
 from tsplan.encode.step_runs import Span, joined
 from tsplan.encode.until_release import release, until
 from tsplan.logic import (
@@ -44,16 +45,16 @@ from tsplan.logic import (
 )
 from tsplan.milp.model import Draft, Ints
 
-__all__ = ["Cover", "Demand", "Request", "Ways", "WitnessEncoder", "Witnesses"]
+__all__ = ["Cover", "Demand", "Request", "WitnessEncoder", "WitnessRules", "Witnesses"]
 
-Request: TypeAlias = tuple[Formula, int, Literal]
-"""A formula that must hold at a step where a literal is 1."""
+Request: TypeAlias = tuple[Formula, int, Selection]
+"""A formula that must hold at a step where a selection is 1."""
 
 _CHAINS = 8  # chains of one eventuality; for more parents its witnesses are shared all the same
 
 
 @dataclass(frozen=True)
-class Ways:
+class WitnessRules:
     """How eventualities are encoded: see this module's text for each."""
 
     share: bool = True
@@ -64,10 +65,12 @@ class Ways:
 class WitnessEncoder(Asker):
     """Hands requirements from the root of a formula down to its atoms."""
 
-    def __init__(self, draft: Draft, outlook: Outlook, ways: Ways = Ways()) -> None:
-        super().__init__(Choices(draft), outlook)
-        self._ways = ways
-        self._atoms = outlook.atoms
+    def __init__(
+        self, draft: Draft, optimistic: OptimisticBound, rules: WitnessRules = WitnessRules()
+    ) -> None:
+        super().__init__(SelectionColumns(draft), optimistic)
+        self._rules = rules
+        self._atoms = optimistic.atoms
         self.result = Witnesses(self.choices)
 
     def encode(self, root: Formula) -> Witnesses:
@@ -75,9 +78,9 @@ class WitnessEncoder(Asker):
         return self.encode_all([(root, 0, ALWAYS)])
 
     def encode_all(self, requests: Sequence[Request]) -> Witnesses:
-        """Require each formula at its step where its literal is 1, and return the demands."""
-        for node, step, literal in requests:
-            self.ask(node, Span(step, step, literal))
+        """Require each formula at its step where its selection is 1, and return the demands."""
+        for node, step, selection in requests:
+            self.ask(node, Span(step, step, selection))
         order = list(walk_all(dict.fromkeys(node for node, _, _ in requests)))
         for node in reversed(order):
             spans = self.asked(node)
@@ -91,14 +94,14 @@ class WitnessEncoder(Asker):
         encoder, needed = self._atoms.of(node)
         if needed.every:
             for span in spans:
-                self.result.lasting += [Demand(bound, *span) for bound in needed.bounds]
+                self.result.demands += [Demand(bound, *span) for bound in needed.bounds]
             return
         best = [(bound, encoder.best(bound)) for bound in needed.bounds]
-        for step, literal in self.choices.by_step(spans):
-            able = [bound for bound, most in best if self.outlook.within_reach(most, step)]
-            options = self.options(literal, [step] * len(able), "some state")
+        for step, selection in self.choices.by_step(spans):
+            able = [bound for bound, most in best if self.optimistic.within_reach(most, step)]
+            options = self.options(selection, [step] * len(able), "some state")
             for bound, option in zip(able, options, strict=True):
-                self.result.lasting.append(Demand(bound, step, step, option))
+                self.result.demands.append(Demand(bound, step, step, option))
 
     @_pass_on.register
     def _(self, node: Constant, spans: list[Span]) -> None:
@@ -112,14 +115,14 @@ class WitnessEncoder(Asker):
 
     @_pass_on.register
     def _(self, node: Always, spans: list[Span]) -> None:
-        for first, last, literal in spans:
-            self.ask(node.child, Span(first + node.low, last + node.high, literal))
+        for first, last, selection in spans:
+            self.ask(node.child, Span(first + node.low, last + node.high, selection))
 
     @_pass_on.register
     def _(self, node: Or, spans: list[Span]) -> None:
-        for step, literal in self.choices.by_step(spans):
-            able = [child for child in node.children if self.outlook.possible(child, step)]
-            options = self.options(literal, [step] * len(able), "or")
+        for step, selection in self.choices.by_step(spans):
+            able = [child for child in node.children if self.optimistic.possible(child, step)]
+            options = self.options(selection, [step] * len(able), "or")
             for child, option in zip(able, options, strict=True):
                 self.ask(child, Span(step, step, option))
 
@@ -127,15 +130,15 @@ class WitnessEncoder(Asker):
     def _(self, node: Eventually, spans: list[Span]) -> None:
         once, again = sorted_out(spans)
         repeated = [span for runs in again.values() for span in runs]
-        if self._ways.chain and len(again) <= _CHAINS:
-            for literal, runs in again.items():
-                self._chain(node, literal, runs)
-        elif (self._ways.share or self._ways.chain) and again:
+        if self._rules.chain and len(again) <= _CHAINS:
+            for selection, runs in again.items():
+                self._chain(node, selection, runs)
+        elif (self._rules.share or self._rules.chain) and again:
             self._share(node, repeated)
         elif again:
-            for step, literal in self.choices.by_step([*once, *repeated]):
+            for step, selection in self.choices.by_step([*once, *repeated]):
                 times = self.times(node.child, [(step + node.low, step + node.high)])
-                options = self.options(literal, times, "eventually")
+                options = self.options(selection, times, "eventually")
                 self.ask_at(node.child, zip(times, options, strict=True))
             return
         for family in self.families(once):
@@ -146,13 +149,13 @@ class WitnessEncoder(Asker):
 
     def _visited(self, child: Formula, family: Sequence[Span], window: Ints) -> bool:
         """Require one agent to be somewhere in a window, if that is all that is wanted."""
-        if not self._ways.visits or child not in self._atoms or (window != window[0]).any():
+        if not self._rules.visits or child not in self._atoms or (window != window[0]).any():
             return False
         bound = self._atoms.of(child)[1].visit
         if bound is not None:
-            literal = tuple(column for span in family for column in span.literal)
+            selection = tuple(column for span in family for column in span.selection)
             first, last = window[0].tolist()
-            self.result.visits.append(Demand(bound, first, last, literal))
+            self.result.visits.append(Demand(bound, first, last, selection))
         return bound is not None
 
     def _share(self, node: Eventually, spans: list[Span]) -> None:
@@ -163,12 +166,12 @@ class WitnessEncoder(Asker):
         times, columns = np.array(list(shared.items()), dtype=np.int64).reshape(-1, 2).T
         begin = np.searchsorted(times, window[:, 0], side="left").tolist()
         end = np.searchsorted(times, window[:, 1], side="right").tolist()
-        literals = [literal for _, literal in asked]
+        selections = [selection for _, selection in asked]
         self.result.covers += [
-            Cover(columns, *place) for place in zip(begin, end, literals, strict=True)
+            Cover(columns, *place) for place in zip(begin, end, selections, strict=True)
         ]
 
-    def _chain(self, node: Eventually, literal: Literal, runs: Sequence[Span]) -> None:
+    def _chain(self, node: Eventually, selection: Selection, runs: Sequence[Span]) -> None:
         """As few witnesses as can cover the windows of all steps, each no later than it must be."""
         length = node.high - node.low + 1
         begin = min(span.first for span in runs) + node.low
@@ -180,9 +183,9 @@ class WitnessEncoder(Asker):
             latest = min(end + length - 1, begin + (link + 1) * length - 1)
             times = self.times(node.child, [(earliest, latest)])
             if not times:
-                self.choices.refute(literal, "chain")
+                self.choices.refute(selection, "chain")
                 return
-            columns = self.choices.choose(literal, times, "chain")
+            columns = self.choices.choose(selection, times, "chain")
             if former is not None:
                 self.choices.follow(former, (columns, times), length, "chain")
             former = (columns, times)

@@ -12,16 +12,16 @@ import numpy as np
 from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.expressions import Expression
-from tsplan.encode.options import Idea
-from tsplan.encode.partial.conflict_graph import Rivals
+from tsplan.encode.partial.conflict_graph import ConflictGraph
 from tsplan.encode.partial.partial_model import Claimed, Wish, claimed, valued
+from tsplan.encode.switches import Switch
 from tsplan.exact import exact
 from tsplan.logic import Formula
 from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
 from tsplan.plans.plan import ObjectiveValue
-from tsplan.search.clique_cuts import without_rivalry
+from tsplan.search.clique_cuts import with_clique_cuts
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Tell
 from tsplan.search.neighbourhood import Improving
@@ -96,7 +96,7 @@ class Settling:
             if refuted and not self._levels:
                 encoded = below(encoded, aim, most)
             others = sum((_total(levels[lower]) for lower in levels if lower < level), Fraction(0))
-            found = self._best(encoded, aim, model.rivals, self._bounded(others))
+            found = self._best(encoded, aim, model.conflicts, self._bounded(others))
             certain = self._noted(found)
             if found.objective is None:
                 return self._settled(infeasible=found.proven)
@@ -137,7 +137,7 @@ class Settling:
                 model = claimed(self.setting, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
-            found = self._best(_within(model, known), aim, model.rivals, lambda _: None)
+            found = self._best(_within(model, known), aim, model.conflicts, lambda _: None)
             surest, certain = self._proven, self._noted(found)
             if found.values is None:
                 return self._settled(infeasible=found.proven)
@@ -161,11 +161,11 @@ class Settling:
         self,
         encoded: Encoded,
         aim: Target,
-        rivals: Rivals,
+        conflicts: ConflictGraph,
         bounded: Callable[[float], float | None],
     ) -> Found:
         """Search for the best point; `bounded` makes a bound of the objective from the aim's."""
-        encoded = without_rivalry(encoded, aim.vector, rivals, self.clock)
+        encoded = with_clique_cuts(encoded, aim.vector, conflicts, self.clock)
         best: float | None = None
 
         def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
@@ -180,7 +180,7 @@ class Settling:
 
         size = encoded.model.size
         self._size = (size.columns, size.integers, size.rows, size.nonzeros)
-        effort = replace(self.effort, ideas=self.effort.ideas - {Idea.CONTINUOUS})
+        effort = replace(self.effort, switches=self.effort.switches - {Switch.CONTINUOUS})
         search = Search(encoded, aim, effort, self.clock, report)
         search.patience = _PATIENCE
         former = None

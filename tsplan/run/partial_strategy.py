@@ -18,9 +18,9 @@ from tsplan.encode.assemble import prepare
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.expressions import Constraint
 from tsplan.encode.model_objectives import Availability
-from tsplan.encode.options import Idea
 from tsplan.encode.partial.partial_model import Wish, demand_of, everything, wish_of
 from tsplan.encode.read_back import counts_of
+from tsplan.encode.switches import Switch
 from tsplan.errors import Finding, MissionError
 from tsplan.exact import exact
 from tsplan.logic import Formula, conjunction, positive, simplify
@@ -48,13 +48,13 @@ def is_soft(mission: Mission) -> bool:
 def prepare_soft(
     mission: Mission,
     constraints: Sequence[Constraint],
-    ideas: frozenset[Idea],
+    switches: frozenset[Switch],
     *,
     clock: Clock | None = None,
 ) -> Setting:
     """The setting of everything that a mission asks for or prefers."""
     goal = everything(demand_of(mission), wishes_of(mission))
-    return prepare(mission, constraints, ideas, goal, clock=clock)
+    return prepare(mission, constraints, switches, goal, clock=clock)
 
 
 def wishes_of(mission: Mission) -> tuple[Wish, ...]:

@@ -26,7 +26,7 @@ def plan(
     `time_limit` is in seconds, `gap` relative; what is None comes from the mission. `on_event` is
     called with every `Event`; when it returns True the search stops and the best plan is kept.
     Ctrl-C does the same. What `on_event` raises ends the search and is raised here. `without` names
-    ideas of the tight encoding to switch off. The plan of a swarm mission has its moves and
+    methods of the tight encoding to switch off. The plan of a swarm mission has its moves and
     sub-swarms, and the agents' paths too if there are at most 1,000; `assign` makes them for more.
 
     Raises MissionError for unknown names, InputError for numbers out of range,

@@ -13,7 +13,7 @@ from tsplan.encode.assemble import objectives_of, prepare, reference, tight
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.model_objectives import OwnSum
-from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
@@ -31,15 +31,15 @@ Encoding: TypeAlias = Literal["tight", "reference"]
 
 @dataclass(frozen=True)
 class Tuning:
-    """How a problem is to be encoded: by which encoding, and without which of its ideas."""
+    """How a problem is to be encoded: by which encoding, and without which of its methods."""
 
     encoding: Encoding = "tight"
-    without: frozenset[Idea] = frozenset()
+    without: frozenset[Switch] = frozenset()
 
     @classmethod
     def named(cls, encoding: str, without: Iterable[str] = ()) -> Tuning:
         """Tuning from plain words; MissionError names those that do not exist."""
-        known = [idea.value for idea in Idea]
+        known = [switch.value for switch in Switch]
         findings = [
             Finding(f"there is no idea '{name}' to switch off", nearest(name, known))
             for name in without
@@ -52,7 +52,7 @@ class Tuning:
             raise MissionError(findings)
         return cls(
             "tight" if encoding == "tight" else "reference",
-            frozenset(Idea(name) for name in without),
+            frozenset(Switch(name) for name in without),
         )
 
 
@@ -176,8 +176,8 @@ class Problem:
             watched = Constraint(tuple((term, 1) for term, _ in terms), None, None, "objective")
             constraints = [*self._constraints, *([watched] if terms else [])]
             make = prepare_soft if is_soft(self.mission) else prepare
-            ideas = ALL_IDEAS - self.tuning.without
-            self._setting = make(self.mission, constraints, ideas, clock=clock)
+            switches = ALL_SWITCHES - self.tuning.without
+            self._setting = make(self.mission, constraints, switches, clock=clock)
         return self._setting
 
     def encode(self, level: int = 0) -> Encoded:
@@ -202,7 +202,7 @@ class Problem:
         stages = Stages(
             setting=setting,
             objectives=(*own, *objectives_of(self.mission)),
-            effort=replace(effort, ideas=setting.ideas),
+            effort=replace(effort, switches=setting.switches),
             clock=clock,
             tell=tell,
             tight=self.tuning.encoding == "tight",

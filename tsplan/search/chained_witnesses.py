@@ -3,7 +3,7 @@
 Sharing its witnesses between the windows keeps such a model exact, but its LP says little: a bit
 of a witness at every step covers all windows. The *chained* restriction asks for as few witnesses
 as can cover the windows, one choice each (see `encode.witness`). It leaves plans out, so it proves
-nothing; but its choices can be dived through in the order of time, and without visit cuts its LPs
+nothing; but its choices can be dived through in the order of time, and without arrival cuts its LPs
 are small.
 """
 
@@ -14,19 +14,19 @@ from dataclasses import replace
 from tsplan.clock import Clock
 from tsplan.encode.assemble import tight
 from tsplan.encode.encoded import Encoded, Setting
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
 from tsplan.search.dive import Earliest
 from tsplan.search.effort import Effort
 from tsplan.search.search import Search
 
-_CUTS = frozenset({Idea.VISITS, Idea.LAZY, Idea.TOGETHER})
+_CUTS = frozenset({Switch.VISITS, Switch.LAZY, Switch.TOGETHER})
 
 
 def chain_model(setting: Setting, level: int) -> Encoded:
     """The chained model at availability `level`, with the flow columns of the exact model."""
-    return tight(replace(setting, ideas=setting.ideas - _CUTS), level, chain=True)
+    return tight(replace(setting, switches=setting.switches - _CUTS), level, chain=True)
 
 
 def first_flows(restricted: Encoded, target: Target, effort: Effort, clock: Clock) -> Floats | None:

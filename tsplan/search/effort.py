@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from tsplan.clock import Clock
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import Solver
@@ -15,11 +15,11 @@ from tsplan.milp.target import Target
 
 @dataclass(frozen=True)
 class Effort:
-    """How to solve: the solver, what was chosen of it, and which ideas to use."""
+    """How to solve: the solver, what was chosen of it, and which switches to use."""
 
     solver: Solver
     choice: SolverChoice = DEFAULT_CHOICE
-    ideas: frozenset[Idea] = frozenset(Idea)
+    switches: frozenset[Switch] = frozenset(Switch)
 
     def options(self, clock: Clock, target: Target, start: Floats | None = None) -> Options:
         """What to ask a solver for: the least value of a target, in the time that is left."""

@@ -17,7 +17,7 @@ from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import even_shares, smallest
 from tsplan.encode.groups.token_flow import tokens
 from tsplan.encode.model_objectives import GroupMoves, Splits, Travel
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.milp.confirmation import tried
 from tsplan.milp.model import Floats, Model
 from tsplan.search.effort import Effort
@@ -51,7 +51,7 @@ class GroupSearch:
         objective, kept = question.objective, question.kept
         bound = -np.inf
         if isinstance(objective, Splits) and not kept.values:
-            if Idea.TOKENS in self.effort.ideas:
+            if Switch.TOKENS in self.effort.switches:
                 bound = self._guided(question)
             point = self.known()
             value = np.inf if point is None else objective.minimised(self.setting, point)
@@ -59,7 +59,7 @@ class GroupSearch:
                 values = None if point is None else point.values
                 best = None if point is None else value
                 return Found(values, best, bound, proven=value <= bound)
-        if objective.of_groups and kept.of_groups and Idea.PLACES in self.effort.ideas:
+        if objective.of_groups and kept.of_groups and Switch.PLACES in self.effort.switches:
             return self._by_places(question, bound)
         if isinstance(objective, Travel) and kept.of_groups:
             self._shortened(question)

@@ -24,7 +24,7 @@ from tsplan.encode.model_objectives import (
     Splits,
     Travel,
 )
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats
 from tsplan.milp.target import CLOSED
@@ -216,7 +216,12 @@ class Stages:
 
         search = Search(encoded, target, self._effort(whole), self.clock, report)
         search.know(bound)
-        if whole.shared and Idea.CHAINS in self.effort.ideas and self.tight and not whole.swarms:
+        if (
+            whole.shared
+            and Switch.CHAINS in self.effort.switches
+            and self.tight
+            and not whole.swarms
+        ):
             chained = partial(self._chained, question.kept, encoded)
             search.scout, search.rescue = (chained, None) if self.point is None else (None, chained)
         if self.known is not None and self.point is None:
@@ -239,8 +244,10 @@ class Stages:
 
         A tree on the witnesses leaves open where groups go: that is the solver's part.
         """
-        ideas = self.effort.ideas if self.tight else frozenset()
-        return replace(self.effort, ideas=ideas - {Idea.TREE} if encoded.swarms else ideas)
+        switches = self.effort.switches if self.tight else frozenset()
+        return replace(
+            self.effort, switches=switches - {Switch.TREE} if encoded.swarms else switches
+        )
 
     def _groups(self, encoded: Encoded) -> GroupSearch:
         return GroupSearch(

@@ -16,7 +16,7 @@ import numpy as np
 from tsplan.clock import Clock
 from tsplan.encode.arrival_cuts import violated
 from tsplan.encode.encoded import Encoded
-from tsplan.encode.options import Idea
+from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
 from tsplan.exact import digits, relative_gap
 from tsplan.milp.confirmation import confirmed
@@ -95,7 +95,7 @@ class Search:
             self._accept(start)
         if not self._done:
             self._send(self.scout)
-        if not self._done and self._effort.ideas & {Idea.DIVE, Idea.TREE}:
+        if not self._done and self._effort.switches & {Switch.DIVE, Switch.TREE}:
             try:
                 self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
@@ -216,9 +216,9 @@ class Search:
         self._raise_bound(root.objective)
         if not self._done:
             self._send(self.rescue)
-        if not self._done and Idea.DIVE in self._effort.ideas:
+        if not self._done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
-        if not self._done and Idea.TREE in self._effort.ideas:
+        if not self._done and Switch.TREE in self._effort.switches:
             self._grow(lp)
 
     def _none_below(self, cutoff: float | None) -> None:
@@ -254,8 +254,8 @@ class Search:
                 break
 
     def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
-        """Add violated visit cuts, to the LP and to the model, while they raise the bound."""
-        if Idea.LAZY not in self._effort.ideas or self._first:
+        """Add violated arrival cuts, to the LP and to the model, while they raise the bound."""
+        if Switch.LAZY not in self._effort.switches or self._first:
             return root
         for _ in range(_ROUNDS):
             assert root.values is not None
@@ -264,7 +264,7 @@ class Search:
             if cuts is None or self._clock.over:
                 break
             lp.add_rows(cuts, np.zeros(cuts.shape[0]), np.full(cuts.shape[0], np.inf))
-            self._model = self._model.with_rows(cuts, 0.0, INFINITY, "visit")
+            self._model = self._model.with_rows(cuts, 0.0, INFINITY, "arrival")
             before = root.objective
             root = lp.solve(time_limit=self._clock.left)
             if root.status != "optimal" or root.objective < before + 1e-3 * max(abs(before), 1.0):
@@ -351,7 +351,7 @@ class Search:
     def _by_solver(self, clock: Clock) -> None:
         """The general MIP solver: continuous flows first, then whole agents if need be."""
         model = self._model
-        if Idea.CONTINUOUS in self._effort.ideas:
+        if Switch.CONTINUOUS in self._effort.switches:
             loose = model.integer.copy()
             loose[self._encoded.flows] = False
             relaxed = model.with_integrality(loose)

@@ -13,8 +13,8 @@ import numpy as np
 
 from tsplan.encode.demand_rows import DemandRows
 from tsplan.encode.flow_network import ClassColumns, Network
-from tsplan.encode.joint_demands import Together
-from tsplan.encode.options import ALL_IDEAS, Idea
+from tsplan.encode.joint_demands import JointDemands
+from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.encode.witness import Demand, Witnesses
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import SwarmBounds
@@ -30,7 +30,7 @@ def some_wanted(witnesses: Witnesses) -> list[Demand]:
     """Where the formula wants agents, it wants some group or robot."""
     return [
         replace(need, bound=replace(need.bound, amount=1))
-        for need in witnesses.lasting
+        for need in witnesses.demands
         if not need.bound.upper and need.bound.amount > 0
     ]
 
@@ -54,17 +54,17 @@ def presence_rows(network: Network, witnesses: Witnesses, draft: Draft) -> Deman
     """Where the formula wants agents there is some group, and there are enough groups for it."""
     some = some_wanted(witnesses)
     # one group may become several in a region, so its visits as a whole say nothing
-    staffing = DemandRows(network, draft, ALL_IDEAS - {Idea.TOGETHER, Idea.LAZY})
-    staffing.write(Witnesses(witnesses.choices, some, witnesses.covers))
+    rows = DemandRows(network, draft, ALL_SWITCHES - {Switch.TOGETHER, Switch.LAZY})
+    rows.write(Witnesses(witnesses.choices, some, witnesses.covers))
     for capability in {need.bound.capability for need in some}:
         mine = [need for need in some if need.bound.capability == capability]
-        Together(mine, witnesses.choices).rule_out(network.agents(capability))
-    return staffing
+        JointDemands(mine, witnesses.choices).rule_out(network.agents(capability))
+    return rows
 
 
 def only_of(witnesses: Witnesses, robots: Network) -> Witnesses:
     """The demands that no single robot can serve."""
-    only = [need for need in witnesses.lasting if not robots.having(need.bound.capability)]
+    only = [need for need in witnesses.demands if not robots.having(need.bound.capability)]
     return Witnesses(witnesses.choices, only, witnesses.covers)
 
 
@@ -76,7 +76,7 @@ def split_rows(
     Whoever is at so many places at one step has come from the starts by splitting. `splits` are the
     columns and coefficients of their number, `starts` is how many groups there are at step 0.
     """
-    always, needs = Together(some_wanted(witnesses), witnesses.choices).most()
+    always, needs = JointDemands(some_wanted(witnesses), witnesses.choices).most()
     costs = {column: need - starts for column, need in needs.items() if need > starts}
     unconditional: list[list[int]] = [[]] if always > starts else []
     for family in unconditional + witnesses.choices.families(costs):

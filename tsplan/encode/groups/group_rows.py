@@ -24,7 +24,7 @@ from tsplan.encode.groups.group_demands import (
     split_rows,
 )
 from tsplan.encode.groups.occupancy import Occupancy, bound_groups, occupancy, split_terms
-from tsplan.encode.selection import Literal
+from tsplan.encode.selection import Selection
 from tsplan.encode.witness import Demand, Witnesses
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import SwarmBounds
@@ -89,16 +89,16 @@ def occupied_rows(
     """Where the formula wants agents there is a group or robot; where it wants none, no group."""
     entered = [swarm.places.entered for swarm in swarms]
     most = [most_groups(swarm.size, swarm.bounds, together) for swarm in swarms]
-    staffing = presence_rows(group_network(entered, most, robots), witnesses, draft)
-    for demand in witnesses.demands:
+    rows = presence_rows(group_network(entered, most, robots), witnesses, draft)
+    for demand in witnesses.stepwise:
         if demand.bound.upper and demand.bound.amount == 0:
-            _forbid(draft, _at_site(swarms, demand), demand.literal)
+            _forbid(draft, _at_site(swarms, demand), demand.selection)
         elif not demand.bound.upper and demand.bound.amount > 1:
-            _forbid(draft, _left_over(swarms, robots, demand), demand.literal)
+            _forbid(draft, _left_over(swarms, robots, demand), demand.selection)
     begin = sum(int((columns.graph.start > 0).sum()) for columns in entered)
     splits = split_terms([swarm.places for swarm in swarms])
     split_rows(splits, begin, only_of(witnesses, robots), draft)
-    return staffing
+    return rows
 
 
 def served_rows(
@@ -109,11 +109,11 @@ def served_rows(
     The entered edges say so of whole points, but where a group splits they count it twice in the
     LP; of demands that need not be met all, it would meet more than there can be groups.
     """
-    for demand in only_of(witnesses, robots).demands:
-        if demand.bound.upper or demand.bound.amount <= 0 or not demand.literal:
+    for demand in only_of(witnesses, robots).stepwise:
+        if demand.bound.upper or demand.bound.amount <= 0 or not demand.selection:
             continue
         there = _at_site(swarms, demand)
-        columns = np.concatenate([there, np.array(demand.literal, dtype=np.int64)])
+        columns = np.concatenate([there, np.array(demand.selection, dtype=np.int64)])
         values = np.where(np.arange(len(columns)) < len(there), 1.0, -1.0)
         draft.rows(
             np.zeros(len(columns)), columns, values, lower=np.zeros(1), upper=np.inf, kind="served"
@@ -148,15 +148,15 @@ def _left_over(swarms: Sequence[Swarm], robots: Network, demand: Demand) -> Ints
     return np.concatenate([*found, np.empty(0, dtype=np.int64)])
 
 
-def _forbid(draft: Draft, columns: Ints, literal: Literal) -> None:
-    """The columns are 0 where the literal is 1."""
-    count, members = len(columns), np.array(literal, dtype=np.int64)
+def _forbid(draft: Draft, columns: Ints, selection: Selection) -> None:
+    """The columns are 0 where the selection is 1."""
+    count, members = len(columns), np.array(selection, dtype=np.int64)
     draft.rows(
         np.concatenate([np.arange(count), np.repeat(np.arange(count), len(members))]),
         np.concatenate([columns, np.tile(members, count)]),
         1.0,
         lower=-np.inf,
-        upper=np.full(count, 1.0 if literal else 0.0),
+        upper=np.full(count, 1.0 if selection else 0.0),
         kind="empty",
     )
 
@@ -167,7 +167,7 @@ def _forbid(draft: Draft, columns: Ints, literal: Literal) -> None:
 def counted(swarms: Sequence[Swarm], robots: Network, witnesses: Witnesses) -> Witnesses:
     """The demands on agents: whoever of a swarm is at a state is a sub-swarm there."""
     needs = []
-    for need in witnesses.lasting:
+    for need in witnesses.demands:
         bound = need.bound
         if not bound.upper and bound.amount <= 0:
             continue

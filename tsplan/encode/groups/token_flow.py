@@ -32,7 +32,7 @@ from tsplan.encode.groups.group_demands import (
 )
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.memory import Watch
-from tsplan.encode.robustness_bound import Outlook
+from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.witness import WitnessEncoder
 from tsplan.logic import Count, walk
 from tsplan.milp.model import INFINITY, Bools, Draft, Floats, Ints, Model
@@ -98,7 +98,7 @@ def tokens(setting: Setting) -> Tokens:
         entered.append(columns)
     robots = _robots(setting)
     network = Network((*entered, *robots.classes), setting.horizon)
-    encoder = WitnessEncoder(draft, Outlook(setting.goal, setting.atoms(network)))
+    encoder = WitnessEncoder(draft, OptimisticBound(setting.goal, setting.atoms(network)))
     witnesses = only_of(encoder.encode(setting.goal), robots)
     most = [
         most_groups(item.graph.agents, item.bounds, setting.together)

@@ -23,7 +23,7 @@ from tsplan.encode.atom_encoders import Bound
 from tsplan.encode.encoder_rules import Demand
 from tsplan.encode.flow_network import Network
 from tsplan.encode.joint_demands import apart
-from tsplan.encode.precedence import Ways
+from tsplan.encode.precedence import TravelGaps
 from tsplan.milp.model import Bools, Draft, Floats, Ints, joined_terms
 
 _MOST_ITEMS = 1500  # demands that are compared pairwise
@@ -36,7 +36,7 @@ def team_rows(demands: Sequence[Demand], network: Network, draft: Draft) -> None
     """Team rows and covers of the demands of each step and capability."""
     grouped: dict[tuple[str | None, int], list[Demand]] = defaultdict(list)
     for demand in demands:
-        if demand.literal and not demand.bound.upper:
+        if demand.selection and not demand.bound.upper:
             grouped[demand.bound.capability, demand.step].append(demand)
     for (capability, _), mine in grouped.items():
         members = list(apart(mine).values())
@@ -60,15 +60,15 @@ def _covers(demands: Sequence[Demand], team: int) -> list[tuple[list[Demand], in
 
 
 def _row(demands: Sequence[Demand], amounts: Sequence[int], most: int, draft: Draft) -> None:
-    terms = ((0, d.literal, amount) for d, amount in zip(demands, amounts, strict=True))
+    terms = ((0, d.selection, amount) for d, amount in zip(demands, amounts, strict=True))
     draft.sums(*terms, lower=-np.inf, upper=float(most), kind="team")
 
 
-class Rivals:
-    """Which demands exclude each other pairwise; `rows[i]` is the literal of demand i."""
+class ConflictGraph:
+    """Which demands exclude each other pairwise; `rows[i]` is the selection of demand i."""
 
     def __init__(self, demands: Sequence[Demand], network: Network, columns: int) -> None:
-        items = [d for d in demands if d.literal and not d.bound.upper and d.bound.amount > 0]
+        items = [d for d in demands if d.selection and not d.bound.upper and d.bound.amount > 0]
         items = items if len(items) <= _MOST_ITEMS else []
         number = {bound: place for place, bound in enumerate(dict.fromkeys(d.bound for d in items))}
         kind = np.array([number[demand.bound] for demand in items], dtype=np.int64)
@@ -76,7 +76,7 @@ class Rivals:
         needed = _waits(list(number), network)[np.ix_(kind, kind)]
         later = step[None, :] - step[:, None]
         self._exclusive: Bools = np.where(later >= 0, later < needed, -later < needed.T)
-        entries = [(place, column) for place, d in enumerate(items) for column in d.literal]
+        entries = [(place, column) for place, d in enumerate(items) for column in d.selection]
         index, members = np.array(entries, dtype=np.int64).reshape(-1, 2).T
         shape = (len(items), columns)
         self.rows = sparse.csr_array((np.ones(len(entries)), (index, members)), shape=shape)
@@ -110,6 +110,6 @@ class Rivals:
 
 def _waits(bounds: Sequence[Bound], network: Network) -> Ints:
     """For two kinds of demands: how many steps must lie between the first and the second."""
-    ways = Ways(network, (state for bound in bounds for state in bound.states))
+    ways = TravelGaps(network, (state for bound in bounds for state in bound.states))
     waits = [[ways.between(first, second) for second in bounds] for first in bounds]
     return np.array(waits, dtype=np.int64).reshape(len(bounds), len(bounds))

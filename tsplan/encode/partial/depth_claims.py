@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tsplan.encode.selection import Choices
+from tsplan.encode.selection import SelectionColumns
 from tsplan.encode.witness import Request
 from tsplan.logic import Eventually, Formula, Or, positive
 from tsplan.logic.witness_steps import Occurrence, reach
@@ -34,7 +34,7 @@ class Claims:
 def claim(
     everywhere: Sequence[Occurrence],
     deepest: int,
-    choices: Choices,
+    choices: SelectionColumns,
     draft: Draft,
     possible: Callable[[Formula, int], bool],
 ) -> Claims:

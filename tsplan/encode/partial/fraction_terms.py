@@ -1,18 +1,18 @@
 """The fraction of a formula as a linear expression over indicators, to be maximised.
 
-Every node is asked for under literals, as in `tsplan.encode.witness`, but what comes back is not a
-duty: it is a sum of columns that is at most the node's fraction where the literal is 1, and 0
+Every node is asked for under selections, as in `tsplan.encode.witness`, but what comes back is not
+a duty: it is a sum of columns that is at most the node's fraction where the selection is 1, and 0
 where it is not. `and` and `G` take the mean of what comes back; `or`, `F` and `U` choose one
-witness and pass its literal down, so of alternatives only one counts. Whatever is all or nothing
+witness and pass its selection down, so of alternatives only one counts. Whatever is all or nothing
 (an atom, an eventuality of atoms) has an indicator of its own, under which it must hold, and the
 tight encoding of that stands behind it.
 
-* Literals that exclude each other are added up before a node is passed on. What the merged literal
-  is worth is then shared out between those who asked.
-* A node that is asked for under many literals which do not exclude each other is valued once, under
-  none of them, so that formulas that share their parts stay small.
-* An eventuality that is asked for at several steps under one literal (F under G) does not hand its
-  witnesses down: the child is valued once at each step, and each window picks from these values.
+* Selections that exclude each other are added up before a node is passed on. What the merged one is
+  worth is then shared out between those who asked.
+* A node that is asked for under many selections which do not exclude each other is valued once,
+  under none of them, so that formulas that share their parts stay small.
+* An eventuality that is asked for at several steps under one selection (F under G) does not hand
+  its witnesses down: the child is valued once at each step, and each window picks from these.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from typing import TypeAlias
 import numpy as np
 
 from tsplan.encode.expressions import Expression
-from tsplan.encode.selection import ALWAYS, Choices, Literal, exclusive
+from tsplan.encode.selection import ALWAYS, Selection, SelectionColumns, exclusive
 from tsplan.encode.witness import Request
 from tsplan.logic import (
     Always,
@@ -42,13 +42,13 @@ from tsplan.logic import (
 )
 from tsplan.milp.model import Draft, Terms
 
-Key: TypeAlias = tuple[Formula, int, Literal]
-"""A node that is valued at a step under a literal."""
+Key: TypeAlias = tuple[Formula, int, Selection]
+"""A node that is valued at a step under a selection."""
 
-Asked: TypeAlias = Sequence[tuple[int, Literal]]
+Asked: TypeAlias = Sequence[tuple[int, Selection]]
 
 _ONE = Fraction(1)
-_MOST_GROUPS = 4  # of literals under which a node is valued at one step
+_MOST_GROUPS = 4  # of selections under which a node is valued at one step
 
 
 class _Values:
@@ -110,12 +110,12 @@ class FractionEncoder:
     """
 
     def __init__(
-        self, draft: Draft, choices: Choices, hopeful: Callable[[Formula, int], bool]
+        self, draft: Draft, choices: SelectionColumns, hopeful: Callable[[Formula, int], bool]
     ) -> None:
         self._choices = choices
         self._hopeful = hopeful
         self._values = _Values(draft)
-        self._asked: dict[Formula, dict[int, dict[Literal, None]]] = defaultdict(
+        self._asked: dict[Formula, dict[int, dict[Selection, None]]] = defaultdict(
             lambda: defaultdict(dict)
         )
         self.requests: list[Request] = []
@@ -126,50 +126,52 @@ class FractionEncoder:
         for node in reversed(list(walk(tree))):
             asked = self._asked.pop(node, {})
             groups = [
-                (step, literal)
+                (step, selection)
                 for step in sorted(asked)
-                for literal in self._grouped(node, step, tuple(asked[step]))
+                for selection in self._grouped(node, step, tuple(asked[step]))
             ]
             if groups:
                 self._value(node, groups)
         worth = self._values.write()
         return worth[top[0]] if top else Expression()
 
-    def _ask(self, node: Formula, step: int, literal: Literal) -> list[Key]:
+    def _ask(self, node: Formula, step: int, selection: Selection) -> list[Key]:
         """The key of a node's value; none where it is worth nothing."""
         if not self._hopeful(node, step):
             return []
-        self._asked[node][step][literal] = None
-        return [(node, step, literal)]
+        self._asked[node][step][selection] = None
+        return [(node, step, selection)]
 
-    def _grouped(self, node: Formula, step: int, literals: Sequence[Literal]) -> list[Literal]:
-        """Literals with exclusive ones added up; what the sum is worth is shared out."""
-        groups: list[list[Literal]] = []
-        for literal in literals:
-            lineage = self._choices.lineage(literal)
+    def _grouped(
+        self, node: Formula, step: int, selections: Sequence[Selection]
+    ) -> list[Selection]:
+        """Selections with exclusive ones added up; what the sum is worth is shared out."""
+        groups: list[list[Selection]] = []
+        for selection in selections:
+            ancestry = self._choices.ancestry(selection)
             for group in groups:
-                if all(exclusive(self._choices.lineage(other), lineage) for other in group):
-                    group.append(literal)
+                if all(exclusive(self._choices.ancestry(other), ancestry) for other in group):
+                    group.append(selection)
                     break
             else:
-                groups.append([literal])
-        if len(groups) > _MOST_GROUPS or (ALWAYS in literals and len(groups) > 1):
+                groups.append([selection])
+        if len(groups) > _MOST_GROUPS or (ALWAYS in selections and len(groups) > 1):
             # the node is valued once, whatever those who ask are
-            for literal in literals:
-                if literal != ALWAYS:
-                    columns = self._values.columns(1, literal, ())
+            for selection in selections:
+                if selection != ALWAYS:
+                    columns = self._values.columns(1, selection, ())
                     self._values.bound(columns, (), [(node, step, ALWAYS)])
-                    self._values.enter((node, step, literal), columns)
+                    self._values.enter((node, step, selection), columns)
             return [ALWAYS]
-        merged: list[Literal] = []
+        merged: list[Selection] = []
         for group in groups:
-            union = tuple(sorted({column for literal in group for column in literal}))
+            union = tuple(sorted({column for selection in group for column in selection}))
             merged.append(union if len(group) > 1 else group[0])
             if len(group) > 1:
                 shares = self._values.columns(len(group), (), [(node, step, union)])
-                for column, literal in zip(shares, group, strict=True):
-                    self._values.enter((node, step, literal), [column])
-                    self._values.bound([column], literal)
+                for column, selection in zip(shares, group, strict=True):
+                    self._values.enter((node, step, selection), [column])
+                    self._values.bound([column], selection)
         return list(dict.fromkeys(merged))
 
     @singledispatchmethod
@@ -178,25 +180,25 @@ class FractionEncoder:
 
     @_value.register
     def _(self, node: Constant, asked: Asked) -> None:
-        for step, literal in asked:
+        for step, selection in asked:
             always: Expression = Expression((), _ONE)
-            self._values.enter((node, step, literal), literal or always)
+            self._values.enter((node, step, selection), selection or always)
 
     @_value.register
     def _(self, node: Count, asked: Asked) -> None:
-        for step, literal in asked:
-            self._enter_whole((node, step, literal), [(node, step)])
+        for step, selection in asked:
+            self._enter_whole((node, step, selection), [(node, step)])
 
     @_value.register
     def _(self, node: And, asked: Asked) -> None:
-        for step, literal in asked:
-            self._mean((node, step, literal), [(child, step) for child in node.children])
+        for step, selection in asked:
+            self._mean((node, step, selection), [(child, step) for child in node.children])
 
     @_value.register
     def _(self, node: Always, asked: Asked) -> None:
-        for step, literal in asked:
+        for step, selection in asked:
             window = range(step + node.low, step + node.high + 1)
-            self._mean((node, step, literal), [(node.child, later) for later in window])
+            self._mean((node, step, selection), [(node.child, later) for later in window])
 
     def _mean(self, key: Key, parts: Sequence[tuple[Formula, int]]) -> None:
         each = Fraction(1, len(parts))
@@ -205,22 +207,22 @@ class FractionEncoder:
 
     @_value.register
     def _(self, node: Or, asked: Asked) -> None:
-        for step, literal in asked:
+        for step, selection in asked:
             options = [(child, step) for child in node.children if self._hopeful(child, step)]
-            self._best((node, step, literal), options)
+            self._best((node, step, selection), options)
 
     @_value.register
     def _(self, node: Eventually, asked: Asked) -> None:
-        windows: dict[Literal, dict[int, list[int]]] = defaultdict(dict)
-        for step, literal in asked:
+        windows: dict[Selection, dict[int, list[int]]] = defaultdict(dict)
+        for step, selection in asked:
             times = range(step + node.low, step + node.high + 1)
-            windows[literal][step] = [time for time in times if self._hopeful(node.child, time)]
-        for literal, found in windows.items():
+            windows[selection][step] = [time for time in times if self._hopeful(node.child, time)]
+        for selection, found in windows.items():
             if len(found) > 1:
-                self._pick(node, literal, found)
+                self._pick(node, selection, found)
             else:
                 ((step, window),) = found.items()
-                self._best((node, step, literal), [(node.child, time) for time in window])
+                self._best((node, step, selection), [(node.child, time) for time in window])
 
     def _best(self, key: Key, options: Sequence[tuple[Formula, int]]) -> None:
         """The value of the one option that is chosen."""
@@ -235,11 +237,11 @@ class FractionEncoder:
         self._values.enter(key, (), [(part, _ONE) for part in below])
 
     def _choose(
-        self, literal: Literal, options: Sequence[tuple[Formula, int]], kind: str
+        self, selection: Selection, options: Sequence[tuple[Formula, int]], kind: str
     ) -> list[int]:
-        """Columns of which at most one is 1 where the literal is; one for each option."""
+        """Columns of which at most one is 1 where the selection is; one for each option."""
         times = [time for _, time in options]
-        columns: list[int] = self._choices.choose(literal, times, kind, exactly=False).tolist()
+        columns: list[int] = self._choices.choose(selection, times, kind, exactly=False).tolist()
         return columns
 
     def _enter_whole(self, key: Key, options: Sequence[tuple[Formula, int]]) -> None:
@@ -253,48 +255,48 @@ class FractionEncoder:
         self._values.enter(key, columns)
 
     def _pick(
-        self, node: Eventually, literal: Literal, windows: Mapping[int, Sequence[int]]
+        self, node: Eventually, selection: Selection, windows: Mapping[int, Sequence[int]]
     ) -> None:
-        """Windows of one literal: each picks from what the child is worth at its steps."""
+        """Windows of one selection: each picks from what the child is worth at its steps."""
         child, values = node.child, self._values
         keys = {
-            time: self._ask(child, time, literal)
+            time: self._ask(child, time, selection)
             for time in sorted({time for window in windows.values() for time in window})
         }
         for step, window in windows.items():
             if is_whole(child):
                 columns = values.columns(1, (), [key for time in window for key in keys[time]])
-                if literal:
-                    values.bound(columns, literal)
+                if selection:
+                    values.bound(columns, selection)
             else:
-                options = self._choose(literal, [(child, time) for time in window], "window")
+                options = self._choose(selection, [(child, time) for time in window], "window")
                 columns = values.columns(len(window))
                 for time, option, column in zip(window, options, columns, strict=True):
                     values.bound([column], [option])
                     values.bound([column], (), keys[time])
-            values.enter((node, step, literal), columns)
+            values.enter((node, step, selection), columns)
 
     @_value.register
     def _(self, node: Until, asked: Asked) -> None:
-        for step, literal in asked:
-            self._until(node, step, literal)
+        for step, selection in asked:
+            self._until(node, step, selection)
 
-    def _until(self, node: Until, step: int, literal: Literal) -> None:
-        """One switch step; the left side's value at a step is shared out between later switches."""
+    def _until(self, node: Until, step: int, selection: Selection) -> None:
+        """One change step; the left side's value at a step is shared out between later changes."""
         window = range(step + node.low, step + node.high + 1)
-        options = self._choose(literal, [(node.right, time) for time in window], "switch")
-        switches = [
-            (switch, column, Fraction(1, switch - step + 1))
-            for switch, column in zip(window, options, strict=True)
+        options = self._choose(selection, [(node.right, time) for time in window], "switch")
+        changes = [
+            (change, column, Fraction(1, change - step + 1))
+            for change, column in zip(window, options, strict=True)
         ]
         parts = [
             (key, share)
-            for switch, column, share in switches
-            for key in self._ask(node.right, switch, (column,))
+            for change, column, share in changes
+            for key in self._ask(node.right, change, (column,))
         ]
         own: list[tuple[int, Fraction]] = []
         for time in range(step, step + node.high):
-            later = [(option, share) for switch, option, share in switches if switch > time]
+            later = [(option, share) for change, option, share in changes if change > time]
             keys = self._ask(node.left, time, tuple(option for option, _ in later))
             if not keys:
                 continue
@@ -302,7 +304,7 @@ class FractionEncoder:
             for (option, share), column in zip(later, columns, strict=True):
                 self._values.bound([column], [option])
                 own.append((column, share))
-        self._values.enter((node, step, literal), Expression(tuple(own)), parts)
+        self._values.enter((node, step, selection), Expression(tuple(own)), parts)
 
 
 def is_whole(node: Formula) -> bool:

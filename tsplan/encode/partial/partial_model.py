@@ -9,10 +9,10 @@ from tsplan.encode.assemble import assembled
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Expression
 from tsplan.encode.flow_network import Network
-from tsplan.encode.partial.conflict_graph import Rivals, team_rows
+from tsplan.encode.partial.conflict_graph import ConflictGraph, team_rows
 from tsplan.encode.partial.depth_claims import Claims, claim
 from tsplan.encode.partial.fraction_terms import FractionEncoder
-from tsplan.encode.robustness_bound import Outlook
+from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.selection import ALWAYS
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
 from tsplan.logic import Formula, conjunction, positive, simplify
@@ -60,7 +60,7 @@ class Valued:
     """A model and what each wish is worth in it."""
 
     encoded: Encoded
-    rivals: Rivals
+    conflicts: ConflictGraph
     worth: tuple[Expression, ...]
 
 
@@ -73,7 +73,7 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
         requests: list[Request] = [(demand, 0, ALWAYS)]
         for wish in wishes:
             if wish.partial:
-                hope = hopes(wish.tree, encoder.outlook, setting.horizon)
+                hope = hopes(wish.tree, encoder.optimistic, setting.horizon)
                 parts = FractionEncoder(draft, encoder.choices, hope)
                 worth.append(parts.encode(wish.tree))
                 requests += parts.requests
@@ -82,12 +82,12 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
                 worth.append(Expression.sum_of([column]))
                 requests.append((wish.whole, 0, (column,)))
         witnesses = encoder.encode_all(requests)
-        team_rows(witnesses.demands, network, draft)
-        demands.extend(witnesses.demands)
+        team_rows(witnesses.stepwise, network, draft)
+        demands.extend(witnesses.stepwise)
         return witnesses
 
     encoded = assembled(setting, ask, optional=True)
-    return Valued(encoded, _rivals(encoded, demands), tuple(worth))
+    return Valued(encoded, _conflicts(encoded, demands), tuple(worth))
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +95,7 @@ class Claimed:
     """A model and the claims in it."""
 
     encoded: Encoded
-    rivals: Rivals
+    conflicts: ConflictGraph
     claims: Claims
 
 
@@ -106,27 +106,29 @@ def claimed(setting: Setting, tree: Formula, deepest: int) -> Claimed:
     everywhere = occurrences(tree)
 
     def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
-        made = claim(everywhere, deepest, encoder.choices, draft, encoder.outlook.possible)
+        made = claim(everywhere, deepest, encoder.choices, draft, encoder.optimistic.possible)
         found.append(made)
         witnesses = encoder.encode_all(made.requests)
-        team_rows(witnesses.demands, network, draft)
-        demands.extend(witnesses.demands)
+        team_rows(witnesses.stepwise, network, draft)
+        demands.extend(witnesses.stepwise)
         return witnesses
 
     encoded = assembled(setting, ask, optional=True)
-    return Claimed(encoded, _rivals(encoded, demands), found[0])
+    return Claimed(encoded, _conflicts(encoded, demands), found[0])
 
 
-def _rivals(encoded: Encoded, demands: Sequence[Demand]) -> Rivals:
-    return Rivals(demands, encoded.network, encoded.model.size.columns)
+def _conflicts(encoded: Encoded, demands: Sequence[Demand]) -> ConflictGraph:
+    return ConflictGraph(demands, encoded.network, encoded.model.size.columns)
 
 
-def hopes(tree: Formula, outlook: Outlook, horizon: int) -> Callable[[Formula, int], bool]:
+def hopes(
+    tree: Formula, optimistic: OptimisticBound, horizon: int
+) -> Callable[[Formula, int], bool]:
     """Which fractions may be more than 0, every atom judged on its own."""
 
     def atom(node: Formula) -> Shares:
         plain = positive(node)
-        able = (outlook.possible(plain, step) for step in range(horizon + 1))
+        able = (optimistic.possible(plain, step) for step in range(horizon + 1))
         return tuple(WHOLE if so else NOTHING for so in able)
 
     best = shares_of(tree, atom)

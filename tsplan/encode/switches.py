@@ -1,6 +1,6 @@
-"""The ideas behind the tight encoding, by name, so that each can be switched off.
+"""The switches of the tight encoding and the search, each for one of the methods behind them.
 
-Switching one off never changes an answer, only the time it takes: that is what the ablation in
+Turning one off never changes an answer, only the time it takes: that is what the ablation in
 `scripts/benchmark.py` measures and what the tests check.
 """
 
@@ -9,17 +9,17 @@ from __future__ import annotations
 from enum import StrEnum
 
 
-class Idea(StrEnum):
-    """One idea of the tight encoding or of the search on it."""
+class Switch(StrEnum):
+    """One method of the tight encoding or of the search on it."""
 
     REDUCTION = "reduction"  # plan between the states that matter (encode.map_reduction)
     OUTLOOK = "outlook"  # leave out witnesses that travel times rule out (encode.robustness_bound)
     SHARING = "sharing"  # F under G: windows share their witnesses (encode.witness)
     CHAINS = "chains"  # F under G: a first plan with the fewest witnesses (encode.witness)
     FAMILIES = "families"  # one row for demands that exclude each other (encode.demand_rows)
-    VISITS = "visits"  # visit cuts over windows (encode.demand_rows)
+    VISITS = "visits"  # arrival cuts over windows (encode.demand_rows)
     TOGETHER = "together"  # needs of one witness at several places at once (encode.joint_demands)
-    LAZY = "lazy"  # more visit cuts where the LP violates them (encode.arrival_cuts)
+    LAZY = "lazy"  # more arrival cuts where the LP violates them (encode.arrival_cuts)
     CONTINUOUS = "continuous"  # flows continuous at first, repaired to whole agents (search.search)
     DIVE = "dive"  # LP-guided dive for the first plan (search.dive)
     TOKENS = "tokens"  # swarms: fewest splits by tokens, a first plan along their ways
@@ -27,4 +27,4 @@ class Idea(StrEnum):
     TREE = "tree"  # a short search of our own before the solver's (search.branch_and_bound)
 
 
-ALL_IDEAS = frozenset(Idea)
+ALL_SWITCHES = frozenset(Switch)
