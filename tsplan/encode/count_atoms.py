@@ -6,14 +6,16 @@ its own (all of them must hold); `min ... <=` and `max ... >=` ask for one state
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 
 import numpy as np
 
 from tsplan.encode.agent_classes import MapArrays
-from tsplan.encode.atom_encoders import Atoms, Bound, Requirement, Site, Slack
+from tsplan.encode.atom_encoders import AtomEncoder, Atoms, Bound, Requirement, Site, Slack
 from tsplan.encode.flow_network import Network
-from tsplan.logic import Count
+from tsplan.logic import Count, Formula
 from tsplan.milp.model import Floats
 from tsplan.ts import TransitionSystem
 
@@ -59,8 +61,15 @@ class CountEncoder:
         return Slack(columns, factor, constant, min(ends), max(ends))
 
 
+ENCODERS: Mapping[type[Formula], Callable[..., AtomEncoder]] = MappingProxyType(
+    {Count: CountEncoder}
+)
+"""The encoder of every class of atoms."""
+
+
 def atoms_over(
     network: Network, system: TransitionSystem, arrays: MapArrays, level: int = 0
 ) -> Atoms:
     """The encoders of all classes of atoms over the flows of a network."""
-    return Atoms({Count: CountEncoder(network, system, arrays, level)}, network.horizon)
+    made = {kind: make(network, system, arrays, level) for kind, make in ENCODERS.items()}
+    return Atoms(made, network.horizon)

@@ -33,16 +33,19 @@ class ReferenceEncoder:
         latest = _latest(root)
         for node in walk(root):
             for step in range(latest[node] + 1):
-                self._columns[node, step] = self._column(node, step)
+                make = self._atom if node in self._atoms else self._column
+                self._columns[node, step] = make(node, step)
         column = self._columns[root, 0]
         self._draft.rows([0], [column], 1.0, lower=1.0, upper=1.0, kind="root", node=root, step=0)
 
-    @singledispatchmethod
-    def _column(self, node: Formula, step: int) -> int:
-        """The column of an atom; those of other nodes are registered."""
+    def _atom(self, node: Formula, step: int) -> int:
         encoder, needed = self._atoms.of(node)
         parts = [self._bound(encoder, bound, step) for bound in needed.bounds]
         return self._all(parts, node, step) if needed.every else self._any(parts, node, step)
+
+    @singledispatchmethod
+    def _column(self, node: Formula, step: int) -> int:
+        raise TypeError(f"no reference encoding is registered for {type(node).__name__}")
 
     @_column.register
     def _(self, node: Constant, step: int) -> int:

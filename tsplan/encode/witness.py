@@ -85,12 +85,11 @@ class WitnessEncoder(Asker):
         for node in reversed(order):
             spans = self.asked(node)
             if spans:
-                self._pass_on(node, spans)
+                (self._demand if node in self._atoms else self._pass_on)(node, spans)
         return self.result
 
-    @singledispatchmethod
-    def _pass_on(self, node: Formula, spans: list[Span]) -> None:
-        """What is asked of an atom; other nodes are registered."""
+    def _demand(self, node: Formula, spans: list[Span]) -> None:
+        """Make demands of what is required of an atom."""
         encoder, needed = self._atoms.of(node)
         if needed.every:
             for span in spans:
@@ -102,6 +101,10 @@ class WitnessEncoder(Asker):
             options = self.options(selection, [step] * len(able), "some state")
             for bound, option in zip(able, options, strict=True):
                 self.result.demands.append(Demand(bound, step, step, option))
+
+    @singledispatchmethod
+    def _pass_on(self, node: Formula, spans: list[Span]) -> None:
+        raise TypeError(f"no tight encoding is registered for {type(node).__name__}")
 
     @_pass_on.register
     def _(self, node: Constant, spans: list[Span]) -> None:
