@@ -13,7 +13,7 @@ import pytest
 
 from tsplan.errors import SolverError, SolverUnavailableError
 from tsplan.milp.model import Model
-from tsplan.milp.pulp_terms import UnclearError, told
+from tsplan.milp.pulp_terms import UnclearError, raw_result
 from tsplan.milp.request import RawResult, Request
 from tsplan.milp.solution import Options, Status
 from tsplan.process.descendants import INTERRUPT, KILL, Descendants
@@ -34,7 +34,7 @@ from tsplan.stopping import StoppedBy
 )
 def test_pulp_3(status: int, sol_status: int, claim: Status) -> None:
     problem = SimpleNamespace(status=status, sol_status=sol_status)
-    assert told(problem, status).status is claim
+    assert raw_result(problem, status).status is claim
 
 
 @pytest.mark.parametrize(
@@ -52,17 +52,17 @@ def test_pulp_3(status: int, sol_status: int, claim: Status) -> None:
 )
 def test_pulp_4(status: int, claim: Status, stopped_by: StoppedBy | None) -> None:
     stats = SimpleNamespace(status=status, has_solution=True, best_bound=1e9, status_str="")
-    said = told(object(), stats)
+    said = raw_result(object(), stats)
     assert (said.status, said.stopped_by, said.bound) == (claim, stopped_by, None)
 
 
 def test_no_answer_is_an_error() -> None:
     with pytest.raises(SolverError, match="without an answer"):
-        told(SimpleNamespace(status=-3, sol_status=-1), -3)
+        raw_result(SimpleNamespace(status=-3, sol_status=-1), -3)
     for status in (0, -3, -12):
         stats = SimpleNamespace(status=status, has_solution=False, best_bound=None, status_str="?")
         with pytest.raises(SolverError, match="without an answer"):
-            told(object(), stats)
+            raw_result(object(), stats)
 
 
 @pytest.mark.parametrize("point", [None, np.array([3.0])])

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     import argparse
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Write the moving picture."""
-    plan, mission = plan_to_show(asked, "the moving picture")
-    pace = Pace.of(plan.horizon, asked.fps, asked.seconds_per_step, asked.size)
-    animate(mission, plan, asked.output, pace, remark)
+    plan, mission = plan_to_show(options, "the moving picture")
+    pace = Pace.of(plan.horizon, options.fps, options.seconds_per_step, options.size)
+    animate(mission, plan, options.output, pace, remark)
     return Exit.DONE

@@ -14,15 +14,15 @@ if TYPE_CHECKING:
     import argparse
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Print what holds of a plan, or what does not."""
-    mission, plan = mission_and_plan(asked.mission, asked.plan)
+    mission, plan = mission_and_plan(options.mission, options.plan)
     report = check(mission, plan)
     for finding in report.findings:
-        say(f"{asked.plan}: {clipped(finding.message)}")
+        say(f"{options.plan}: {clipped(finding.message)}")
     if not report.ok:
         return Exit.REFUSED
-    if not asked.quiet:
+    if not options.quiet:
         for fact in report.facts:
             say(fact)
         if plan.mission.sha256 != mission.digest:

@@ -27,23 +27,23 @@ if TYPE_CHECKING:
 _PIPE_WIDTH = 100  # columns where there is no terminal to ask
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Explain the mission; write a changed one where that is asked for."""
-    if (asked.fix is None) != (asked.output is None):
+    if (options.fix is None) != (options.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
-    mission, choice, _ = mission_to_solve(asked, "the mission")
+    mission, choice, _ = mission_to_solve(options, "the mission")
     requests, unwritten = Requests(what=b"what is known"), None
     with requests.heard():
-        found = _explained(mission, choice, asked, requests)
-        if asked.fix is not None:
-            unwritten = attempted(lambda: _write(mission, found, asked))
-    if asked.json:
-        say_json(found.to_json())
+        explanation = _explained(mission, choice, options, requests)
+        if options.fix is not None:
+            unwritten = attempted(lambda: _write(mission, explanation, options))
+    if options.json:
+        say_json(explanation.to_json())
     else:
-        print_explanation(found, mission, console(_PIPE_WIDTH))
+        print_explanation(explanation, mission, console(_PIPE_WIDTH))
     if unwritten is not None:
         raise unwritten
-    return Exit.NO_PLAN if found.status is Status.NO_ANSWER else Exit.DONE
+    return Exit.NO_PLAN if explanation.status is Status.NO_ANSWER else Exit.DONE
 
 
 @dataclass(eq=False, slots=True)
@@ -68,22 +68,22 @@ class _Heard:
 
 
 def _explained(
-    mission: Mission, choice: SolverChoice, asked: argparse.Namespace, requests: Requests
+    mission: Mission, choice: SolverChoice, options: argparse.Namespace, requests: Requests
 ) -> Explanation:
     """The explanation, made in a child process: a crash of native code becomes a message.
 
     What the child has handed over is kept where it does not come to an end.
     """
     heard = _Heard("facts", Explanation(Status.NO_ANSWER, mission.name))
-    options = {
-        "slack": asked.slack,
+    keywords = {
+        "slack": options.slack,
         "time_limit": choice.time_limit,
         "solver": choice.name,
     }
     leash = Leash(choice.time_limit)
     try:
         with requests.passed_to(leash.ask):
-            return run_guarded(_job, (mission, asked.all, options), heard.hear, leash)
+            return run_guarded(_job, (mission, options.all, keywords), heard.hear, leash)
     except ENDED as error:
         words = "it was interrupted" if isinstance(error, KeyboardInterrupt) else str(error)
         remark(f"{words}; this is what was known")
@@ -96,21 +96,21 @@ def _job(
     """The child's part."""
     from tsplan.explanation.whynot.diagnosis import MOST_CONFLICTS, explain  # noqa: PLC0415  (slow)
 
-    mission, every, options = given
+    mission, every, keywords = given
     most = MOST_CONFLICTS if every else 1
-    return explain(mission, conflicts=most, **options, on_stage=send, on_found=send)
+    return explain(mission, conflicts=most, **keywords, on_stage=send, on_found=send)
 
 
-def _write(mission: Mission, found: Explanation, asked: argparse.Namespace) -> None:
+def _write(mission: Mission, explanation: Explanation, options: argparse.Namespace) -> None:
     """Write the mission after one of the changes, as a file that can be planned."""
     from tsplan.explanation.whynot.rewriting import rewritten  # noqa: PLC0415  (rarely needed)
 
-    output: Path = asked.output
-    if not 1 <= asked.fix <= len(found.changes):
-        known = f"there are {len(found.changes)}" if found.changes else "there is none"
-        raise InputError([Finding(f"there is no change {asked.fix}; {known}", "choose another")])
-    changed = found.changes[asked.fix - 1].mission
-    written = rewritten(mission, changed, asked.mission.parent, output.parent)
+    output: Path = options.output
+    if not 1 <= options.fix <= len(explanation.changes):
+        known = f"there are {len(explanation.changes)}" if explanation.changes else "there is none"
+        raise InputError([Finding(f"there is no change {options.fix}; {known}", "choose another")])
+    changed = explanation.changes[options.fix - 1].mission
+    written = rewritten(mission, changed, options.mission.parent, output.parent)
     write_whole(output, written.text.encode())
     if written.comments_lost:
         remark(f"{output}: some comments of the mission could not be kept")

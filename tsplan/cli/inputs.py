@@ -38,20 +38,20 @@ def mission_of(path: Path) -> Mission:
     return mission
 
 
-def mission_to_solve(asked: argparse.Namespace, what: str) -> tuple[Mission, SolverChoice, float]:
+def mission_to_solve(options: argparse.Namespace, what: str) -> tuple[Mission, SolverChoice, float]:
     """The mission of a command that solves and may write `what`, and what is chosen of the solver.
 
     Reading the mission is a part of the work: it has to keep the time limit, which is chosen less
     the seconds that it took; these come last. The solver and the place to write to are looked at.
     """
-    refuse_place(asked.output, what, [asked.mission])
-    limit = None if asked.time_limit is None else max(asked.time_limit, _READING)
+    refuse_place(options.output, what, [options.mission])
+    limit = None if options.time_limit is None else max(options.time_limit, _READING)
     began = time.perf_counter()
     with alarm(limit, "the time limit was reached while the mission was read"):
-        mission = mission_of(asked.mission)
+        mission = mission_of(options.mission)
     loaded = time.perf_counter() - began
-    refuse_place(asked.output, what, files_of(mission))
-    given = (getattr(asked, name, None) for name in _CHOICES)
+    refuse_place(options.output, what, files_of(mission))
+    given = (getattr(options, name, None) for name in _CHOICES)
     choice = SolverChoice(*given).over(mission.solver)
     refuse_solver(choice.name or "highs")
     return mission, replace(choice, time_limit=rest(choice.time_limit, loaded)), loaded
@@ -105,10 +105,10 @@ def fitted(path: Path, plan: Plan, given: Path | None) -> tuple[Plan, Mission]:
     return plan, mission
 
 
-def plan_to_show(asked: argparse.Namespace, what: str) -> tuple[Plan, Mission]:
+def plan_to_show(options: argparse.Namespace, what: str) -> tuple[Plan, Mission]:
     """The plan and the mission of a command that shows them and may write `what`."""
-    plan, mission = fitted(asked.plan, load_plan(asked.plan), asked.mission)
-    refuse_place(asked.output, what, [asked.plan, *files_of(mission)])
+    plan, mission = fitted(options.plan, load_plan(options.plan), options.mission)
+    refuse_place(options.output, what, [options.plan, *files_of(mission)])
     return plan, mission
 
 

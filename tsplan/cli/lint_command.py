@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     import argparse
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Print one line for everything that looks odd."""
-    system = load_map(asked.map)
+    system = load_map(options.map)
     findings = lint(system)
     for finding in findings:
-        placed = finding if finding.source else replace(finding, source=str(asked.map))
+        placed = finding if finding.source else replace(finding, source=str(options.map))
         say(str(placed))
     if findings:
         return Exit.REFUSED

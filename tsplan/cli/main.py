@@ -20,12 +20,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     output.fill_closed()
     try:
         try:
-            asked = parser().parse_args(arguments)
+            options = parser().parse_args(arguments)
         except SystemExit as stop:  # argparse has said what is wrong
             code = Exit(int(stop.code or 0))
         else:
-            command = import_module(f"tsplan.cli.{asked.command}_command")
-            code = command.run(asked)
+            command = import_module(f"tsplan.cli.{options.command}_command")
+            code = command.run(options)
         output.OUT.flush()
     except (Exception, KeyboardInterrupt, TimeUpError) as error:  # noqa: BLE001  (no traceback)
         code, lines = _answer(error)

@@ -16,15 +16,15 @@ if TYPE_CHECKING:
 DEEPEST_INDENT = 40
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Print a formula's tree, text, horizon, positive normal form and, for CaTL, its MTL."""
-    formula = logic.parse(asked.formula, asked.language)
+    formula = logic.parse(options.formula, options.language)
     rows = [
         ("text", str(formula)),
         ("horizon", str(logic.horizon(formula))),
         ("positive", _positive(formula)),
     ]
-    if asked.language == "catl":
+    if options.language == "catl":
         rows.append(("mtl", str(logic.translate(formula))))
     say("tree")
     for line in tree(formula):

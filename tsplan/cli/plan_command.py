@@ -32,23 +32,23 @@ _CODES = {
 _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
-    mission, choice, loaded = mission_to_solve(asked, "the plan")
-    order = Order(mission, choice, asked.encoding, tuple(asked.without))
-    requests, unwritten = Requests(quiet=asked.quiet), None
+    mission, choice, loaded = mission_to_solve(options, "the plan")
+    order = Order(mission, choice, options.encoding, tuple(options.without))
+    requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
-        if not (may_have_children() or asked.quiet):
+        if not (may_have_children() or options.quiet):
             remark("this process may start no other: a crash of the solver would end it")
-        with Progress(quiet=asked.quiet) as progress:
+        with Progress(quiet=options.quiet) as progress:
             plan = _timed(Planning(progress, requests).plan(order), mission, loaded)
         if plan.has_paths and not plan.verified:
             raise SolverError("the plan that was found has not been checked; it is not shown")
-        if asked.agents and plan.moves and not plan.agents:
-            plan = assign(mission, plan, seed=asked.seed)
-        if asked.output is not None:
-            unwritten = attempted(lambda: save_plan(plan, asked.output))
-    _show(plan, asked)
+        if options.agents and plan.moves and not plan.agents:
+            plan = assign(mission, plan, seed=options.seed)
+        if options.output is not None:
+            unwritten = attempted(lambda: save_plan(plan, options.output))
+    _show(plan, options)
     if unwritten is not None:
         raise unwritten
     return _CODES[plan.status]
@@ -65,12 +65,12 @@ def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:
     return replace(plan, timings=timings)
 
 
-def _show(plan: Plan, asked: argparse.Namespace) -> None:
-    if asked.json:
+def _show(plan: Plan, options: argparse.Namespace) -> None:
+    if options.json:
         say_json(plan.to_json())
-    elif not asked.quiet:
+    elif not options.quiet:
         from tsplan.plans.summary import print_summary  # noqa: PLC0415  (needs rich, slow)
 
         print_summary(plan, console(_PIPE_WIDTH))
-    if plan.status is Status.INFEASIBLE and not asked.quiet:
-        remark(f"to see why, and what would help: tsplan explain {asked.mission}")
+    if plan.status is Status.INFEASIBLE and not options.quiet:
+        remark(f"to see why, and what would help: tsplan explain {options.mission}")

@@ -33,17 +33,17 @@ if TYPE_CHECKING:
 _SCREENLESS = frozenset({"agg", "pdf", "ps", "svg", "cairo", "template"})
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Write the picture, print the reasons, or open a window."""
-    reasons = _reasons(asked) if asked.why else None
-    if asked.output is not None:
-        _save(asked)
+    reasons = _reasons(options) if options.why else None
+    if options.output is not None:
+        _save(options)
     if reasons is not None:
         say(reasons)
-    elif asked.output is None:
+    elif options.output is None:
         with _own_backend():
             plt = _window()
-            _draw(asked, plt.figure(figsize=(10, 8), layout="constrained"))
+            _draw(options, plt.figure(figsize=(10, 8), layout="constrained"))
             plt.show()
     return Exit.DONE
 
@@ -62,24 +62,24 @@ def _own_backend() -> Iterator[None]:
             os.environ["MPLBACKEND"] = former
 
 
-def _save(asked: argparse.Namespace) -> None:
-    kind_of(asked.output)
-    _refuse_inputs(asked, None)
-    save(_draw(asked, None), asked.output, tell=remark)
+def _save(options: argparse.Namespace) -> None:
+    kind_of(options.output)
+    _refuse_inputs(options, None)
+    save(_draw(options, None), options.output, tell=remark)
 
 
-def _refuse_inputs(asked: argparse.Namespace, mission: Mission | None) -> None:
+def _refuse_inputs(options: argparse.Namespace, mission: Mission | None) -> None:
     """Do not draw over what is drawn."""
-    inputs = [asked.file, asked.mission, *files_of(mission)]
-    refuse_place(asked.output, "the picture", inputs)
+    inputs = [options.file, options.mission, *files_of(mission)]
+    refuse_place(options.output, "the picture", inputs)
 
 
-def _reasons(asked: argparse.Namespace) -> str:
+def _reasons(options: argparse.Namespace) -> str:
     """Why the plan satisfies its formula, and what became of what is preferred."""
-    if not _is_plan(asked.file):
+    if not _is_plan(options.file):
         what = "--why is about a plan, and this is none"
-        raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(asked.file))])
-    plan, mission = fitted(asked.file, load_plan(asked.file), asked.mission)
+        raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(options.file))])
+    plan, mission = fitted(options.file, load_plan(options.file), options.mission)
     trees = [str(plan.explain(mission))]
     for name, tree in explain_preferred(plan, mission).items():
         trees.append(f"preferred: {name}\n{tree}")
@@ -94,28 +94,28 @@ def _window() -> Any:
     return plt
 
 
-def _draw(asked: argparse.Namespace, figure: Any) -> Any:
+def _draw(options: argparse.Namespace, figure: Any) -> Any:
     """The picture of whatever the file holds, on a given figure or a new one."""
     ax = None if figure is None else figure.add_subplot()
-    if _is_plan(asked.file):
-        return _draw_plan(asked, figure, ax)
-    if kind_of_data(read_document(asked.file).data) == MISSION:
-        drawn = mission_of(asked.file)
-        _refuse_inputs(asked, drawn)
+    if _is_plan(options.file):
+        return _draw_plan(options, figure, ax)
+    if kind_of_data(read_document(options.file).data) == MISSION:
+        drawn = mission_of(options.file)
+        _refuse_inputs(options, drawn)
         return draw_mission(drawn, ax)[0]
-    return draw_map(load_map(asked.file), ax)[0]
+    return draw_map(load_map(options.file), ax)[0]
 
 
-def _draw_plan(asked: argparse.Namespace, figure: Any, ax: Any) -> Any:
+def _draw_plan(options: argparse.Namespace, figure: Any, ax: Any) -> Any:
     """A view of a plan; without its mission, the timeline, which needs no map."""
-    plan = load_plan(asked.file)
-    refuse_pathless(plan, str(asked.file))
-    alone = asked.view in (None, "timeline") and asked.mission is None
-    if alone and mission_beside(asked.file, plan) is None:
+    plan = load_plan(options.file)
+    refuse_pathless(plan, str(options.file))
+    alone = options.view in (None, "timeline") and options.mission is None
+    if alone and mission_beside(options.file, plan) is None:
         return draw_timeline(plan, None, ax)[0]
-    plan, mission = fitted(asked.file, plan, asked.mission)
-    _refuse_inputs(asked, mission)
-    view = asked.view or PAGE
+    plan, mission = fitted(options.file, plan, options.mission)
+    _refuse_inputs(options, mission)
+    view = options.view or PAGE
     if view != PAGE:
         return draw_view(plan, mission, view, ax)[0]
     if figure is not None:

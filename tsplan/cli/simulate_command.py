@@ -22,14 +22,14 @@ if TYPE_CHECKING:
     from tsplan.protocol.simulation import Simulation
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Print how often formula and bounds held, how far numbers strayed, and what would help."""
-    mission, plan = mission_and_plan(asked.mission, asked.plan)
+    mission, plan = mission_and_plan(options.mission, options.plan)
     try:
-        found = simulate(mission, plan, runs=asked.runs, seed=asked.seed)
+        found = simulate(mission, plan, runs=options.runs, seed=options.seed)
     except PlanError as error:
-        raise PlanError(_named(error, str(asked.plan))) from None
-    for line in _words(mission, found, asked.probability):
+        raise PlanError(_named(error, str(options.plan))) from None
+    for line in _words(mission, found, options.probability):
         say(line)
     return Exit.DONE
 

@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     import argparse
 
 
-def run(asked: argparse.Namespace) -> Exit:
+def run(options: argparse.Namespace) -> Exit:
     """Write the page; without a file to write it to, also open it."""
-    plan, mission = plan_to_show(asked, "the page")
-    path = write_page(mission, plan, asked.output)
-    if asked.output is None:
+    plan, mission = plan_to_show(options, "the page")
+    path = write_page(mission, plan, options.output)
+    if options.output is None:
         opened = open_page(path)
         words = "opened" if opened else "no browser was found; open this file in one:"
         say(f"{words} {path}")

@@ -22,7 +22,7 @@ import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.pulp_terms import UnclearError, load, pulp_module, told
+from tsplan.milp.pulp_terms import UnclearError, load, pulp_module, raw_result
 from tsplan.milp.request import NativeRun, RawResult, Request
 from tsplan.milp.solution import Status
 from tsplan.milp.solver import Availability, Solver
@@ -166,7 +166,7 @@ class _Solve:
             for variable, value in zip(variables, start.tolist(), strict=True):
                 variable.setInitialValue(value, check=False)
         answer = problem.solve(_backend(self.backend, arguments))
-        raw = told(problem, answer)
+        raw = raw_result(problem, answer)
         if raw.status is Status.INFEASIBLE:
             return raw
         values = self._values(variables, raw.status)

@@ -83,7 +83,7 @@ _CLAIMS = {
 }
 
 
-def told(problem: Any, answer: Any) -> RawResult:
+def raw_result(problem: Any, answer: Any) -> RawResult:
     """What PuLP says, without a point: `problem.solve` gave `answer`. Raises SolverError."""
     unknown = RawResult(Status.UNKNOWN)
     if hasattr(answer, "has_solution"):  # PuLP 4
