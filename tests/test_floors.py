@@ -62,13 +62,11 @@ circle: draw.starts
 late: draw.canvas
 late: draw.map
 
-late: milp.pulp
 
 late: run.isolate
 
 name: encode.objectives
 
-up: cli.arguments -> top
 up: encode.assemble -> search
 up: encode.encoded -> search
 up: encode.map_reduction -> search

@@ -14,6 +14,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.lazy_names import lazily
+from tsplan.version import VERSION
 
 if TYPE_CHECKING:  # each under its own name, so that type checkers see it as public
     from tsplan.checking.assignment import assign as assign
@@ -50,7 +51,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.ts import TransitionSystem as TransitionSystem
     from tsplan.ts.io.map_files import load_map as load_map
 
-__version__ = "0.1.0"
+__version__ = VERSION
 _HOMES = {
     "run.problem": ("Problem",),
     "errors": (

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from tsplan.limits import DIGITS, LARGEST, OPTIONS, Range
+from tsplan.version import VERSION
 
 
 class Exit(IntEnum):
@@ -34,14 +35,12 @@ _CODES = """exit codes of plan: 0 a verified plan, 2 bad input or usage, 3 infea
 
 def parser() -> argparse.ArgumentParser:
     """The whole command line."""
-    from tsplan import __version__  # noqa: PLC0415  (the package is being imported)
-
     top = argparse.ArgumentParser(
         prog="tsplan",
         description="Plan a team of robots from a map and a temporal-logic formula.",
         epilog=_CODES,
     )
-    top.add_argument("--version", action="version", version=f"tsplan {__version__}")
+    top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
     every = (_plan, _explain, _check, _simulate, _parse, _show, _view, _animate, _lint)
     for command in every:

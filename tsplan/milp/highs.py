@@ -92,6 +92,10 @@ class Highs(Solver):
         """The model as a `highspy.Highs`."""
         return load(model)
 
+    def option_names(self) -> list[str]:
+        """HiGHS' own names of its options."""
+        return option_names()
+
     def answer(self, request: Request) -> RawResult:
         """What HiGHS makes of a request; see `tsplan.milp.solver.Solver`."""
         options = request.options

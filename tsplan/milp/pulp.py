@@ -25,7 +25,7 @@ from tsplan.milp.model import Floats, Model
 from tsplan.milp.pulp_terms import UnclearError, load, pulp_module, raw_result
 from tsplan.milp.request import NativeRun, RawResult, Request
 from tsplan.milp.solution import Status
-from tsplan.milp.solver import Availability, Solver
+from tsplan.milp.solver import Availability, Solver, solver
 from tsplan.process.descendants import INTERRUPT, KILL, Descendants
 from tsplan.process.grace_period import COMMAND
 from tsplan.process.quiet_output import hushed
@@ -269,9 +269,8 @@ def _extra(
     given = dict(extra)
     open_ended = any(p.kind is inspect.Parameter.VAR_KEYWORD for p in known.values() if p)
     if name == "HiGHS":
-        from tsplan.milp.highs import option_names  # noqa: PLC0415 - no solver imported unasked
-
-        known, open_ended = {**known, **dict.fromkeys(option_names())}, False
+        own = solver("highs").option_names()
+        known, open_ended = {**known, **dict.fromkeys(own)}, False
     for option in given:
         if option not in known and not open_ended:
             raise SolverError(f"PuLP's {name} has no option '{option}'; {nearest(option, known)}")
@@ -303,10 +302,8 @@ def _polished(model: Model, values: Floats) -> Floats | None:
 
     The integer columns are fixed at the nearest whole numbers, HiGHS finds the others.
     """
-    from tsplan.milp.highs import Highs  # noqa: PLC0415 - no solver is imported unasked
-
     fixed = np.round(values)
     lower = np.where(model.integer, fixed, model.lower)
     upper = np.where(model.integer, fixed, model.upper)
     near = model.with_bounds(lower, upper).with_integrality(np.zeros(len(values), dtype=bool))
-    return Highs().solve(near).values
+    return solver("highs").solve(near).values

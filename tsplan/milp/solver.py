@@ -77,6 +77,10 @@ class Solver(ABC):
         known = presolved(model)
         return known or request.solution(self.answer(request), request.elapsed)
 
+    def option_names(self) -> list[str]:
+        """The solver's own names of its options, if it tells them."""
+        return []
+
     def names(self) -> list[str]:
         """The names by which it can be used here, that of each variant on its own."""
         return [self.name] if self.availability().usable else []
