@@ -27,6 +27,7 @@ COMMANDS = (
     "tasks",
     "infeasible_edge",
     "swarms_together",
+    "mixed_splits",
     "partial_depth",
     "partial_swarm",
     "preferences_team",

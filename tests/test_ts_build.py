@@ -1,7 +1,5 @@
 """Maps built in Python."""
 
-import time
-
 import networkx as nx
 import numpy as np
 import pytest
@@ -132,7 +130,5 @@ def test_a_graph_and_back():
 
 
 @pytest.mark.long
-def test_large_grids_are_built_quickly():
-    begun = time.perf_counter()
+def test_large_grids_are_built():
     assert len(grid(200, 200).states) == 40_000
-    assert time.perf_counter() - begun < 10

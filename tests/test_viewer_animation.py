@@ -10,7 +10,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.viewing import HOSTILE, mission_on, plan_of, system, wandering
+from tests.viewing import HOSTILE, mission_on, plan_of, system
+from tests.walks import walking
 from tsplan.cli import main
 from tsplan.errors import InputError
 from tsplan.plans.plan_file import save_plan
@@ -106,7 +107,7 @@ def test_the_formula_ticks_off(scene):
 @pytest.mark.parametrize("seed", range(5))
 def test_pictures_count_as_the_plan_does(mission, seed):
     crowd = mission_on(mission.system, [{"class": "a", "at": {"p": 5, "q": 3}}], "true", 9)
-    plan = wandering(crowd, seed)
+    plan = walking(crowd, seed)
     lanes = movers(crowd, plan)
     ground = Ground(dict.fromkeys("pqr", (0.0, 0.0)), radius=2.0, most=4)
     for step in range(10):

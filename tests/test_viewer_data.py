@@ -11,7 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tsplan
-from tests.viewing import HOSTILE, mission_on, plan_of, system, wandering
+from tests.viewing import HOSTILE, mission_on, plan_of, system
+from tests.walks import walking
 from tsplan.plans.plan import Plan, Status
 from tsplan.viewer import page
 from tsplan.viewer.formula_rows import formula_parts
@@ -45,7 +46,7 @@ def places(data, step):
 
 @pytest.mark.parametrize("seed", range(20))
 def test_everybody_is_where_the_plan_says(mission, seed):
-    plan = wandering(mission, seed)
+    plan = walking(mission, seed)
     data = json.loads(json.dumps(page_data(mission, plan)))
     lanes = movers(mission, plan)
     for step in range(plan.horizon + 1):
@@ -77,7 +78,7 @@ def test_between_two_steps_an_agent_is_on_its_edge(mission):
 
 @pytest.mark.parametrize("seed", range(20))
 def test_no_two_agents_share_a_slot(mission, seed):
-    plan = wandering(mission, seed)
+    plan = walking(mission, seed)
     taken = set()
     for lane in movers(mission, plan):
         for stop in lane.stops:

@@ -9,7 +9,8 @@ from itertools import pairwise
 import pytest
 
 from tests.browser import Browser, browser_path
-from tests.viewing import HOSTILE, mission_on, plan_of, system, wandering
+from tests.viewing import HOSTILE, mission_on, plan_of, system
+from tests.walks import walking
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer import page
 from tsplan.viewer.page_data import page_data
@@ -40,7 +41,7 @@ def planned():
     ]
     formula = "F[0,9] (sum(q) >= 1) && G[0,12] (sum(r) <= 7)"
     mission = mission_on(system(NAMES, duration=3), team, formula, HORIZON)
-    return mission, wandering(mission, 5)
+    return mission, walking(mission, 5)
 
 
 @pytest.fixture
@@ -355,7 +356,7 @@ def test_scripts_put_into_the_page_are_refused(shown):
 def test_a_thousand_agents_are_counted_where_they_crowd(browser, tmp_path):
     names = [f"s{n}" for n in range(40)]
     mission = mission_on(system(names), [{"class": "a", "at": {"s0": 980, "s1": 20}}], "true", 6)
-    plan = wandering(mission, 2)
+    plan = walking(mission, 2)
     path = tmp_path / "crowd.html"
     path.write_text(page(mission, plan), encoding="utf-8")
     browser.resize(1280, 800)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import random
-
 import tsplan
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.plan import MissionRef, Plan, Status
@@ -47,23 +45,3 @@ def plan_of(mission, paths):
         horizon=mission.horizon,
         agents=agents,
     )
-
-
-def wandering(mission, seed=0):
-    """A plan in which every agent waits and moves at random."""
-    rng = random.Random(seed)
-    return plan_of(mission, [_walk(mission, agent, rng) for agent in mission.agents])
-
-
-def _walk(mission, agent, rng):
-    stays, state, since = [], agent.start, 0
-    while True:
-        leave = since + rng.choice((0, 0, 1, 3))
-        edge = rng.choice([e for e in mission.system.leaving(state) if not e.is_wait])
-        if leave >= mission.horizon:
-            return [*stays, (since, mission.horizon, state)], None
-        stays.append((since, leave, state))
-        arrival = leave + edge.duration_for(agent.class_name)
-        if arrival > mission.horizon:
-            return stays, edge.target
-        state, since = edge.target, arrival
