@@ -25,23 +25,27 @@ from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
+from tsplan.mission.objectives import OBJECTIVES
 
 
 class ModelObjective:
     """One objective, on the model side; this class is that of all that are linear in the columns.
 
-    `of_groups` says that a value depends on where groups are only, not on how many agents they
+    `by_places` says that a value depends on where groups are only, not on how many agents they
     have; `opens` that a plan may be looked for by minimising it; `priced` that agents whose edges
-    cost differently are told apart; `built` that models are made for a value of it; `rises` that
-    more is better.
+    cost differently are told apart; `built` that models are made for a value of it.
     """
 
     name: ClassVar[str]
     built: ClassVar[bool] = False
-    of_groups: ClassVar[bool] = False
+    by_places: ClassVar[bool] = False
     opens: ClassVar[bool] = True
     priced: ClassVar[bool] = False
-    rises: ClassVar[bool] = False
+
+    @property
+    def rises(self) -> bool:
+        """Whether more is better."""
+        return OBJECTIVES[self.name].sense == "maximise"
 
     def reducible(self, setting: Setting) -> bool:
         """Whether quickest ways between the states that matter lose no better plan."""
@@ -155,7 +159,6 @@ class Availability(LevelObjective):
     """How many agents with any one capability may be missing anywhere, and the formula holds."""
 
     name = "availability"
-    rises = True
     built = True
 
     def by_levels(self, *, tight: bool) -> bool:
@@ -189,7 +192,7 @@ class Makespan(LevelObjective):
     """The last step at which an agent arrives by a move that is not a wait; 0 without any."""
 
     name = "makespan"
-    of_groups = True
+    by_places = True
 
     def ideal(self, setting: Setting) -> float:
         """Nobody moves."""
@@ -215,7 +218,7 @@ class Splits(ModelObjective):
     """How often groups split: whoever leaves by j edges at once splits j - 1 times."""
 
     name = "splits"
-    of_groups = True
+    by_places = True
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """Edges entered beyond one for every occupied state."""
@@ -229,7 +232,7 @@ class GroupMoves(ModelObjective):
     """Edges entered by a group, waits aside."""
 
     name = "moves"
-    of_groups = True
+    by_places = True
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """One for every edge that is no wait."""
@@ -245,7 +248,6 @@ class Balance(ModelObjective):
 
     name = "balance"
     opens = False
-    rises = True
 
     def extended(self, encoded: Encoded) -> Encoded:
         """With one more column, the last: at most the size of every sub-swarm."""

@@ -59,9 +59,9 @@ class GroupSearch:
                 values = None if point is None else point.values
                 best = None if point is None else value
                 return Found(values, best, bound, proven=value <= bound)
-        if objective.of_groups and kept.of_groups and Switch.PLACES in self.effort.switches:
+        if objective.by_places and kept.by_places and Switch.PLACES in self.effort.switches:
             return self._by_places(question, bound)
-        if isinstance(objective, Travel) and kept.of_groups:
+        if isinstance(objective, Travel) and kept.by_places:
             self._shortened(question)
         return Found(None, None, bound, proven=False)
 

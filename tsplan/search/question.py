@@ -32,9 +32,9 @@ class Kept:
         return max((int(value) for objective, value in self.values if objective.built), default=0)
 
     @property
-    def of_groups(self) -> bool:
+    def by_places(self) -> bool:
         """Whether it says nothing about how many agents groups have."""
-        return all(objective.of_groups or objective.built for objective, _ in self.values)
+        return all(objective.by_places or objective.built for objective, _ in self.values)
 
     def narrowed(self, setting: Setting, encoded: Encoded) -> Encoded:
         """The model of those plans that lose nothing of it."""
