@@ -20,7 +20,7 @@ import tsplan
 
 PACKAGE = Path(tsplan.__file__).parent
 GUIDE = (PACKAGE.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
-[DRAWN] = re.findall(r"^```\n(document .*?)^```", GUIDE, re.DOTALL | re.MULTILINE)
+[DRAWN] = re.findall(r"^```\n(process\n.*?)^```", GUIDE, re.DOTALL | re.MULTILINE)
 # below the rooms are the modules without one, above them `tsplan` itself and `python -m tsplan`
 FLOORS = (["base"], *map(str.split, DRAWN.splitlines()), ["top"])
 FLOOR = {room: height for height, rooms in enumerate(FLOORS) for room in rooms}
@@ -47,21 +47,9 @@ KNOWN: frozenset[str] = frozenset(
     """
 circle: draw.map
 circle: draw.starts
-
-circle: explanation.whynot.context
-circle: explanation.whynot.edits
-circle: explanation.whynot.formula_places
-circle: explanation.whynot.relaxing
-circle: explanation.whynot.soft_constraints
-circle: mission.mission_writer
 late: draw.canvas
 late: draw.map
-
-
-late: explanation.whynot.diagnosis
 late: run.isolate
-
-
 """.splitlines()[1:]
 )
 """Arrows up, circles and late imports that are still there; the list may only shrink."""

@@ -25,7 +25,6 @@ from tsplan.milp import solver as solvers
 from tsplan.milp.highs import Highs
 from tsplan.mission import objectives
 from tsplan.plans.plan import Plan
-from tsplan.plans.plan_file import plan_to_json
 from tsplan.plans.records import Word
 from tsplan.ts.io import map_files
 from tsplan.ts.io.map_files import MapFormat, load_map, save_map
@@ -266,8 +265,8 @@ def test_a_field_of_plans():
     made = tsplan.plan(errand())
     given = {field.name: getattr(made, field.name) for field in fields(Plan)}
     told = Weathered(**given, weather="ice")
-    data = json.loads(plan_to_json(told))
-    assert data.pop("format") == json.loads(plan_to_json(made))["format"]
+    data = json.loads(told.to_json())
+    assert data.pop("format") == json.loads(made.to_json())["format"]
     assert data["weather"] == "ice"
     reader = TypeAdapter(Weathered)
     assert reader.validate_python(data, context={}) == told

@@ -160,4 +160,4 @@ class GroupSearch:
         return tried(self.effort.solver, model, options)
 
     def _point(self, values: Floats) -> Point:
-        return Point(self.encoded, values, tight=True)
+        return Point(self.encoded, values, tight=self.encoded.rho < 0)

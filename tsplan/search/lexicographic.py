@@ -105,7 +105,7 @@ class Stages:
         point = self.point
         if point is not None:
             if point.encoded.swarms:
-                point = self.point = self._groups(point.encoded).evened(point, self._kept)
+                point = self.point = self._guarded("sizes", partial(self._evened, point)) or point
             reached = tuple(
                 replace(item, value=objective.worth(self.setting, point))
                 for item, objective in zip(reached, self.objectives, strict=True)
@@ -253,6 +253,18 @@ class Stages:
         return GroupSearch(
             self.setting, encoded, self.effort, self.clock, self._hear, lambda: self.point
         )
+
+    def _evened(self, point: Point) -> Point:
+        """The point with its shares settled, in the model of all that was reached."""
+        whole = self._encoded(self._kept.level if self.tight else 0)
+        if whole is not point.encoded:
+            target = Travel().target(self.setting, whole)
+            search = Search(whole, target, self.effort, self.clock, lambda *_: None)
+            values = search.adopt(point.values[point.encoded.flows])
+            if values is None:
+                return point
+            point = Point(whole, values, self.tight)
+        return self._groups(whole).evened(point, self._kept)
 
     def _chained(self, kept: Kept, encoded: Encoded) -> Floats | None:
         """Flows of a plan found by way of the chained restriction, in a part of the time."""
