@@ -18,6 +18,7 @@ from tsplan.run import paths, run
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.search.lexicographic import Outcome
 from tsplan.stopping import StoppedBy
+from tsplan.ts import Edge, State, TransitionSystem
 
 MAP = """\
 name: lane
@@ -153,6 +154,40 @@ def test_a_swarm_may_be_planned_with_own_constraints():
     plan = tsplan.plan(problem)
     assert plan.verified
     assert plan.counts(states=[place])[0, 1] == 5
+
+
+def yard(**changes):
+    states = [State("a", labels=frozenset("A")), State("b", labels=frozenset("B"))]
+    edges = [Edge("a", "a"), Edge("b", "b"), Edge("a", "b", 2), Edge("b", "a", 2)]
+    given = {
+        "swarm": {"size": 8, "at": "a"},
+        "formula": "F[0,5] (sum(B) >= 3 && sum(A) >= 2)",
+        "language": "mtl",
+    }
+    return Mission.of(map=TransitionSystem.build(states, edges), **(given | changes))
+
+
+@pytest.mark.parametrize("encoding", ["tight", "reference"])
+@pytest.mark.parametrize(("margin", "status"), [(0, "optimal"), (1, "optimal"), (2, "infeasible")])
+def test_availability_is_told_of_the_formula_as_written(encoding, margin, status):
+    for objective in (["availability"], ["splits", "availability"]):
+        plan = tsplan.plan(yard(margin=margin, objective=objective), encoding=encoding)
+        assert plan.status == status
+        if status == "optimal":
+            # of 8 agents 4 are at B and 4 at A, or 5 and 3: one more than is wanted at either
+            assert (plan.objective[-1].value, plan.availability) == (1, 1)
+
+
+def test_evening_the_shares_loses_no_availability():
+    team = [{"class": "cart", "at": {"a": 2}, "capabilities": ["lift"]}]
+    given = yard(
+        team=team,
+        swarm={"size": 6, "at": "b", "max_subswarms": 2},
+        formula="F[0,5] (sum(B,lift) >= 1 && sum(A,swarm) >= 2)",
+        objective=["availability"],
+    )
+    plan = tsplan.plan(given)
+    assert (plan.status, plan.objective[0].value) == ("optimal", 1)
 
 
 def test_a_team_has_no_moves_of_swarms():

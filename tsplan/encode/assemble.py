@@ -32,7 +32,7 @@ from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
-from tsplan.logic import Count, Formula, capabilities, walk
+from tsplan.logic import Count, Formula, capabilities, positive, simplify, walk
 from tsplan.milp.model import Draft, Ints
 from tsplan.mission import Mission
 
@@ -62,6 +62,9 @@ def prepare(
     clock = clock or Clock()
     system = mission.system
     arrays = map_arrays(system)
+    plain = None
+    if goal is None and mission.swarm is not None and mission.swarm.margin:
+        plain = simplify(positive(mission.counted))
     goal = mission.goal if goal is None else goal
     named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
     classes = agent_classes(
@@ -84,6 +87,7 @@ def prepare(
         constraints=tuple(constraints),
         switches=switches,
         clock=clock,
+        plain=plain,
     )
     if Switch.REDUCTION not in switches:
         return setting
@@ -144,7 +148,9 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     whose flow columns are the same, for finding a first plan.
     """
     rules = WitnessRules(chain=chain, visits=Switch.VISITS in setting.switches)
-    return assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), level, rules)
+    setting = setting.at(level)
+    encoded = assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), rules)
+    return replace(encoded, level=level)
 
 
 _RULES = WitnessRules()
@@ -156,7 +162,6 @@ Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 def assembled(
     setting: Setting,
     ask: Asking,
-    level: int = 0,
     rules: WitnessRules = _RULES,
     *,
     optional: bool = False,
@@ -165,7 +170,7 @@ def assembled(
 
     `optional` says that not all demands need be met.
     """
-    return _Assembly(setting, level).tight(ask, rules, optional=optional)
+    return _Assembly(setting).tight(ask, rules, optional=optional)
 
 
 class _Assembly:
@@ -175,9 +180,8 @@ class _Assembly:
     with robots that move one by one, is the relaxation in which only places of groups are known.
     """
 
-    def __init__(self, setting: Setting, level: int) -> None:
+    def __init__(self, setting: Setting) -> None:
         self._setting = setting
-        self._level = level
         self._draft = Draft(Watch(setting.clock))
         self._swarms = swarms_of(setting.classes, setting.together, setting.horizon, self._draft)
         self._flows: list[Ints] = []
@@ -221,8 +225,11 @@ class _Assembly:
         network = self._network(self._laid)
         self._shared_rows(network)
         rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=True)[0])
-        encoder = ReferenceEncoder(draft, setting.atoms(network), (rho, *levels))
-        encoder.encode(setting.goal)
+        atoms = setting.atoms(network)
+        if setting.plain is not None:  # the margin is kept whatever the availability
+            none = int(draft.columns(1, upper=0.0, integer=True)[0])
+            ReferenceEncoder(draft, atoms, (none, 0, 0)).encode(setting.goal)
+        ReferenceEncoder(draft, atoms, (rho, *levels)).encode(setting.judged)
         swarms = tuple(replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms)
         size_rows(swarms, draft)
         own = {o.name: o.columns(network, draft) for o in objectives_of(setting.mission)}
@@ -254,7 +261,7 @@ class _Assembly:
     def _witnesses(self, ask: Asking, rules: WitnessRules, network: Network) -> Witnesses:
         """What the formula asks for; of groups it is not asked by visits."""
         setting = self._setting
-        atoms = setting.atoms(network, self._level)
+        atoms = setting.atoms(network)
         optimistic = OptimisticBound(
             setting.goal, atoms, trusting=Switch.OUTLOOK not in setting.switches
         )
@@ -301,7 +308,6 @@ class _Assembly:
             swarms=self._swarms,
             refuted=choices.refuted,
             shared=bool(witnesses.covers),
-            level=self._level,
             steps=steps[order],
             choices=tuple(choices.groups),
         )
@@ -309,4 +315,4 @@ class _Assembly:
 
 def reference(setting: Setting, levels: tuple[int, int]) -> Encoded:
     """The reference model, with one column `rho` for the availability between `levels`."""
-    return _Assembly(setting, levels[0]).reference(levels)
+    return _Assembly(setting).reference(levels)

@@ -167,9 +167,8 @@ class Availability(LevelObjective):
 
     def ideal(self, setting: Setting) -> float:
         """Every atom on its own, by team and travel times; infinite if nothing is asked for."""
-        return OptimisticBound(setting.goal, setting.atoms(setting.unrolled())).best(
-            setting.goal, 0
-        )
+        bound = OptimisticBound(setting.judged, setting.atoms(setting.unrolled()))
+        return bound.best(setting.judged, 0)
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """The column of the reference encoding."""

@@ -70,8 +70,8 @@ def _expand(item: AgentClass, reduced: Reduced, moves: Moves, horizon: int) -> M
 
 def availability(setting: Setting, point: Point) -> float:
     """Robustness of the goal at step 0 under the counts that the moves imply."""
-    trace = counts_of(setting, setting.goal, point)
-    return float(robustness(setting.goal, trace)[..., 0])
+    trace = counts_of(setting, setting.judged, point)
+    return float(robustness(setting.judged, trace)[..., 0])
 
 
 def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:

@@ -11,7 +11,10 @@ from tsplan.logic.traversal import fold
 
 
 def tighten(
-    formula: Formula, total_of: Callable[[str | None], int], spare_of: Callable[[int], int]
+    formula: Formula,
+    total_of: Callable[[str | None], int],
+    spare_of: Callable[[int], int],
+    level: int = 0,
 ) -> Formula:
     """A formula in positive normal form whose every demand has head-room.
 
@@ -30,11 +33,11 @@ def tighten(
         if isinstance(node.bound, Percent):
             raise TypeError(f"'{node}' is a percentage; resolve_percent() makes it a number")
         total = total_of(node.capability)
-        spare = spare_of(total)
-        if node.relation == ">=" and 0 < node.bound < total:
-            return replace(node, bound=min(node.bound + spare, total))
-        if node.relation == "<=" and 0 < node.bound < total:
-            return replace(node, bound=max(node.bound - spare, 0))
-        return node
+        spare = spare_of(total) if 0 < node.bound < total else 0
+        if node.relation == ">=":
+            wanted = min(node.bound + spare, total) if spare else node.bound
+            return replace(node, bound=max(wanted, node.bound + level))
+        wanted = max(node.bound - spare, 0) if spare else node.bound
+        return replace(node, bound=min(wanted, node.bound - level))
 
     return fold(formula, moved)
