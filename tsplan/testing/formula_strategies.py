@@ -51,8 +51,8 @@ def formulas(
 ) -> st.SearchStrategy[Formula]:
     """Formulas of a language with at most `leaves` atoms, over the names of a vocabulary.
 
-    >>> from hypothesis import given, settings
-    >>> @settings(max_examples=5, database=None, deadline=None)
+    >>> from hypothesis import HealthCheck, given, settings
+    >>> @settings(max_examples=5, deadline=None, database=None, suppress_health_check=HealthCheck)
     ... @given(formulas("catl", ANYTHING))
     ... def reading_undoes_printing(formula):
     ...     assert logic.parse(str(formula), "catl") is formula

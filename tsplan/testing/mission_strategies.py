@@ -25,8 +25,8 @@ def maps(draw: st.DrawFn, *, most_states: int = 4) -> TransitionSystem:
 
     Every label of LABELS is the label of some state.
 
-    >>> from hypothesis import given, settings
-    >>> @settings(max_examples=5, database=None)
+    >>> from hypothesis import HealthCheck, given, settings
+    >>> @settings(max_examples=5, deadline=None, database=None, suppress_health_check=HealthCheck)
     ... @given(maps(most_states=3))
     ... def labels_are_there(system):
     ...     assert set(system.labels) == set(LABELS)
