@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import tsplan
-from tests.test_floors import FLOORS
 from tests.test_registrations import OPERATIONS
 from tsplan import Edge, Group, Mission, State, TransitionSystem
 from tsplan.checking import measures
@@ -63,13 +62,6 @@ def test_the_guide_names_files_and_what_is_in_them():
         assert callable(globals()[test])
     for path in re.findall(r"`((?:tests|scripts|grammars)/[\w./]*)`", GUIDE):
         assert (ROOT / path).exists(), path
-
-
-def test_the_floors_of_the_guide_are_those_that_are_held():
-    [drawn] = re.findall(r"^```\n(process.*?)^```", GUIDE, re.DOTALL | re.MULTILINE)
-    assert [set(line.split()) for line in drawn.splitlines()] == [
-        set(floor) for floor in FLOORS if not {"base", "top"} & set(floor)
-    ]
 
 
 def test_the_guide_names_every_function_that_goes_through_nodes():
