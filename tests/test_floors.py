@@ -6,7 +6,6 @@ All imports are read, those inside functions and those for type checkers too.
 from __future__ import annotations
 
 import ast
-import re
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -20,7 +19,7 @@ import tsplan
 
 PACKAGE = Path(tsplan.__file__).parent
 GUIDE = (PACKAGE.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
-[DRAWN] = re.findall(r"^```\n(process\n.*?)^```", GUIDE, re.DOTALL | re.MULTILINE)
+DRAWN = GUIDE.split("## Floors")[1].split("```")[1].strip()
 # below the rooms are the modules without one, above them `tsplan` itself and `python -m tsplan`
 FLOORS = (["base"], *map(str.split, DRAWN.splitlines()), ["top"])
 FLOOR = {room: height for height, rooms in enumerate(FLOORS) for room in rooms}

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pydantic import TypeAdapter
 
 import tsplan
 from tests.test_registrations import OPERATIONS
@@ -62,12 +63,6 @@ def test_the_guide_names_files_and_what_is_in_them():
         assert callable(globals()[test])
     for path in re.findall(r"`((?:tests|scripts|grammars)/[\w./]*)`", GUIDE):
         assert (ROOT / path).exists(), path
-
-
-def test_the_guide_names_every_function_that_goes_through_nodes():
-    told = re.findall(r"`tsplan/logic/(\w+)\.py` \(`(\w+)`\)", GUIDE)
-    names = [name.split(".")[2:] for name in OPERATIONS if name.startswith("tsplan.logic.")]
-    assert sorted(map(list, told)) == sorted(names)
 
 
 # --- a map format ---
@@ -261,8 +256,7 @@ def test_a_field_of_plans():
     data = json.loads(told.to_json())
     assert data.pop("format") == json.loads(made.to_json())["format"]
     assert data["weather"] == "ice"
-    assert Weathered.from_json(told.to_json()) == told
-    # as files have it that were written before
-    assert Weathered.from_json(made.to_json()).weather == "calm"
-    with pytest.raises(tsplan.PlanError, match="weather: string should have at least 1 character"):
-        Weathered.from_json(told.to_json().replace('"ice"', '""'))
+    reader = TypeAdapter(Weathered)
+    assert reader.validate_python(data, context={}) == told
+    del data["weather"]  # as files have it that were written before
+    assert reader.validate_python(data, context={}).weather == "calm"

@@ -12,15 +12,18 @@ import importlib
 import inspect
 import pkgutil
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from types import ModuleType
+from typing import Any
 
 import pytest
 
 import tsplan
 from tsplan import logic
-from tsplan.encode.count_atoms import ENCODERS
+from tsplan.encode.assemble import prepare
+from tsplan.encode.atom_encoders import Atoms
 from tsplan.explanation import explain
 from tsplan.logic import Formula, walk
 from tsplan.mission import Mission, mission_from_text
@@ -86,12 +89,13 @@ SAMPLES = {
         "G[1,4] L(a, {(c, 1)})", "G[0,1] L(a, {(c, 1)})", frozenset({"loosen_limit"}), "catl"
     ),
 }
-# what operations of some modules never meet: a release is rewritten for fractions, and atoms have
-# encoders of their own
-NEVER_MET = {
-    "fraction_terms": {logic.Release},
+# what operations of some modules do not know: atoms are left to the encoders of their classes, a
+# release is rewritten for fractions, and steps are told of operators that look ahead
+LEFT = {
     "reference": {logic.Count},
     "witness": {logic.Count},
+    "fraction_terms": {logic.Release},
+    "witness_text": {logic.And, logic.Or, logic.Not, logic.Implies, logic.Iff},
 }
 OF_SIGNALS = {logic.Linear}  # are judged on traces, and no mission has them
 
@@ -134,30 +138,61 @@ class Operation:
     call: Callable[[Formula], object]
 
     @property
-    def module(self) -> str:
-        """The base name of the module it is in."""
-        return self.file.split(".")[-1]
+    def of_all(self) -> bool:
+        """Whether it has to know all that can be written, or only what is encoded."""
+        return self.file.startswith("tsplan.logic.")
 
     def needed(self) -> list[type[Formula]]:
-        """Classes it has to know: all that can be written, or outside the logic, be encoded."""
-        if self.file.startswith("tsplan.logic."):
+        """Classes it has to know."""
+        if self.of_all:
             return node_classes()
-        return sorted(encoded_classes() - NEVER_MET.get(self.module, set()), key=str)
+        return sorted(encoded_classes() - LEFT.get(base(self.file), set()), key=str)
 
     def missing(self, kinds: list[type[Formula]]) -> list[str]:
         default = self.registry(object)
         return [kind.__name__ for kind in kinds if self.registry(kind) is default]
 
 
+def tables() -> dict[str, tuple[str, set[type[Formula]]]]:
+    """Every table of the package by classes of nodes: its room, and the classes that it knows."""
+    return {
+        f"{loaded.__name__}.{name}": (loaded.__name__, set(value))
+        for loaded in modules()
+        for name, value in vars(loaded).items()
+        if isinstance(value, Mapping) and value and all(map(is_node_class, value))
+    }
+
+
+def operators(file: str) -> set[type[Formula]]:
+    """Operators that a table of a room has to know: those that it can meet."""
+    shown = file.startswith(("tsplan.explanation.", "tsplan.viewer."))
+    met = set(node_classes()) if shown else encoded_classes()
+    return {kind for kind in met if EXAMPLES[kind][0].children} - LEFT.get(base(file), set())
+
+
+def base(file: str) -> str:
+    """The base name of a module."""
+    return file.rsplit(".", maxsplit=1)[-1]
+
+
+def modules() -> list[ModuleType]:
+    """The modules of the package, but for what is generated."""
+    return [
+        importlib.import_module(module.name)
+        for module in pkgutil.walk_packages(tsplan.__path__, "tsplan.")
+        if "generated" not in module.name and not module.name.endswith("__main__")
+    ]
+
+
+def is_node_class(value: object) -> bool:
+    return inspect.isclass(value) and issubclass(value, Formula)
+
+
 def operations() -> dict[str, Operation]:
     """Every operation of the package that dispatches on nodes."""
     found = {}
-    for module in pkgutil.walk_packages(tsplan.__path__, "tsplan."):
-        if "generated" in module.name or module.name.endswith("__main__"):
-            continue
-        loaded = importlib.import_module(module.name)
-        places = [loaded, *(v for v in vars(loaded).values() if inspect.isclass(v))]
-        for place in places:
+    for loaded in modules():
+        for place in [loaded, *filter(inspect.isclass, vars(loaded).values())]:
             for name, value in vars(place).items():
                 made = operation(place, name, value)
                 if made is not None and made.file == loaded.__name__:
@@ -165,18 +200,20 @@ def operations() -> dict[str, Operation]:
     return found
 
 
-def operation(place: object, name: str, value: object) -> Operation | None:
+def operation(place: Any, name: str, value: Any) -> Operation | None:
     """A value of a module or class as an operation, if it dispatches on nodes."""
     method = isinstance(value, functools.singledispatchmethod)
     dispatcher = value.dispatcher if method else value
     kinds = getattr(dispatcher, "registry", {})
-    if not any(isinstance(kind, type) and issubclass(kind, Formula) for kind in kinds):
+    if not any(map(is_node_class, kinds)):
         return None
 
     def call(node: Formula) -> object:
         others = [()] * (len(inspect.signature(kinds[object]).parameters) - 1 - method)
         if method:
-            return getattr(object.__new__(place), name)(node, *others)
+            encoder = object.__new__(place)
+            encoder._atoms = Atoms({}, 0)  # what is no operator is looked for among the atoms
+            return getattr(encoder, name)(node, *others)
         return value(node, *others)
 
     file = str(place.__module__ if method else value.__module__)
@@ -185,6 +222,7 @@ def operation(place: object, name: str, value: object) -> Operation | None:
 
 
 OPERATIONS = operations()
+TABLES = tables()
 
 
 def forgotten() -> type[Formula]:
@@ -207,22 +245,31 @@ def test_the_operations_are_found():
         "text",
         "time_horizon",
     }
-    assert {file for file in files if not file.startswith("tsplan.logic.")} == {
-        "tsplan.encode.witness",
-        "tsplan.encode.reference",
-        "tsplan.encode.partial.fraction_terms",
-    }
-    witness = OPERATIONS["tsplan.encode.witness.WitnessEncoder._pass_on"]
-    encoded = sorted(encoded_classes(), key=str)
-    assert witness.missing(encoded) == [kind.__name__ for kind in ENCODERS]
-    modules = {item.module for item in OPERATIONS.values()}
-    assert set(NEVER_MET) <= modules, "a name that NEVER_MET has is gone"
+    # the witness, the reference and the partial encoding; risks and words
+    assert sum(file.startswith("tsplan.encode.") for file in files) >= 3
+    assert len(TABLES) >= 3
+    known = {base(file) for file in [*files, *(file for file, _ in TABLES.values())]}
+    assert set(LEFT) <= known, "a name that LEFT has is gone"
 
 
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_every_class_of_nodes_is_registered(name):
     found = OPERATIONS[name]
     assert found.missing(found.needed()) == [], f"register these for {name}"
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_every_operator_is_in_the_tables_of_operators(name):
+    file, known = TABLES[name]
+    assert {kind.__name__ for kind in operators(file) - known} == set(), f"add these to {name}"
+
+
+def test_every_atom_that_is_encoded_has_an_encoder():
+    for sample in SAMPLES.values():
+        setting = prepare(mission(sample.fails, sample.language))
+        leaves = [node for node in walk(setting.goal) if not node.children]
+        atoms = setting.atoms(setting.unrolled())
+        assert all(node in atoms for node in leaves if not isinstance(node, logic.Constant))
 
 
 @pytest.mark.parametrize("name", OPERATIONS)
