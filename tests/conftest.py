@@ -1,28 +1,44 @@
-"""What several files of tests are given: a folder to work in, and every usable solver."""
+"""What several files of tests are given: a folder to work in, and every usable solver.
+
+Nothing is imported here that the job with rtamt, which has an environment of its own, does without.
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.missions import FILES
-from tsplan.errors import SolverUnavailableError
-from tsplan.milp.solver import Solver, installed, solver
+if TYPE_CHECKING:
+    from tsplan.milp.solver import Solver
 
 
 @pytest.fixture
 def folder(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder to work in, with the texts that the tests' module has in FILES, or a mission."""
+    from tests.missions import FILES  # noqa: PLC0415  (not for the job with rtamt)
+
     for name, text in getattr(request.module, "FILES", FILES).items():
         (tmp_path / name).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
 
-@pytest.fixture(params=installed())
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Run tests over solvers with every one that is installed, PuLP's each on its own."""
+    if "any_solver" in metafunc.fixturenames:
+        from tsplan.milp.solver import installed  # noqa: PLC0415  (not for the job with rtamt)
+
+        metafunc.parametrize("any_solver", installed(), indirect=True)
+
+
+@pytest.fixture
 def any_solver(request: pytest.FixtureRequest) -> Solver:
-    """Every solver that is installed, PuLP's each on its own; skipped where it is not licensed."""
+    """The solver of a name; skipped where it may not be used."""
+    from tsplan.errors import SolverUnavailableError  # noqa: PLC0415  (as above)
+    from tsplan.milp.solver import solver  # noqa: PLC0415
+
     try:
         return solver(request.param)
     except SolverUnavailableError as error:

@@ -85,3 +85,14 @@ def test_what_never_fits_ends_in_an_error(monkeypatch):
     monkeypatch.setattr("tsplan.testing.random_missions._MOST_TRIES", 20)
     with pytest.raises(tsplan.MissionError, match="none of 20 missions that were drawn fits"):
         random_swarm_mission(1, fits=lambda _: False)
+
+
+def test_the_job_with_rtamt_finds_all_it_imports():
+    code = """
+import sys
+for name in ("antlr4", "highspy", "matplotlib", "networkx", "pydantic", "rich", "scipy", "yaml"):
+    sys.modules[name] = None
+import tests.conftest, tests.test_logic_rtamt
+print("found")
+"""
+    assert printed(code) == "found\n"
