@@ -88,6 +88,20 @@ def swarms_preferring(seed: int) -> Mission:
     return replace(mission, prefer=made)
 
 
+def mixed_in_part(seed: int) -> Mission:
+    """Robots and a swarm whose formula may hold in part, with any objectives after that."""
+    mission = random_mission(seed, states=4, most_agents=2, steps=4, mixed=True)
+    objective = ("satisfaction", *mission.objective)
+    return replace(mission, objective=objective, satisfaction=ORDERS[seed % 3])
+
+
+def mixed_preferring(seed: int) -> Mission:
+    random = Random(f"mixed {seed}")
+    mission = random_mission(seed, states=3, most_agents=2, steps=4, mixed=True)
+    made = wishes(mission, random, lambda: random_formula(random, random.randint(0, 2)))
+    return replace(mission, prefer=made)
+
+
 def share(mission: Mission, formula: Formula, counts: CountTrace) -> Fraction:
     tree = mission.tree(formula)
     return shares(tree, counts)[tree][0].fraction
@@ -195,6 +209,16 @@ def test_preferences_of_swarms_are_met_as_far_as_they_can_be() -> None:
     assert min(seen["some"], seen["partial"]) >= 2, seen
 
 
+def test_as_much_of_what_robots_and_a_swarm_are_asked_holds_as_can() -> None:
+    seen = Counter(compare_satisfaction(mixed_in_part(seed)) for seed in range(60_000, 60_020))
+    assert min(seen["part"], seen["whole"]) >= 3, seen
+
+
+def test_preferences_of_robots_and_a_swarm_are_met_as_far_as_they_can_be() -> None:
+    seen = Counter(compare_preferences(mixed_preferring(seed)) for seed in range(60_000, 60_040))
+    assert seen["all"] + seen["some"] + seen["partial"] >= 10, seen
+
+
 @pytest.mark.parametrize(
     "seeds", seed_blocks((), [*range(41_000, 41_060), *range(21_000, 23_000)], 20)
 )
@@ -202,6 +226,7 @@ def test_as_much_holds_as_can_on_many(seeds: list[int]) -> None:
     for seed in seeds:
         compare_satisfaction(team_in_part(seed))
         compare_satisfaction(swarms_in_part(seed + 21_000))
+        compare_satisfaction(mixed_in_part(seed + 40_000))
 
 
 @pytest.mark.parametrize("seeds", seed_blocks((), range(31_000, 32_000), 20))
@@ -209,3 +234,4 @@ def test_preferences_are_met_as_far_as_they_can_be_on_many(seeds: list[int]) -> 
     for seed in seeds:
         compare_preferences(team_preferring(seed))
         compare_preferences(swarms_preferring(seed + 20_000))
+        compare_preferences(mixed_preferring(seed + 30_000))
