@@ -89,8 +89,8 @@ SAMPLES = {
         "G[1,4] L(a, {(c, 1)})", "G[0,1] L(a, {(c, 1)})", frozenset({"loosen_limit"}), "catl"
     ),
 }
-# what operations of some modules do not know: atoms are left to the encoders of their classes, and a
-# release is rewritten for fractions
+# what operations of some modules do not know: atoms are left to the encoders of their classes, and
+# a release is rewritten for fractions
 LEFT = {
     "reference": {logic.Count},
     "witness": {logic.Count},
@@ -267,7 +267,9 @@ def test_every_class_of_nodes_is_registered(name):
 @pytest.mark.parametrize("name", TABLES)
 def test_every_operator_is_in_the_tables_of_operators(name):
     file, known = TABLES[name]
-    assert {kind.__name__ for kind in operators(name, file) - known} == set(), f"add these to {name}"
+    assert {kind.__name__ for kind in operators(name, file) - known} == set(), (
+        f"add these to {name}"
+    )
 
 
 def test_every_atom_that_is_encoded_has_an_encoder():
