@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 
 from tests.command_line import printed
 from tests.walks import wandering
-from tsplan.draw import svg
-from tsplan.draw.notebook import MOST_NODES, MOST_ROWS, MOST_STATES, formula_svg, plan_html
 from tsplan.draw.palette import Palette
 from tsplan.logic import parse
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
+from tsplan.viewer import svg
+from tsplan.viewer.notebook import MOST_NODES, MOST_ROWS, MOST_STATES, formula_svg, plan_html
 from tsplan.words import visible
 
 NAMESPACE = "{http://www.w3.org/2000/svg}"

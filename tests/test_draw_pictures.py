@@ -15,8 +15,8 @@ from tests.seeds import sampled
 from tests.walks import walking, wandering
 from tsplan import Mission, load_map, load_mission
 from tsplan.draw.canvas import text_size
-from tsplan.draw.layout import places
-from tsplan.draw.map import duration_words, usual_duration
+from tsplan.draw.layout import duration_words, places
+from tsplan.draw.map import usual_duration
 from tsplan.draw.matplotlib_loading import PlotUnavailableError
 from tsplan.draw.palette import PLAIN, TRAVEL, Palette
 from tsplan.draw.path_map import MOST_PATHS, strands_of
@@ -25,6 +25,7 @@ from tsplan.draw.requirement_chart import MOST_ROWS, shown_rows
 from tsplan.draw.swarm_bands import bands_of, draw_flows, flows_of, row_order
 from tsplan.draw.timeline import MOST_AGENTS, draw_timeline, keys_of, rows_of
 from tsplan.draw.timeline import MOST_PATHS as MOST_TIMELINES
+from tsplan.draw.tracks import tracks
 from tsplan.draw.views import VIEWS, draw_page, draw_view
 from tsplan.errors import InputError, PlanError
 from tsplan.mission import Group
@@ -222,7 +223,7 @@ def test_too_many_paths_become_one_strand_a_class(agents):
     system = grid(5, 5, labels={(0, 0): "base"})
     team = [("a", {"r0c0": agents // 2}, ["see"]), ("b", {"r2c2": agents - agents // 2}, [])]
     mission, plan = wandering(system, team, 30)
-    strands, joined = strands_of(plan, Palette.of(mission))
+    strands, joined = strands_of(tracks(plan), plan.horizon, Palette.of(mission))
     assert len(plan.bundles) == agents
     assert joined == (agents > MOST_PATHS)
     assert len(strands) == (2 if joined else agents)
@@ -263,7 +264,7 @@ def test_the_timeline_works_without_a_mission():
     _, plan = yard()
     figure, ax = plan.plot()
     assert ax.get_xlabel() == "step"
-    keys = keys_of(plan, None)
+    keys = keys_of(tracks(plan), plan.horizon, None)
     assert len({key.paint for key in keys.values()}) == 4
     assert set(texts(ax, legend=True)) == {*plan.states, "on the way"}
     assert_legible(figure)
@@ -279,12 +280,14 @@ def test_rows_are_agents_then_paths_then_classes():
         )
         return mission, Plan("feasible", plan.mission, 40, "gap", agents=shared)
 
-    assert len(rows_of(plan_of(MOST_AGENTS, 3)[1])) == MOST_AGENTS
-    some = rows_of(plan_of(MOST_AGENTS + 1, 3)[1])
+    _, few = plan_of(MOST_AGENTS, 3)
+    assert len(rows_of(few, tracks(few))) == MOST_AGENTS
+    _, more = plan_of(MOST_AGENTS + 1, 3)
+    some = rows_of(more, tracks(more))
     assert len(some) == 3
-    assert some[0].words.endswith("(9)")
+    assert some[0].name.endswith("(9)")
     mission, many = plan_of(200, MOST_TIMELINES + 1)
-    assert rows_of(many) == ()
+    assert rows_of(many, tracks(many)) == ()
     _, ax = many.plot(mission, view="timeline")
     assert ax.get_yticklabels()[0].get_text() == "a\n200 agents"
     # the band's parts are the shares of the agents at every step

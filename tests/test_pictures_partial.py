@@ -10,13 +10,13 @@ from tests.walks import walking
 from tsplan import Mission, load_mission, plan, save_plan
 from tsplan.cli import main
 from tsplan.draw.palette import BAD, GOOD
+from tsplan.draw.tracks import tracks
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.plan import MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer.formula_rows import formula_parts
 from tsplan.viewer.page_data import page_data
-from tsplan.viewer.tracks import movers
 
 ENVIRONMENTS = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(ENVIRONMENTS.glob("*_*.yaml"))
@@ -134,10 +134,10 @@ def test_plans_of_the_environments_play(path, tmp_path):
     counts = found.counts(states=states)
     for step in range(found.horizon + 1):
         there = dict.fromkeys(states, 0)
-        for mover in movers(mission, found):
-            where = mover.at(step)
-            if mover.present(step) and where.share == 0:
-                there[where.source.state] += mover.count
+        for track in tracks(found, mission, moving=True):
+            where = track.at(step)
+            if track.present(step) and where.share == 0:
+                there[where.source.state] += track.count
         assert list(there.values()) == counts[:, step].tolist()
     data = page_data(mission, found)
     assert [part["text"] for part in data["formula"]]

@@ -13,12 +13,12 @@ import pytest
 from tests.viewing import HOSTILE, mission_on, plan_of, system
 from tests.walks import walking
 from tsplan.cli import main
+from tsplan.draw.palette import Palette
+from tsplan.draw.tracks import tracks
 from tsplan.errors import InputError
 from tsplan.plans.plan_file import save_plan
 from tsplan.viewer.animation import FfmpegUnavailableError, Pace, animate, gif
-from tsplan.viewer.markers import Ground, picture
-from tsplan.viewer.page_data import class_colors
-from tsplan.viewer.tracks import movers
+from tsplan.viewer.markers import Ground, markers
 
 Image = pytest.importorskip("PIL.Image", reason="needs Pillow, which comes with matplotlib")
 pytest.importorskip("matplotlib", reason="needs matplotlib: pip install 'tsplan[plot]'")
@@ -74,7 +74,7 @@ def test_a_gif_has_every_picture_and_ends_with_a_rest(scene):
 
 
 def test_marks_are_where_the_plan_has_the_agents(scene, mission):
-    colours = class_colors(mission)
+    colours = {name: paint.colour for name, paint in Palette.of(mission).classes.items()}
     places = scene.ground.places
     start, end = scene.at(0).astype(int), scene.at(6).astype(int)
     assert near(start, places["p"], colours["scout"])
@@ -108,10 +108,10 @@ def test_the_formula_ticks_off(scene):
 def test_pictures_count_as_the_plan_does(mission, seed):
     crowd = mission_on(mission.system, [{"class": "a", "at": {"p": 5, "q": 3}}], "true", 9)
     plan = walking(crowd, seed)
-    lanes = movers(crowd, plan)
+    found = tracks(plan, crowd, moving=True)
     ground = Ground(dict.fromkeys("pqr", (0.0, 0.0)), radius=2.0, most=4)
     for step in range(10):
-        shown = picture(lanes, ground, step)
+        shown = markers(found, ground, step)
         states = [state for state in plan.state_at(step).values() if state is not None]
         assert shown.counts == {state: states.count(state) for state in set(states)}
         drawn = sum(map(len, shown.marks.values())) + sum(n for _, n, _ in shown.numbers)
@@ -122,12 +122,12 @@ def test_a_thousand_in_one_place_are_a_number():
     crowd = mission_on(system(("p", "q", "r")), [{"class": "a", "at": {"p": 1000}}], "true", 2)
     plan = plan_of(crowd, [(((0, 0, "p"), (1, 2, "q")), None)] * 1000)
     ground = Ground({"p": (0.0, 0.0), "q": (9.0, 0.0)}, radius=2.0, most=19)
-    lanes = movers(crowd, plan)
-    assert picture(lanes, ground, 0).numbers == [("a", 1000, (0.0, 0.0))]
-    ((_, agents, (x, y)),) = picture(lanes, ground, 0.5).numbers
+    found = tracks(plan, crowd, moving=True)
+    assert markers(found, ground, 0).numbers == [("a", 1000, (0.0, 0.0))]
+    ((_, agents, (x, y)),) = markers(found, ground, 0.5).numbers
     assert (agents, x) == (1000, 4.5)
     assert y < 0  # on the right of its way
-    assert not picture(lanes, ground, 0.5).marks
+    assert not markers(found, ground, 0.5).marks
 
 
 def test_names_of_any_kind_can_be_drawn():

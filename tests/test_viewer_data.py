@@ -13,11 +13,12 @@ from hypothesis import strategies as st
 import tsplan
 from tests.viewing import HOSTILE, mission_on, plan_of, system
 from tests.walks import walking
+from tsplan.draw.tracks import tracks
 from tsplan.plans.plan import Plan, Status
 from tsplan.viewer import page
 from tsplan.viewer.formula_rows import formula_parts
 from tsplan.viewer.page_data import page_data
-from tsplan.viewer.tracks import movers
+from tsplan.viewer.positions import with_slots
 from tsplan.viewer.webpage import embedded
 from tsplan.words import visible
 
@@ -37,10 +38,10 @@ def mission():
 def places(data, step):
     """Where the page's data puts every agent at a step."""
     found = {}
-    for mover in data["movers"]:
-        stops = [mover["stops"][i : i + 4] for i in range(0, len(mover["stops"]), 4)]
+    for track in data["tracks"]:
+        stops = [track["stops"][i : i + 4] for i in range(0, len(track["stops"]), 4)]
         here = [data["map"]["states"][s]["name"] for a, b, s, _ in stops if a <= step <= b]
-        found |= dict.fromkeys(mover["ids"], here[0] if here else None)
+        found |= dict.fromkeys(track["ids"], here[0] if here else None)
     return found
 
 
@@ -48,11 +49,11 @@ def places(data, step):
 def test_everybody_is_where_the_plan_says(mission, seed):
     plan = walking(mission, seed)
     data = json.loads(json.dumps(page_data(mission, plan)))
-    lanes = movers(mission, plan)
+    found = tracks(plan, mission, moving=True)
     for step in range(plan.horizon + 1):
         said = plan.state_at(step)
         assert places(data, step) == said
-        for lane in lanes:
+        for lane in found:
             where = lane.at(step)
             assert {said[name] for name in lane.ids} == {
                 where.source.state if where.share == 0 else None
@@ -66,7 +67,7 @@ def test_between_two_steps_an_agent_is_on_its_edge(mission):
         mission,
         [(path, None) for path in stays[:2]] + [(stays[2], "q")] + [(p, None) for p in rest],
     )
-    walker, idle, leaving, *_ = movers(mission, plan)
+    walker, idle, leaving, *_ = tracks(plan, mission, moving=True)
     assert walker.at(2).share == 0
     assert (walker.at(3.5).source.state, walker.at(3.5).target.state) == ("p", "q")
     assert walker.at(3.5).share == pytest.approx(0.5)
@@ -80,7 +81,7 @@ def test_between_two_steps_an_agent_is_on_its_edge(mission):
 def test_no_two_agents_share_a_slot(mission, seed):
     plan = walking(mission, seed)
     taken = set()
-    for lane in movers(mission, plan):
+    for lane in with_slots(tracks(plan, mission, moving=True)):
         for stop in lane.stops:
             for step in range(stop.first, stop.last + 1):
                 for slot in range(stop.slot, stop.slot + lane.count):

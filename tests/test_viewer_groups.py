@@ -7,7 +7,7 @@ from collections import Counter, defaultdict
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tsplan.viewer.lanes import lanes
+from tsplan.draw.tracks import lanes
 
 STATES = ("p", "q", "r")
 
@@ -38,7 +38,7 @@ def flows(draw):
 
 def at(lane, step):
     """Where a lane is at a step: a state, or an edge with the step it was entered."""
-    for place, (first, last, state) in enumerate(lane.stays):
+    for place, (first, last, state, _) in enumerate(lane.stays):
         if first <= step <= last:
             return state
         if last < step and place + 1 < len(lane.stays) and step < lane.stays[place + 1][0]:
@@ -70,11 +70,11 @@ def test_every_step_of_a_lane_is_one_move(flow):
     _, moves, durations, horizon = flow
     counted = {(step, a, b): count for step, a, b, count in moves}
     for lane in lanes(*flow):
-        for place, (first, last, state) in enumerate(lane.stays):
+        for place, (first, last, state, _) in enumerate(lane.stays):
             for step in range(first, last):
                 assert counted[step, state, state] == lane.count
             if place + 1 < len(lane.stays):
-                arrival, _, target = lane.stays[place + 1]
+                arrival, _, target, _ = lane.stays[place + 1]
                 assert counted[last, state, target] == lane.count
                 assert arrival == last + durations[state, target]
         assert lane.end <= horizon + 1
@@ -83,5 +83,5 @@ def test_every_step_of_a_lane_is_one_move(flow):
 def test_a_group_that_stays_whole_keeps_its_lane():
     there = [(0, "p", "q", 5), (2, "q", "q", 5), (3, "q", "p", 5)]
     (lane,) = lanes({"p": 5}, there, {("p", "q"): 2, ("q", "q"): 1, ("q", "p"): 2}, 5)
-    assert lane.stays == [(0, 0, "p"), (2, 3, "q"), (5, 5, "p")]
+    assert [stop[:3] for stop in lane.stays] == [(0, 0, "p"), (2, 3, "q"), (5, 5, "p")]
     assert lane.end == 6

@@ -183,7 +183,7 @@ def test_clicking_the_timeline_seeks_and_chooses(shown):
     )
     shown.click(box[0] + 150 + (box[2] - 164) * 4 / HORIZON, box[1] + 30)
     assert abs(now(shown) - 4) <= 1
-    assert chosen(shown)["mover"] == 1
+    assert chosen(shown)["track"] == 1
 
 
 def test_clicking_an_agent_shows_its_path(shown, planned):
@@ -194,7 +194,7 @@ def test_clicking_an_agent_shows_its_path(shown, planned):
     first = shown.run("tsplanViewer.places()[0]")
     before = shown.screenshot()
     shown.click(box[0] + first["at"][0], box[1] + first["at"][1])
-    assert chosen(shown)["mover"] == 0
+    assert chosen(shown)["track"] == 0
     assert shown.screenshot() != before
     assert text(shown, "#chosen h3") == first["name"]
     listed = shown.run("[...document.querySelectorAll('#chosen li')].map(item => item.textContent)")
@@ -204,7 +204,7 @@ def test_clicking_an_agent_shows_its_path(shown, planned):
     shown.click_on("#chosen li button", len(words) - 1)
     assert now(shown) == stays[-1][0]
     shown.press("Escape")
-    assert chosen(shown) == {"mover": -1, "state": -1, "node": -1}
+    assert chosen(shown) == {"track": -1, "state": -1, "node": -1}
     assert shown.run("document.getElementById('chosen').hidden")
 
 
@@ -249,16 +249,16 @@ def test_parts_tick_off(shown):
 def test_arrows_choose_agents_and_the_help_opens_and_closes(shown):
     shown.press("ArrowDown")
     shown.press("ArrowDown")
-    assert chosen(shown)["mover"] == 1
+    assert chosen(shown)["track"] == 1
     shown.press("ArrowUp")
-    assert chosen(shown)["mover"] == 0
+    assert chosen(shown)["track"] == 0
     shown.press("?")
     assert shown.run("document.getElementById('help').open")
     shown.press("ArrowRight")
     assert now(shown) == 0
     shown.press("Escape")
     assert not shown.run("document.getElementById('help').open")
-    assert chosen(shown)["mover"] == 0
+    assert chosen(shown)["track"] == 0
 
 
 def test_typing_in_the_filter_is_typing(shown):
@@ -315,7 +315,7 @@ def test_the_map_can_be_moved_and_zoomed(shown):
     shown.frames()
     moved = shown.run("tsplanViewer.stateAt('p')")
     assert moved[0] - nearer[0] == pytest.approx(50)
-    assert chosen(shown)["mover"] == -1  # a drag is no click
+    assert chosen(shown)["track"] == -1  # a drag is no click
     shown.press("0")
     assert shown.run("tsplanViewer.stateAt('p')") == before
 

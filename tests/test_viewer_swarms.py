@@ -7,13 +7,13 @@ import json
 import pytest
 
 from tsplan.checking.plan_check import certify
+from tsplan.draw.tracks import tracks
 from tsplan.errors import PlanError
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import MissionRef, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer.page_data import page_data
-from tsplan.viewer.tracks import movers
 
 SYSTEM = TransitionSystem.build(
     [State("home", frozenset({"home"})), State("reef", frozenset({"reef"}))],
@@ -53,15 +53,15 @@ def plan(mission):
 def test_groups_hold_everybody_where_the_plan_does(mission, plan):
     data = json.loads(json.dumps(page_data(mission, plan)))
     names = [state["name"] for state in data["map"]["states"]]
-    groups = [(mover["count"], mover["end"]) for mover in data["movers"]]
+    groups = [(track["count"], track["end"]) for track in data["tracks"]]
     assert groups == [(400, 2), (800, 5), (100, 5), (300, 5)]
     assert [kind["agents"] for kind in data["classes"]] == [1200]
     for step in range(5):
         found = dict.fromkeys(names, 0)
-        for mover in movers(mission, plan):
-            where = mover.at(step)
-            if mover.present(step) and where.share == 0:
-                found[where.source.state] += mover.count
+        for track in tracks(plan, mission, moving=True):
+            where = track.at(step)
+            if track.present(step) and where.share == 0:
+                found[where.source.state] += track.count
         counts = plan.counts(states=names)[:, step].tolist()
         assert list(found.values()) == counts
 
@@ -77,4 +77,4 @@ def test_shares_of_a_swarm_tick_off(mission, plan):
 def test_moves_that_the_map_lacks_are_refused(mission, plan):
     moves = [*MOVES[:-1], Move(3, "reef", "home", 800)]
     with pytest.raises(PlanError, match="goes from reef to home, and the map has no such edge"):
-        movers(mission, planned(mission, moves))
+        tracks(planned(mission, moves), mission, moving=True)

@@ -14,12 +14,12 @@ from tsplan.lazy_names import lazily
 if TYPE_CHECKING:
     from tsplan.draw.canvas import Picture
     from tsplan.draw.map import draw_map, draw_mission
-    from tsplan.draw.notebook import formula_svg, map_svg, plan_html
     from tsplan.draw.views import draw_plan
     from tsplan.explanation.why.requirements import Requirement, requirements
     from tsplan.explanation.why.witness_tree import WitnessNode, explain
     from tsplan.protocol.simulation import Simulation, simulate
     from tsplan.viewer.browser import show_page
+    from tsplan.viewer.notebook import formula_svg, map_svg, plan_html
 
 _FORMS = {"image/svg+xml": "_repr_svg_", "text/html": "_repr_html_"}
 
@@ -62,7 +62,7 @@ __getattr__, __dir__ = lazily(
     __name__,
     {
         "draw.map": ("draw_map", "draw_mission"),
-        "draw.notebook": ("formula_svg", "map_svg", "plan_html"),
+        "viewer.notebook": ("formula_svg", "map_svg", "plan_html"),
         "draw.views": ("draw_plan",),
         "explanation.why.requirements": ("requirements",),
         "explanation.why.witness_tree": ("explain",),

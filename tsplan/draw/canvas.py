@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from tsplan.draw.matplotlib_loading import lacking, library
+from tsplan.draw.palette import TRAVEL, TRAVEL_STRIPE, Paint
 from tsplan.words import visible
-
-if TYPE_CHECKING:
-    from tsplan.draw.palette import Paint
 
 Picture: TypeAlias = "tuple[Any, Any]"
 """A matplotlib figure and its axes."""
@@ -37,6 +35,29 @@ class Entry(NamedTuple):
 
     handle: Any
     words: str
+
+    @classmethod
+    def line(cls, words: str, **style: Any) -> Entry:
+        """An entry with a line, or with a marker alone where the style names one."""
+        style = {"linestyle": "none"} | style if "marker" in style else style
+        return cls(library("lines").Line2D([], [], **style), words)
+
+    @classmethod
+    def patch(cls, words: str, **style: Any) -> Entry:
+        """An entry with a small area."""
+        return cls(library("patches").Patch(**style), words)
+
+    @classmethod
+    def nothing(cls, words: str) -> Entry:
+        """An entry of words alone."""
+        return cls.line(words, linestyle="none")
+
+
+def cut_entries(entries: Sequence[Entry], most: int, rest: str = "") -> list[Entry]:
+    """The first entries, and how many more there are."""
+    more = len(entries) - most
+    hidden = [Entry.patch(f"and {more} more{rest}", alpha=0)] if more > 0 else []
+    return [*entries[:most], *hidden]
 
 
 def figure_class() -> Any:
@@ -85,8 +106,6 @@ def _advance(letter: str) -> float:
 
 def area(paint: Paint) -> dict[str, Any]:
     """How a patch of a paint is filled: face, stripes and edge, for any matplotlib patch."""
-    from tsplan.draw.palette import TRAVEL, TRAVEL_STRIPE  # noqa: PLC0415  (plain data)
-
     stripe = TRAVEL_STRIPE if paint == TRAVEL else paint.ink
     return {
         "facecolor": paint.colour,
@@ -94,6 +113,19 @@ def area(paint: Paint) -> dict[str, Any]:
         "edgecolor": stripe if paint.hatch else WHITE,
         "linewidth": 0.0 if paint.hatch else 0.6,
     }
+
+
+def add_collection(ax: Any, kind: str, shapes: Sequence[Any], **style: Any) -> Any:
+    """Many shapes at once; the axes keep the limits they have."""
+    made = getattr(library("collections"), kind)(shapes, **style)
+    ax.add_collection(made, autolim=False)
+    return made
+
+
+def extent(ax: Any) -> tuple[float, float]:
+    """Width and height of axes on the page, in points."""
+    box = ax.get_window_extent()
+    return box.width * POINTS / ax.figure.dpi, box.height * POINTS / ax.figure.dpi
 
 
 def set_title(ax: Any, words: str) -> None:

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     import networkx as nx
 
     from tsplan.ts import State, TransitionSystem
+    from tsplan.ts.edges import Duration
 
 Point: TypeAlias = tuple[float, float]
 Places: TypeAlias = Mapping[str, Point]
@@ -34,6 +35,15 @@ _PIVOTS = 50
 _ROUNDS = 60  # iterations of the spring layout that places states beside known ones
 _FLAT = 1e-9  # of an area: below it a polygon has no centroid
 _TALLER = 1.6  # height over width from which a layout is turned to lie on its side
+
+
+class Link(NamedTuple):
+    """Two connected states, drawn as one line; `words` are those of the durations both ways."""
+
+    source: str
+    target: str
+    one_way: bool
+    words: str
 
 
 def places(system: TransitionSystem) -> Places:
@@ -97,6 +107,35 @@ def spacing(where: Places) -> float:
     nearest = np.asarray(cKDTree(points).query(points, k=2)[0], dtype=np.float64)[:, 1]
     apart = nearest[nearest > 0]
     return float(np.median(apart)) if apart.size else 1.0
+
+
+def bounds(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of all states and their shapes."""
+    corners = [point for state in system.states.values() for point in state.shape or ()]
+    xs, ys = zip(*where.values(), *corners, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def links(system: TransitionSystem) -> tuple[Link, ...]:
+    """Every pair of connected states once, in the order of the map; waits are none."""
+    found = []
+    for (source, target), edge in system.edges.items():
+        back = system.edges.get((target, source))
+        if source != target and (back is None or source < target):
+            words = duration_words(edge.duration, (back or edge).duration)
+            found.append(Link(source, target, back is None, words))
+    return tuple(found)
+
+
+def duration_words(there: Duration, back: Duration) -> str:
+    """A duration as it is written on an edge: one number, or a range where classes or ways differ.
+
+    >>> duration_words(2, 2), duration_words(1, 3), duration_words({"a": 1, "default": 2}, 2)
+    ('2', '1-3', '1-2')
+    """
+    every = [n for d in (there, back) for n in (d.values() if isinstance(d, Mapping) else (d,))]
+    least, most = min(every), max(every)
+    return str(least) if least == most else f"{least}-{most}"
 
 
 def _undirected(system: TransitionSystem) -> nx.Graph[str]:

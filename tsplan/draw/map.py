@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -16,31 +15,31 @@ from tsplan.draw.canvas import (
     WHITE,
     Entry,
     Picture,
+    add_collection,
     area,
     axes,
+    cut_entries,
     halo,
     legend_beside,
     legend_width,
     plain,
     set_title,
 )
-from tsplan.draw.layout import Places, places, spacing
+from tsplan.draw.layout import Places, bounds, links, places, spacing
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Palette
-from tsplan.draw.state_labels import Sign, signs
-from tsplan.draw.text_placement import Box, Frame, Point, Room, frame_of
+from tsplan.draw.state_labels import DOT, StateLabel, state_labels
+from tsplan.draw.text_placement import Box, Frame, Placement, Point, between, direction, frame_of
 from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.ts import TransitionSystem
-    from tsplan.ts.edges import Duration
 
 WIDTH = 7.0
 """Inches across the page of a map without its legend."""
 
 _LOWEST, _HIGHEST, _TITLE = 2.2, 8.0, 0.35  # inches
-_DOT = 5.0  # points across a state's dot
 _DENSE = 14.0  # points from state to state below which everything is drawn as thin as can be
 _MOST_LABELS = 24  # labels that a legend can list
 _SLIM = 0.42  # half the width of an arrow head, of its length
@@ -48,7 +47,7 @@ _BORDER = "#b0b0b0"
 
 
 @dataclass(frozen=True)
-class Scene:
+class DrawnMap:
     """A map on its page: what was drawn where, and where there is room left for texts."""
 
     figure: Any
@@ -57,8 +56,8 @@ class Scene:
     palette: Palette
     where: Places
     frame: Frame
-    room: Room
-    signs: Mapping[str, Sign]
+    placement: Placement
+    labels: Mapping[str, StateLabel]
 
     @cached_property
     def dense(self) -> bool:
@@ -85,10 +84,10 @@ def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:
     Edges that exist in one direction only have an arrow head. What has no room is left out, least
     important first: durations, names, labels; labels that cannot be written go to a legend.
     """
-    scene = base(Palette(system), ax, ())
-    finish(scene)
-    set_title(scene.ax, system.name)
-    return scene.figure, scene.ax
+    drawn = base(Palette(system), ax, ())
+    finish(drawn)
+    set_title(drawn.ax, system.name)
+    return drawn.figure, drawn.ax
 
 
 def draw_mission(mission: Mission, ax: Any = None) -> Picture:
@@ -96,15 +95,15 @@ def draw_mission(mission: Mission, ax: Any = None) -> Picture:
     from tsplan.draw.starts import class_entries, draw_starts  # noqa: PLC0415  (imports this)
 
     palette = Palette.of(mission)
-    scene = base(palette, ax, class_entries(mission, palette))
-    draw_starts(scene, mission, palette.classes)
-    finish(scene)
-    set_title(scene.ax, mission.name or mission.system.name)
-    return scene.figure, scene.ax
+    drawn = base(palette, ax, class_entries(mission, palette))
+    draw_starts(drawn, mission, palette.classes)
+    finish(drawn)
+    set_title(drawn.ax, mission.name or mission.system.name)
+    return drawn.figure, drawn.ax
 
 
-def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> Scene:
-    """Shapes, edges, states and their signs, with a legend of the entries and unwritten labels."""
+def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> DrawnMap:
+    """Shapes, edges, states, what is written there, and a legend of entries and other labels."""
     system = palette.system
     where = places(system)
     box = _box(system, where)
@@ -112,16 +111,17 @@ def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> Scene:
     known = [*entries, *_unmarked(system)]
     figure, ax = axes(ax, WIDTH + legend_width(known, tall - _TITLE), tall)
     frame = frame_of(ax, box)
-    chosen = signs(system, where, frame)
+    chosen = state_labels(system, where, frame)
     legend_beside(ax, [*known, *_unwritten(palette, chosen)])
     frame = frame_of(ax, box)
-    chosen = signs(system, where, frame)
-    scene = Scene(figure, ax, system, palette, where, frame, Room(frame.page), chosen)
-    _draw_shapes(scene)
-    _draw_edges(scene)
-    _draw_dots(scene)
-    _draw_signs(scene)
-    return scene
+    chosen = state_labels(system, where, frame)
+    free = Placement(frame.page)
+    drawn = DrawnMap(figure, ax, system, palette, where, frame, free, chosen)
+    _draw_shapes(drawn)
+    _draw_edges(drawn)
+    _draw_dots(drawn)
+    _draw_labels(drawn)
+    return drawn
 
 
 def height_of(system: TransitionSystem) -> float:
@@ -131,88 +131,62 @@ def height_of(system: TransitionSystem) -> float:
     return min(max(WIDTH * ratio, _LOWEST), _HIGHEST) + _TITLE
 
 
-def finish(scene: Scene, used: Collection[tuple[str, str]] = ()) -> None:
+def finish(drawn: DrawnMap, used: Collection[tuple[str, str]] = ()) -> None:
     """Write what comes last, where there is still room: the durations of edges not `used`."""
-    if scene.dense:
+    if drawn.dense:
         return
-    usual = usual_duration(scene.system)
-    for (source, target), text in _durations(scene.system):
+    usual = usual_duration(drawn.system)
+    for source, target, _, text in links(drawn.system):
         if text == usual or (source, target) in used or (target, source) in used:
             continue
-        begin, end = scene.frame.at(scene.where[source]), scene.frame.at(scene.where[target])
-        centres = [_between(begin, end, share) for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
-        if found := scene.room.place(text, SMALL, centres):
-            scene.write(text, found, SMALL, color="#666666", bbox=halo(), zorder=5)
-
-
-def duration_words(there: Duration, back: Duration) -> str:
-    """A duration as it is written on an edge: one number, or a range where classes or ways differ.
-
-    >>> duration_words(2, 2), duration_words(1, 3), duration_words({"a": 1, "default": 2}, 2)
-    ('2', '1-3', '1-2')
-    """
-    every = [n for d in (there, back) for n in (d.values() if isinstance(d, Mapping) else (d,))]
-    least, most = min(every), max(every)
-    return str(least) if least == most else f"{least}-{most}"
+        begin, end = drawn.frame.at(drawn.where[source]), drawn.frame.at(drawn.where[target])
+        centres = [between(begin, end, share) for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
+        if found := drawn.placement.place(text, SMALL, centres):
+            drawn.write(text, found, SMALL, color="#666666", bbox=halo(), zorder=5)
 
 
 def _box(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:
     """Left, bottom, right and top of everything that is drawn, with a margin."""
-    corners = [point for state in system.states.values() for point in state.shape or ()]
-    points = [*where.values(), *corners]
-    xs, ys = [p[0] for p in points], [p[1] for p in points]
+    left, bottom, right, top = bounds(system, where)
     shaped = all(state.shape for state in system.states.values())
-    air = 0.02 * max(max(xs) - min(xs), max(ys) - min(ys)) if shaped else 0.6 * spacing(where)
+    air = 0.02 * max(right - left, top - bottom) if shaped else 0.6 * spacing(where)
     air = air or 1.0
-    return min(xs) - air, min(ys) - air, max(xs) + air, max(ys) + air
+    return left - air, bottom - air, right + air, top + air
 
 
-def _unwritten(palette: Palette, chosen: Mapping[str, Sign]) -> list[Entry]:
+def _unwritten(palette: Palette, chosen: Mapping[str, StateLabel]) -> list[Entry]:
     """What the colours stand for, for labels that are not written on the map."""
-    patch = library("patches").Patch
-    written = frozenset().union(*(sign.labels for sign in chosen.values()))
+    written = frozenset().union(*(label.labels for label in chosen.values()))
     labels = [label for label in palette.system.labels if label not in written]
-    shown = [Entry(patch(**area(palette.labels[label])), label) for label in labels[:_MOST_LABELS]]
-    if len(labels) > _MOST_LABELS:
-        shown.append(Entry(patch(alpha=0), f"and {len(labels) - _MOST_LABELS} more labels"))
-    return shown
+    shown = [Entry.patch(label, **area(palette.labels[label])) for label in labels]
+    return cut_entries(shown, _MOST_LABELS, " labels")
 
 
 def _unmarked(system: TransitionSystem) -> list[Entry]:
     """How long the edges without a number take, unless that is one step."""
     usual = usual_duration(system)
-    if usual == "1":
-        return []
-    words = f"{usual} steps if not marked"
-    return [Entry(library("lines").Line2D([], [], color=LINE, linewidth=0.9), words)]
+    style = {"color": LINE, "linewidth": 0.9}
+    return [] if usual == "1" else [Entry.line(f"{usual} steps if not marked", **style)]
 
 
 def usual_duration(system: TransitionSystem) -> str:
     """The words of the duration of most edges, which are not repeated on each; else one step."""
-    words = Counter(words for _, words in _durations(system))
+    words = Counter(link.words for link in links(system))
     most, number = words.most_common(1)[0] if words else ("1", 1)
     return most if 2 * number > words.total() else "1"
 
 
-def _durations(system: TransitionSystem) -> Iterator[tuple[tuple[str, str], str]]:
-    """Every pair of connected states once, with the words of its durations."""
-    for (source, target), edge in system.edges.items():
-        back = system.edges.get((target, source))
-        if source != target and (back is None or source < target):
-            yield (source, target), duration_words(edge.duration, (back or edge).duration)
-
-
-def _draw_shapes(scene: Scene) -> None:
+def _draw_shapes(drawn: DrawnMap) -> None:
     """The polygons, pale and in the colour of their states."""
-    width = 0.2 if scene.dense else 0.7
-    for name, state in scene.system.states.items():
+    width = 0.2 if drawn.dense else 0.7
+    for name, state in drawn.system.states.items():
         if state.shape:
-            paint = scene.palette.states[name]
-            scene.ax.add_patch(
+            paint = drawn.palette.states[name]
+            drawn.ax.add_patch(
                 library("patches").Polygon(
                     state.shape,
                     facecolor=paint.pale,
-                    edgecolor=WHITE if scene.dense else _BORDER,
+                    edgecolor=WHITE if drawn.dense else _BORDER,
                     hatch=paint.hatch or None,
                     linewidth=width,
                     zorder=1,
@@ -221,28 +195,24 @@ def _draw_shapes(scene: Scene) -> None:
             )
 
 
-def _draw_edges(scene: Scene) -> None:
+def _draw_edges(drawn: DrawnMap) -> None:
     """One line for each pair of connected states; an arrow head if there is no way back."""
-    both, single = [], []
-    for source, target in scene.system.edges:
-        line = (scene.where[source], scene.where[target])
-        if source == target or line[0] == line[1]:
-            continue
-        if (target, source) not in scene.system.edges:
-            single.append(line)
-        elif source < target:
-            both.append(line)
-    width = 0.3 if scene.dense else 0.9
+    both: list[tuple[Point, Point]] = []
+    single: list[tuple[Point, Point]] = []
+    for source, target, one_way, _ in links(drawn.system):
+        line = (drawn.where[source], drawn.where[target])
+        if line[0] != line[1]:
+            (single if one_way else both).append(line)
+    width = 0.3 if drawn.dense else 0.9
     style: dict[str, Any] = {"colors": LINE, "linewidths": width, "zorder": 2, "alpha": 0.7}
     for lines, gid in ((both, "edges"), (single, "one-way edges")):
-        drawn = library("collections").LineCollection(lines, gid=gid, **style)
-        scene.ax.add_collection(drawn, autolim=False)
-    if not scene.dense:
-        arrow_heads(scene, single, 0.62, (LINE, 4.5))
+        add_collection(drawn.ax, "LineCollection", lines, gid=gid, **style)
+    if not drawn.dense:
+        arrow_heads(drawn, single, 0.62, (LINE, 4.5))
 
 
 def arrow_heads(
-    scene: Scene,
+    drawn: DrawnMap,
     lines: Sequence[tuple[Point, Point]],
     share: float,
     look: tuple[str, float],
@@ -251,53 +221,39 @@ def arrow_heads(
     colour, size = look
     triangles = []
     for begin, end in lines:
-        (x0, y0), (x1, y1) = scene.frame.at(begin), scene.frame.at(end)
-        length = math.hypot(x1 - x0, y1 - y0) or 1.0
-        right, up = (x1 - x0) / length * size, (y1 - y0) / length * size
-        x, y = _between((x0, y0), (x1, y1), share)
+        ends = drawn.frame.at(begin), drawn.frame.at(end)
+        right, up = (size * part for part in direction(*ends)[0])
+        x, y = between(*ends, share)
         corners = (
             (x + right / 2, y + up / 2),
             (x - right / 2 - up * _SLIM, y - up / 2 + right * _SLIM),
             (x - right / 2 + up * _SLIM, y - up / 2 - right * _SLIM),
         )
-        triangles.append([scene.frame.back(corner) for corner in corners])
+        triangles.append([drawn.frame.back(corner) for corner in corners])
     style: dict[str, Any] = {"facecolors": colour, "linewidths": 0, "zorder": 4, "gid": "heads"}
-    heads = library("collections").PolyCollection(triangles, **style)
-    scene.ax.add_collection(heads, autolim=False)
+    add_collection(drawn.ax, "PolyCollection", triangles, **style)
 
 
-def _draw_dots(scene: Scene) -> None:
+def _draw_dots(drawn: DrawnMap) -> None:
     """A dot for each state without a shape."""
-    bare = [name for name, state in scene.system.states.items() if not state.shape]
+    bare = [name for name, state in drawn.system.states.items() if not state.shape]
     if not bare:
         return
-    size = _DOT if not scene.dense else 2.0
-    scene.ax.scatter(
-        [scene.where[name][0] for name in bare],
-        [scene.where[name][1] for name in bare],
-        s=size**2,
-        c=[scene.palette.states[name].colour for name in bare],
-        edgecolors=DARK,
-        linewidths=0.1 if scene.dense else 0.6,
-        zorder=3,
-        gid="states",
-    )
-    if not scene.dense:
-        for name in bare:
-            x, y = scene.frame.at(scene.where[name])
-            scene.room.take(Box(x - size / 2, y - size / 2, x + size / 2, y + size / 2))
+    size = 2.0 if drawn.dense else DOT
+    xs, ys = zip(*(drawn.where[name] for name in bare), strict=True)
+    colours = [drawn.palette.states[name].colour for name in bare]
+    edge = {"edgecolors": DARK, "linewidths": 0.1 if drawn.dense else 0.6}
+    drawn.ax.scatter(xs, ys, s=size**2, c=colours, zorder=3, gid="states", **edge)
+    for name in () if drawn.dense else bare:
+        drawn.placement.take(Box.around(drawn.frame.at(drawn.where[name]), size / 2, size / 2))
 
 
-def _draw_signs(scene: Scene) -> None:
-    for name, sign in scene.signs.items():
-        shaped = scene.system.states[name].shape
-        ground = scene.palette.states[name].pale if shaped else WHITE
-        for place, (text, size, centre) in enumerate(sign.lines()):
-            style = {} if place == 0 and sign.name else {"style": "italic", "color": "#555555"}
-            scene.write(text, centre, size, bbox=halo(ground), **style)
-        if sign.parts:
-            scene.room.take(sign.box)
-
-
-def _between(begin: Point, end: Point, share: float) -> Point:
-    return begin[0] + (end[0] - begin[0]) * share, begin[1] + (end[1] - begin[1]) * share
+def _draw_labels(drawn: DrawnMap) -> None:
+    for name, label in drawn.labels.items():
+        shaped = drawn.system.states[name].shape
+        ground = drawn.palette.states[name].pale if shaped else WHITE
+        for place, (text, size, centre) in enumerate(label.lines()):
+            style = {} if place == 0 and label.name else {"style": "italic", "color": "#555555"}
+            drawn.write(text, centre, size, bbox=halo(ground), **style)
+        if label.parts:
+            drawn.placement.take(label.box)

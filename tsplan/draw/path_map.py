@@ -14,20 +14,27 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.draw.canvas import DARK, TINY, WHITE, Entry, Picture, set_title, text_size
+from tsplan.draw.canvas import (
+    DARK,
+    TINY,
+    WHITE,
+    Entry,
+    Picture,
+    add_collection,
+    set_title,
+    text_size,
+)
 from tsplan.draw.colours import lightness, mixed
-from tsplan.draw.map import Scene, arrow_heads, base, finish
-from tsplan.draw.matplotlib_loading import library
+from tsplan.draw.map import DrawnMap, arrow_heads, base, finish
 from tsplan.draw.palette import HUES, STROKES, Paint, Palette, paints
 from tsplan.draw.starts import draw_starts
-from tsplan.draw.state_labels import Sign
-from tsplan.draw.text_placement import Box, Point
-from tsplan.plans.summary import names
+from tsplan.draw.state_labels import StateLabel
+from tsplan.draw.text_placement import Box, Point, between, direction
+from tsplan.draw.tracks import Track, agents_of, by_class, tracks
 from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.plans.agent_plans import Bundle
     from tsplan.plans.plan import Plan
 
 MOST_PATHS = len(HUES) * len(STROKES) - 8
@@ -73,48 +80,42 @@ def draw_paths(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     """
     refuse_misfit(plan, mission)
     palette = Palette.of(mission)
-    strands, joined = strands_of(plan, palette)
-    scene = base(palette, ax, _entries(plan, strands, joined=joined))
-    draw_starts(scene, mission, palette.classes if joined else {})
+    moving = tracks(plan, mission)
+    strands, joined = strands_of(moving, plan.horizon, palette)
+    drawn = base(palette, ax, _entries(moving, strands, joined=joined))
+    draw_starts(drawn, mission, palette.classes if joined else {})
     lanes = lanes_of(strands)
     for number, strand in enumerate(strands):
-        _draw_strand(scene, strand, [_shift(lanes[pair], number) for pair in strand.passages])
-    if not joined and not scene.dense:
-        _mark_arrivals(scene, strands, lanes)
-    finish(scene, lanes)
-    set_title(scene.ax, f"{plan.mission.name or mission.name}: paths")
-    return scene.figure, scene.ax
+        _draw_strand(drawn, strand, [_shift(lanes[pair], number) for pair in strand.passages])
+    if not joined and not drawn.dense:
+        _mark_arrivals(drawn, strands, lanes)
+    finish(drawn, lanes)
+    set_title(drawn.ax, f"{plan.mission.name or mission.name}: paths")
+    return drawn.figure, drawn.ax
 
 
-def strands_of(plan: Plan, palette: Palette) -> tuple[tuple[Strand, ...], bool]:
-    """The lines to draw, one for each path that leaves its start or, joined, for each class.
+def strands_of(
+    found: Sequence[Track], horizon: int, palette: Palette
+) -> tuple[tuple[Strand, ...], bool]:
+    """The lines to draw, one for each track that leaves its start or, joined, for each class.
 
     The second value says whether they are joined.
     """
-    moving = [bundle for bundle in plan.bundles if any(_moves(bundle))]
+    moving = [track for track in found if any(_moves(track, horizon))]
     if len(moving) <= MOST_PATHS:
         given = paints(str(number) for number in range(len(moving)))
         return tuple(
-            Strand(
-                names([plan.agents[place].id for place in bundle.agents], most=1),
-                given[str(number)],
-                len(bundle.agents),
-                _passages([bundle]),
-            )
-            for number, bundle in enumerate(moving)
+            Strand(track.short, paint, track.count, _passages([track], horizon))
+            for track, paint in zip(moving, given.values(), strict=True)
         ), False
-    by_class: dict[str, list[Bundle]] = {}
-    for bundle in moving:
-        by_class.setdefault(bundle.class_name, []).append(bundle)
-    return tuple(
-        Strand(
-            f"{sum(len(b.agents) for b in group):,} {name} on {len(group):,} paths",
-            palette.classes[name],
-            sum(len(b.agents) for b in group),
-            _passages(group),
-        )
-        for name, group in by_class.items()
-    ), True
+    strands = []
+    for name, group in by_class(moving).items():
+        apart = bool(group[0].ids)
+        agents = agents_of(group if apart else (one for one in found if one.class_name == name))
+        words = f"{agents:,} {name} {'on' if apart else 'in'} {len(group):,} "
+        words += "paths" if apart else "groups"
+        strands.append(Strand(words, palette.classes[name], agents, _passages(group, horizon)))
+    return tuple(strands), True
 
 
 def lanes_of(strands: Sequence[Strand]) -> Mapping[Pair, tuple[int, ...]]:
@@ -126,25 +127,24 @@ def lanes_of(strands: Sequence[Strand]) -> Mapping[Pair, tuple[int, ...]]:
     return {pair: tuple(numbers) for pair, numbers in lanes.items()}
 
 
-def _moves(bundle: Bundle) -> Iterator[tuple[Pair, int | None, bool]]:
-    """The moves of a path: the edge, the step of arrival, and whether it rests there."""
-    for (_, _, source), (arrival, last, target) in pairwise(bundle.stays):
-        if source != target:
-            yield (source, target), arrival, last > arrival
-    final = bundle.stays[-1][2]
-    if bundle.heading is not None and bundle.heading != final:
-        yield (final, bundle.heading), None, False
+def _moves(track: Track, horizon: int) -> Iterator[tuple[Pair, int | None, bool]]:
+    """The moves of a track: the edge, the step of arrival up to the horizon, whether it rests."""
+    for here, there in pairwise(track.stops):
+        if here.state != there.state:
+            arrival = there.first if there.first <= horizon else None
+            yield (here.state, there.state), arrival, there.last > there.first
 
 
-def _passages(group: Sequence[Bundle]) -> Mapping[Pair, Passage]:
+def _passages(group: Sequence[Track], horizon: int) -> Mapping[Pair, Passage]:
     found: dict[Pair, Passage] = {}
-    for bundle in group:
-        for pair, arrival, rests in _moves(bundle):
+    for track in group:
+        last = track.stays(horizon)[-1].first
+        for pair, arrival, rests in _moves(track, horizon):
             passage = found.setdefault(pair, Passage())
-            passage.agents += len(bundle.agents)
+            passage.agents += track.count
             if arrival is not None:
                 passage.arrivals.append(arrival)
-                if rests or arrival == bundle.stays[-1][0]:
+                if rests or arrival == last:
                     passage.resting.append(arrival)
     return found
 
@@ -155,41 +155,42 @@ def _shift(lane: tuple[int, ...], number: int) -> float:
     return gap * (lane.index(number) + 0.7)
 
 
-def _ends(scene: Scene, pair: Pair, shift: float) -> tuple[Point, Point]:
+def _ends(drawn: DrawnMap, pair: Pair, shift: float) -> tuple[Point, Point]:
     """A lane's two ends on the page: beside the middle of the way, clear of both states' names."""
-    (x0, y0), (x1, y1) = (scene.frame.at(scene.where[name]) for name in pair)
-    length = math.hypot(x1 - x0, y1 - y0) or 1.0
-    along = ((x1 - x0) / length, (y1 - y0) / length)
+    (x0, y0), (x1, y1) = (drawn.frame.at(drawn.where[name]) for name in pair)
+    along, length = direction((x0, y0), (x1, y1))
     right, up = along[1] * shift, -along[0] * shift
-    most = 0.0 if scene.dense else 0.4 * length
-    begin = min(_clearance(scene.signs[pair[0]], (x0, y0), along), most)
-    end = min(_clearance(scene.signs[pair[1]], (x1, y1), (-along[0], -along[1])), most)
+    most = 0.0 if drawn.dense else 0.4 * length
+    begin = min(_clearance(drawn.labels[pair[0]], (x0, y0), along), most)
+    end = min(_clearance(drawn.labels[pair[1]], (x1, y1), (-along[0], -along[1])), most)
     return (
         (x0 + along[0] * begin + right, y0 + along[1] * begin + up),
         (x1 - along[0] * end + right, y1 - along[1] * end + up),
     )
 
 
-def _clearance(sign: Sign, centre: Point, along: Point) -> float:
-    """How far a lane keeps from the middle of a state: until it has left the state's sign."""
-    box, (x, y), (right, up) = sign.box, centre, along
-    if not sign.parts or not Box(x, y, x, y).inside(box):
+def _clearance(label: StateLabel, centre: Point, along: Point) -> float:
+    """How far a lane keeps from the middle of a state: until it has left the state's label."""
+    box, (x, y), (right, up) = label.box, centre, along
+    if not label.parts or not Box(x, y, x, y).inside(box):
         return _CLEAR
     across = ((box.right if right > 0 else box.left) - x) / right if right else math.inf
     upward = ((box.top if up > 0 else box.bottom) - y) / up if up else math.inf
     return min(across, upward) + 1.5
 
 
-def _draw_strand(scene: Scene, strand: Strand, shifts: Sequence[float]) -> None:
+def _draw_strand(drawn: DrawnMap, strand: Strand, shifts: Sequence[float]) -> None:
     """All lanes of a strand, and their arrow heads."""
     lines = []
     for pair, shift in zip(strand.passages, shifts, strict=True):
-        begin, end = _ends(scene, pair, shift)
-        lines.append((scene.frame.back(begin), scene.frame.back(end)))
-    thin = _THIN if scene.dense else 1.0
+        begin, end = _ends(drawn, pair, shift)
+        lines.append((drawn.frame.back(begin), drawn.frame.back(end)))
+    thin = _THIN if drawn.dense else 1.0
     widths = [thin * _width(passage.agents) for passage in strand.passages.values()]
     for colour, more, layer in _layers(strand.paint):
-        lanes = library("collections").LineCollection(
+        add_collection(
+            drawn.ax,
+            "LineCollection",
             lines,
             colors=colour,
             linestyles=strand.paint.stroke,
@@ -197,10 +198,9 @@ def _draw_strand(scene: Scene, strand: Strand, shifts: Sequence[float]) -> None:
             zorder=layer,
             gid=visible(f"path:{strand.words}"),
         )
-        scene.ax.add_collection(lanes, autolim=False)
-    if not scene.dense:
+    if not drawn.dense:
         head = max(_HEAD, 2.0 * max(widths, default=0.0))
-        arrow_heads(scene, lines, 0.93, (strand.paint.colour, head))
+        arrow_heads(drawn, lines, 0.93, (strand.paint.colour, head))
 
 
 def _width(agents: int) -> float:
@@ -218,7 +218,7 @@ def _layers(paint: Paint) -> list[tuple[str, float, float]]:
 
 
 def _mark_arrivals(
-    scene: Scene, strands: Sequence[Strand], lanes: Mapping[Pair, tuple[int, ...]]
+    drawn: DrawnMap, strands: Sequence[Strand], lanes: Mapping[Pair, tuple[int, ...]]
 ) -> None:
     """The steps of arrival beside the lanes, where there is room."""
     every = sum(len(strand.passages) for strand in strands) <= _MOST_MARKS
@@ -231,45 +231,37 @@ def _mark_arrivals(
                 continue
             text = ",".join(str(step) for step in sorted(set(steps))[:_STEPS])
             text += "\u2026" if len(set(steps)) > _STEPS else ""
-            spots = _beside(scene, pair, _shift(lanes[pair], lanes[pair][-1]), text)
-            if found := scene.room.place(text, _TEXT, spots):
-                scene.write(text, found, _TEXT, color=colour, zorder=5, gid="arrival")
+            spots = _beside(drawn, pair, _shift(lanes[pair], lanes[pair][-1]), text)
+            if found := drawn.placement.place(text, _TEXT, spots):
+                drawn.write(text, found, _TEXT, color=colour, zorder=5, gid="arrival")
 
 
-def _beside(scene: Scene, pair: Pair, outermost: float, text: str) -> Iterator[Point]:
+def _beside(drawn: DrawnMap, pair: Pair, outermost: float, text: str) -> Iterator[Point]:
     """Places for a mark: outside all lanes of the way, nearest to the arrival first."""
-    (x0, y0), (x1, y1) = (scene.frame.at(scene.where[name]) for name in pair)
-    length = math.hypot(x1 - x0, y1 - y0) or 1.0
+    (x0, y0), (x1, y1) = (drawn.frame.at(drawn.where[name]) for name in pair)
+    (right, up), _ = direction((x0, y0), (x1, y1))
     width, height = text_size(text, _TEXT)
     # half of the text, seen across the way
-    reach = (width * abs(y1 - y0) + height * abs(x1 - x0)) / length / 2
+    reach = (width * abs(up) + height * abs(right)) / 2
     for more in (1.0, 5.0):
-        begin, end = _ends(scene, pair, outermost + reach + more)
-        for share in (0.8, 0.65, 0.5, 0.35, 0.2):
-            yield (begin[0] + (end[0] - begin[0]) * share, begin[1] + (end[1] - begin[1]) * share)
+        begin, end = _ends(drawn, pair, outermost + reach + more)
+        yield from (between(begin, end, share) for share in (0.8, 0.65, 0.5, 0.35, 0.2))
 
 
-def _entries(plan: Plan, strands: Sequence[Strand], *, joined: bool) -> list[Entry]:
+def _entries(moving: Sequence[Track], strands: Sequence[Strand], *, joined: bool) -> list[Entry]:
     """The legend: each strand, the agents that never move, and what the numbers are."""
     shown = [
-        Entry(
-            library("lines").Line2D(
-                [], [], color=s.paint.colour, linestyle=s.paint.stroke,
-                linewidth=_width(s.agents),
-            ),
-            s.words,
+        Entry.line(
+            s.words, color=s.paint.colour, linestyle=s.paint.stroke, linewidth=_width(s.agents)
         )
         for s in strands
-    ]  # fmt: skip
-    badge = library("lines").Line2D(
-        [], [], linestyle="none", marker="o", markersize=8, color=WHITE, markeredgecolor=DARK
-    )
-    shown.append(Entry(badge, "agents that start there"))
-    idle = len(plan.agents) - sum(strand.agents for strand in strands)
+    ]
+    badge = {"marker": "o", "markersize": 8, "color": WHITE, "markeredgecolor": DARK}
+    shown.append(Entry.line("agents that start there", **badge))
+    idle = sum(t.count for t in moving if t.ids and len({stop.state for stop in t.stops}) == 1)
     if idle:
-        never = "never moves" if idle == 1 else "never move"
-        shown.append(Entry(library("lines").Line2D([], [], linestyle="none"), f"{idle:,} {never}"))
+        shown.append(Entry.nothing(f"{idle:,} never {'moves' if idle == 1 else 'move'}"))
     if strands:
         what = "the more agents, the wider" if joined else "numbers: steps of arrival"
-        shown.append(Entry(library("lines").Line2D([], [], linestyle="none"), what))
+        shown.append(Entry.nothing(what))
     return shown

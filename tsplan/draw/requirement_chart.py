@@ -8,6 +8,7 @@ begins. The dashed line is the need.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,18 +20,13 @@ from tsplan.draw.canvas import (
     SMALL,
     Entry,
     Picture,
-    axes,
-    legend_beside,
-    legend_width,
-    plain,
-    set_title,
     settle,
     shortened,
     text_size,
 )
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import BAD, GOOD
-from tsplan.draw.timeline import set_steps
+from tsplan.draw.step_axes import name_rows, step_axes
 from tsplan.words import number
 
 if TYPE_CHECKING:
@@ -43,10 +39,11 @@ MOST_ROWS = 40
 
 _WIDTH = 6.0  # inches of the steps
 _ROW = 0.42  # inches of one row
-_REST = 0.75  # inches of title and steps
 _TALL = 0.78  # of a row, what the largest count takes
 _LONGEST = 36  # characters of an atom
 _WINDOW, _CHOSEN, _MISSED, _COUNT = "#ececec", "#bcd3ee", "#f4c3bd", "#2f5f9e"
+_NEED = MappingProxyType({"color": DARK, "linestyle": (0, (4, 2)), "linewidth": 0.9})
+_WITNESS = MappingProxyType({"color": DARK, "marker": "v", "markersize": 3.5})
 
 
 def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
@@ -56,21 +53,16 @@ def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     """
     every = plan.requirements(mission)
     rows = shown_rows(every)
-    entries = _entries(rows)
-    left = max((text_size(_words(row), SMALL)[0] for row in rows), default=0.0) / POINTS
-    tall = height_of(rows)
+    words = [shortened(row.title, _LONGEST) for row in rows]
+    left = max((text_size(word, SMALL)[0] for word in words), default=0.0) / POINTS
     beside = max((_beside(row)[2] for row in rows), default=0.0)
-    width = _WIDTH + left + beside + legend_width(entries, tall - _REST)
-    figure, ax = axes(ax, width, tall)
-    set_steps(ax, plan.horizon)
+    inches = _WIDTH + left + beside, height_of(rows)
+    figure, ax = step_axes(ax, plan.horizon, inches, _entries(rows), beside)
     ax.set_ylim(len(rows) or 1, 0)
-    middles = [place + 0.55 for place in range(len(rows))]
-    ax.set_yticks(middles, [plain(_words(row)) for row in rows], fontsize=SMALL)
-    ax.tick_params(axis="y", length=0)
-    legend_beside(ax, entries, beside)
     hidden = len(every) - len(rows)
     more = f" ({hidden} more with agents to spare)" if hidden else ""
-    set_title(ax, f"{plan.mission.name or mission.name}: count against need{more}")
+    title = f"{plan.mission.name or mission.name}: count against need{more}"
+    name_rows(ax, [place + 0.55 for place in range(len(rows))], words, title)
     settle(figure)
     for place, row in enumerate(rows):
         _draw_row(ax, place, row)
@@ -86,12 +78,8 @@ def shown_rows(rows: Sequence[Requirement]) -> tuple[Requirement, ...]:
 
 
 def height_of(rows: Sequence[Requirement]) -> float:
-    """Inches that the chart of so many rows takes."""
-    return max(_ROW * min(len(rows), MOST_ROWS), 0.8) + _REST
-
-
-def _words(row: Requirement) -> str:
-    return shortened(row.title, _LONGEST)
+    """Inches that so many rows take."""
+    return max(_ROW * min(len(rows), MOST_ROWS), 0.8)
 
 
 def _draw_row(ax: Any, place: int, row: Requirement) -> None:
@@ -107,16 +95,13 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
     paint, meaning = (_MISSED, "missed") if _fails(row) else (_CHOSEN, "chosen")
     for first, last in row.witness_steps:
         _shade(ax, place, (first, last), paint, meaning)
-        ax.plot([first], [place + 0.1], marker="v", markersize=3.5, color=DARK, gid="witness")
+        ax.plot([first], [place + 0.1], gid="witness", **_WITNESS)
     ax.axhline(base, color=LINE, linewidth=0.5)
     steps = np.arange(len(row.counts) + 1) - 0.5
     counts = np.append(row.counts, row.counts[-1])
     ax.fill_between(steps, base, height(counts), step="post", color=_COUNT, alpha=0.28, linewidth=0)
     ax.step(steps, height(counts), where="post", color=_COUNT, linewidth=1.1, gid="count")
-    ax.plot(
-        [steps[0], steps[-1]], [height(row.bound)] * 2, color=DARK, linestyle=(0, (4, 2)),
-        linewidth=0.9, gid="need",
-    )  # fmt: skip
+    ax.plot([steps[0], steps[-1]], [height(row.bound)] * 2, gid="need", **_NEED)
     _write_spare(ax, base - _TALL / 2, row)
 
 
@@ -125,7 +110,6 @@ def _fails(row: Requirement) -> bool:
 
 
 def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
-
     first, last = steps
     ax.add_patch(
         library("patches").Rectangle(
@@ -160,19 +144,14 @@ def _beside(row: Requirement) -> tuple[str, str, float]:
 
 
 def _entries(rows: Sequence[Requirement]) -> list[Entry]:
-
     if not rows:
         return []
-    line, patch = library("lines").Line2D, library("patches").Patch
+    failing = [_fails(row) for row in rows]
     return [
-        Entry(line([], [], color=_COUNT, linewidth=1.1), "agents counted"),
-        Entry(line([], [], color=DARK, linestyle=(0, (4, 2)), linewidth=0.9), "need"),
-        Entry(patch(facecolor=_WINDOW), "can be asked for"),
-        *(
-            [Entry(patch(facecolor=_CHOSEN), "satisfied here")]
-            if not all(map(_fails, rows))
-            else []
-        ),
-        *([Entry(patch(facecolor=_MISSED), "missed here")] if any(map(_fails, rows)) else []),
-        Entry(line([], [], linestyle="none", marker="v", markersize=3.5, color=DARK), "witness"),
+        Entry.line("agents counted", color=_COUNT, linewidth=1.1),
+        Entry.line("need", **_NEED),
+        Entry.patch("can be asked for", facecolor=_WINDOW),
+        *([] if all(failing) else [Entry.patch("satisfied here", facecolor=_CHOSEN)]),
+        *([Entry.patch("missed here", facecolor=_MISSED)] if any(failing) else []),
+        Entry.line("witness", **_WITNESS),
     ]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from tsplan.draw.canvas import DARK, SMALL, WHITE, Entry
-from tsplan.draw.map import Scene
-from tsplan.draw.matplotlib_loading import library
+from tsplan.draw.map import DrawnMap
 from tsplan.draw.palette import Paint, Palette
 from tsplan.draw.text_placement import Box, Point
 
@@ -24,91 +24,77 @@ _UNITS = ("", "k", "M", "G", "T", "P", "E")
 
 def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
     """A legend of the classes: how many robots each has, and what they can do."""
-    counts: dict[str, int] = {}
+    counts: Counter[str] = Counter()
     able: dict[str, dict[str, None]] = {}
     for group in mission.team:
-        counts[group.class_name] = counts.get(group.class_name, 0) + group.count
+        counts[group.class_name] += group.count
         able.setdefault(group.class_name, {}).update(dict.fromkeys(sorted(group.capabilities)))
+    badge = {"marker": "o", "markersize": 8, "markeredgecolor": DARK, "markeredgewidth": 0.6}
     return [
-        Entry(
-            library("lines").Line2D(
-                [],
-                [],
-                linestyle="none",
-                marker="o",
-                markersize=8,
-                markeredgecolor=DARK,
-                markeredgewidth=0.6,
-                color=palette.classes[name].colour,
-            ),
+        Entry.line(
             f"{count:,} {name}" + (f" ({', '.join(able[name])})" if able[name] else ""),
+            color=palette.classes[name].colour,
+            **badge,
         )
         for name, count in counts.items()
     ]
 
 
-def draw_starts(scene: Scene, mission: Mission, paints: Mapping[str, Paint]) -> None:
+def draw_starts(drawn: DrawnMap, mission: Mission, paints: Mapping[str, Paint]) -> None:
     """A badge with the number of robots of each class at each state where some start.
 
     `paints` has the colours of the classes; those without one are white.
     """
-    starts: dict[str, dict[str, int]] = {}
+    starts: dict[str, Counter[str]] = {}
     for group in mission.team:
         for state, count in group.starts:
-            there = starts.setdefault(state, {})
+            there = starts.setdefault(state, Counter())
             if count:
-                there[group.class_name] = there.get(group.class_name, 0) + count
-    rows = _rows(scene, starts)
+                there[group.class_name] += count
+    rows = _rows(drawn, starts)
     if rows is None:
-        _draw_dots(scene, starts)
+        _draw_rings(drawn, starts)
         return
     for state, (x, y) in rows.items():
         for place, (name, count) in enumerate(starts[state].items()):
             left = x + (place - (len(starts[state]) - 1) / 2) * _APART
-            _badge(scene, (left, y), count, paints.get(name, _WHITE))
+            _badge(drawn, (left, y), count, paints.get(name, _WHITE))
 
 
-def _rows(scene: Scene, starts: Mapping[str, Mapping[str, int]]) -> dict[str, Point] | None:
+def _rows(drawn: DrawnMap, starts: Mapping[str, Mapping[str, int]]) -> dict[str, Point] | None:
     """The centre of each state's row of badges; None if they would lie on each other."""
-    if scene.dense:
+    if drawn.dense:
         return None
     found: dict[str, Point] = {}
     for state, there in starts.items():
-        centre = _row_at(scene, state, len(there))
+        centre = _row_at(drawn, state, len(there))
         if centre is None:
             return None
         found[state] = centre
     return found
 
 
-def _row_at(scene: Scene, state: str, number: int) -> Point | None:
-    """A free place for a row of badges, which takes it: below a state's sign, above, beside it."""
-    x = scene.frame.at(scene.where[state])[0]
-    sign = scene.signs[state]
+def _row_at(drawn: DrawnMap, state: str, number: int) -> Point | None:
+    """A free place for a row of badges, which takes it: below a state's name, above, beside it."""
+    x = drawn.frame.at(drawn.where[state])[0]
+    label = drawn.labels[state]
     across, up = number * _APART / 2, _BADGE / 2 + 1
-    below, above = sign.box.bottom - up, sign.box.top + up
-    right, left = sign.box.right + across + 1, sign.box.left - across - 1
-    for centre in ((x, below), (x, above), (right, sign.centre[1]), (left, sign.centre[1])):
-        row = Box(centre[0] - across, centre[1] - up, centre[0] + across, centre[1] + up)
-        if scene.room.free(row):
-            scene.room.take(row)
+    below, above = label.box.bottom - up, label.box.top + up
+    right, left = label.box.right + across + 1, label.box.left - across - 1
+    for centre in ((x, below), (x, above), (right, label.centre[1]), (left, label.centre[1])):
+        row = Box.around(centre, across, up)
+        if drawn.placement.free(row):
+            drawn.placement.take(row)
             return centre
     return None
 
 
-def _draw_dots(scene: Scene, starts: Mapping[str, Mapping[str, int]]) -> None:
+def _draw_rings(drawn: DrawnMap, starts: Mapping[str, Mapping[str, int]]) -> None:
     """A ring at each state where robots start, larger for more of them, without numbers."""
-    counts = [sum(there.values()) for there in starts.values()]
-    scene.ax.scatter(
-        [scene.where[state][0] for state in starts],
-        [scene.where[state][1] for state in starts],
-        s=[_DOT * math.sqrt(count) for count in counts],
-        facecolors="none",
-        edgecolors=DARK,
-        linewidths=0.7,
-        zorder=7,
-        gid="starts",
-    )
+    sizes = [_DOT * math.sqrt(sum(there.values())) for there in starts.values()]
+    style = {"facecolors": "none", "edgecolors": DARK, "linewidths": 0.7, "zorder": 7}
+    xs, ys = zip(*(drawn.where[state] for state in starts), strict=True)
+    drawn.ax.scatter(xs, ys, s=sizes, gid="starts", **style)
 
 
 def three_digits(count: int) -> str:
@@ -123,21 +109,11 @@ def three_digits(count: int) -> str:
     return f"{size:.3g}{_UNITS[unit]}"
 
 
-def _badge(scene: Scene, centre: Point, count: int, paint: Paint) -> None:
+def _badge(drawn: DrawnMap, centre: Point, count: int, paint: Paint) -> None:
     """A disc with a number; its outline tells it from everything else on the map."""
     text = three_digits(count)
     size = SMALL if len(text) < 3 else SMALL * 2.4 / len(text)  # noqa: PLR2004  (as above)
-    x, y = scene.frame.back(centre)
-    scene.ax.plot(
-        [x],
-        [y],
-        marker="o",
-        markersize=_BADGE,
-        color=paint.colour,
-        markeredgecolor=DARK,
-        markeredgewidth=0.7,
-        zorder=7,
-        clip_on=False,
-        gid="start",
-    )
-    scene.write(text, centre, size, color=paint.ink, zorder=8, weight="bold")
+    x, y = drawn.frame.back(centre)
+    edge = {"markeredgecolor": DARK, "markeredgewidth": 0.7, "clip_on": False, "zorder": 7}
+    drawn.ax.plot([x], [y], marker="o", markersize=_BADGE, color=paint.colour, gid="start", **edge)
+    drawn.write(text, centre, size, color=paint.ink, zorder=8, weight="bold")

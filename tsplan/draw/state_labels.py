@@ -1,7 +1,7 @@
 """What is written at each state: its name and labels, as large and as complete as there is room.
 
 First all names and labels are tried, from large to small letters; then the labels alone; then
-nothing is written, and the labels' colours go to a legend. Either every sign of a kind fits or none
+nothing is written, and the labels' colours go to a legend. Either every text of a kind fits or none
 is written, because a map with some of its names looks as if the other states had none.
 """
 
@@ -9,28 +9,29 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from tsplan.draw.canvas import TEXT, TINY, text_size
-from tsplan.draw.text_placement import Box, Frame, Point, Room
+from tsplan.draw.text_placement import Box, Frame, Placement, Point
 from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.draw.layout import Places
     from tsplan.ts import State, TransitionSystem
 
-MOST_SIGNS = 400
+MOST_LABELLED = 400
 """States above which nothing is written at them."""
 
 _SIZES = (TEXT, 7.0, 6.0, TINY)
 _LESS = 0.86  # size of a label against that of a name
-_DOT = 5.0  # points from a state's dot to its sign
+DOT = 5.0
+"""Points across a state's dot, and from it to what is written there."""
 
 
 @dataclass(frozen=True)
-class Sign:
+class StateLabel:
     """A state's name and labels, each of one or more lines or empty, around a point of the page."""
 
     name: str
@@ -57,10 +58,8 @@ class Sign:
 
     @property
     def box(self) -> Box:
-        """The rectangle of the sign."""
-        x, y = self.centre
-        across, up = self.width / 2 + 1, self.height / 2 + 0.5
-        return Box(x - across, y - up, x + across, y + up)
+        """The rectangle of the texts."""
+        return Box.around(self.centre, self.width / 2 + 1, self.height / 2 + 0.5)
 
     def lines(self) -> Iterator[tuple[str, float, Point]]:
         """Each text with its size and its centre."""
@@ -71,12 +70,12 @@ class Sign:
             top -= height
 
 
-def signs(system: TransitionSystem, where: Places, frame: Frame) -> Mapping[str, Sign]:
-    """The sign of every state, empty where nothing is written."""
+def state_labels(system: TransitionSystem, where: Places, frame: Frame) -> Mapping[str, StateLabel]:
+    """What is written at every state, empty where nothing is."""
     nothing = {
-        name: Sign("", "", TEXT, frame.at(where[name]), frozenset()) for name in system.states
+        name: StateLabel("", "", TEXT, frame.at(where[name]), frozenset()) for name in system.states
     }
-    if len(system.states) > MOST_SIGNS:
+    if len(system.states) > MOST_LABELLED:
         return nothing
     for kind in (_name_and_labels, _labels_alone):
         for size in _SIZES:
@@ -99,48 +98,44 @@ def _labels_alone(state: State) -> tuple[str, tuple[str, ...]]:
 
 def _all_placed(
     system: TransitionSystem, where: Places, frame: Frame, how: tuple[Kind, float]
-) -> dict[str, Sign] | None:
-    """The signs of one kind and size, or None if one of them does not fit."""
+) -> dict[str, StateLabel] | None:
+    """The texts of one kind and size, or None if one of them does not fit."""
     kind, size = how
-    room = Room(frame.page)
-    placed: dict[str, Sign] = {}
+    taken = Placement(frame.page)
+    placed: dict[str, StateLabel] = {}
     for name, state in system.states.items():
         if not state.shape:
-            x, y = frame.at(where[name])
-            room.take(Box(x - _DOT / 2, y - _DOT / 2, x + _DOT / 2, y + _DOT / 2))
+            taken.take(Box.around(frame.at(where[name]), DOT / 2, DOT / 2))
     for name, state in system.states.items():
         title, labels = kind(state)
         if not title and not labels:
             continue
-        tried = _tried(state, (title, labels), size, frame)
-        sign = next((s for s in tried(frame.at(where[name])) if room.free(s.box)), None)
-        if sign is None:
+        possible = _possible(state, (title, labels), size, (frame, frame.at(where[name])))
+        label = next((label for label in possible if taken.free(label.box)), None)
+        if label is None:
             return None
-        room.take(sign.box)
-        placed[name] = sign
+        taken.take(label.box)
+        placed[name] = label
     return placed
 
 
-def _tried(
-    state: State, texts: tuple[str, tuple[str, ...]], size: float, frame: Frame
-) -> Callable[[Point], Iterator[Sign]]:
-    """A state's possible signs: inside its shape, or around its dot, in one line or in more."""
-    title, labels = texts
+def _possible(
+    state: State, texts: tuple[str, tuple[str, ...]], size: float, place: tuple[Frame, Point]
+) -> Iterator[StateLabel]:
+    """What may be written: inside a state's shape, or around its dot, in one line or in more."""
+    (title, labels), (frame, centre) = texts, place
     shown, listed = visible(title), [visible(label) for label in labels]
     names = dict.fromkeys((shown, _folded(shown)))
     words = dict.fromkeys((", ".join(listed), ",\n".join(listed)))
     limit = _extent(state, frame)
-
-    def possible(centre: Point) -> Iterator[Sign]:
-        for name in names:
-            for word in words:
-                sign = Sign(name, word, size, centre, frozenset(labels) | ({title} & state.labels))
-                if limit is None:
-                    yield from _around(sign)
-                elif sign.width <= limit[0] and sign.height <= limit[1]:
-                    yield sign
-
-    return possible
+    seen = frozenset(labels) | ({title} & state.labels)
+    for name in names:
+        for word in words:
+            label = StateLabel(name, word, size, centre, seen)
+            if limit is None:
+                yield from _around(label)
+            elif label.width <= limit[0] and label.height <= limit[1]:
+                yield label
 
 
 def _extent(state: State, frame: Frame) -> tuple[float, float] | None:
@@ -151,11 +146,11 @@ def _extent(state: State, frame: Frame) -> tuple[float, float] | None:
     return (max(xs) - min(xs)) * frame.scale - 4, (max(ys) - min(ys)) * frame.scale - 2
 
 
-def _around(sign: Sign) -> Iterator[Sign]:
-    """A sign below, above, right and left of a dot."""
-    (x, y), across, up = sign.centre, sign.width / 2 + _DOT, sign.height / 2 + _DOT
+def _around(label: StateLabel) -> Iterator[StateLabel]:
+    """The same below, above, right and left of a dot."""
+    (x, y), across, up = label.centre, label.width / 2 + DOT, label.height / 2 + DOT
     for centre in ((x, y - up), (x, y + up), (x + across, y), (x - across, y)):
-        yield Sign(sign.name, sign.words, sign.size, centre, sign.labels)
+        yield replace(label, centre=centre)
 
 
 def _folded(name: str) -> str:

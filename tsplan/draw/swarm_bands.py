@@ -7,8 +7,8 @@ their own, and bands that arrive together are one stack again. Moves are paler t
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -18,39 +18,34 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import (
     DARK,
     LINE,
-    POINTS,
     SMALL,
     TINY,
     WHITE,
     Entry,
     Picture,
-    axes,
+    add_collection,
+    extent,
     halo,
-    legend_beside,
-    legend_width,
-    plain,
-    set_title,
     settle,
     shortened,
     text_size,
 )
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Paint, paints
-from tsplan.draw.timeline import set_steps
+from tsplan.draw.step_axes import name_rows, names_width, step_axes
+from tsplan.draw.tracks import MoveTuple, Track, tracks
 from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
-    from tsplan.plans.agent_plans import Bundle
     from tsplan.plans.plan import Plan
     from tsplan.ts import TransitionSystem
 
-Flow: TypeAlias = tuple[int, str, str, int]
-"""`(step, source, target, count)`: so many agents enter the edge at the step, waits included."""
-
 _WIDTH = 7.5  # inches of the steps
 _LOWEST, _HIGHEST = 2.0, 8.5
-FLOW_HEIGHT = 5.0  # inches that the diagram has on a page
+FLOW_HEIGHT = 4.25
+"""Inches that the rows have on a page."""
+
 _ROW = 0.42  # inches of a state, if there is room
 _AIR = 0.35  # of the mean thickness of a row, between two rows
 _LONGEST = 24  # characters of a state's name
@@ -59,7 +54,6 @@ _STAY, _MOVE = 1.0, 0.55  # opacity
 _MOST_ORDERED = 400  # states up to which the rows are ordered by the flow
 
 Node: TypeAlias = tuple[str, int]
-Slot: TypeAlias = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -83,68 +77,71 @@ def draw_swarm(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    figure, ax = draw_flows(flows_of(plan), mission.system, plan.horizon, ax)
-    set_title(ax, f"{plan.mission.name or mission.name}: who splits and merges where")
-    return figure, ax
+    name = plan.mission.name or mission.name
+    return draw_flows(flows_of(plan), mission.system, plan.horizon, ax, name)
 
 
 def draw_flows(
-    flows: Mapping[str, Iterable[Flow]], system: TransitionSystem, horizon: int, ax: Any = None
+    flows: Mapping[str, Iterable[MoveTuple]],
+    system: TransitionSystem,
+    horizon: int,
+    ax: Any = None,
+    name: str = "",
 ) -> Picture:
     """The diagram of flows by class: every edge entered at every step, waits included.
 
-    Durations are those of the map for the class.
+    Durations are those of the map for the class; the title has the map's name if none is given.
     """
     bands = bands_of(flows, system)
     order = row_order(bands)
-    feet, scale_height = _rows(bands, order)
+    sizes = _sizes(bands)
+    feet, middles, whole = _rows(sizes, order)
     given = paints(flows)
-    entries = _entries(given) if len(given) > 1 else []
     tall = min(max(_ROW * len(order), _LOWEST), _HIGHEST)
-    left = max(text_size(shortened(s, _LONGEST), SMALL)[0] for s in order) / POINTS + 0.2
-    figure, ax = axes(ax, _WIDTH + left + legend_width(entries, tall), tall + 0.75)
-    set_steps(ax, horizon)
+    inches = _WIDTH + names_width(order, _LONGEST), tall
+    figure, ax = step_axes(ax, horizon, inches, _entries(given) if len(given) > 1 else [])
     ax.set_xlim(0, horizon or 1)
-    ax.set_ylim(scale_height, 0)
-    legend_beside(ax, entries)
-    set_title(ax, f"{system.name}: who splits and merges where")
-    _name_rows(ax, order, feet, bands)
+    ax.set_ylim(whole, 0)
+    size = min(SMALL, extent(ax)[1] / len(order) / 1.15)
+    named = size >= TINY  # all names or none
+    words = [shortened(state, _LONGEST) for state in order]
+    title = f"{name or system.name}: who splits and merges where"
+    name_rows(ax, middles if named else (), words if named else (), title, size)
+    if not named:
+        ax.set_ylabel(f"{len(order):,} states", fontsize=SMALL)
     settle(figure)
-    for name, paint in given.items():
-        _draw_bands(ax, [b for b in bands if b.class_name == name], feet, paint, horizon)
-    _write_counts(ax, bands, feet, horizon)
+    for class_name, paint in given.items():
+        _draw_bands(ax, [b for b in bands if b.class_name == class_name], feet, paint)
+    _write_counts(ax, (sizes, _changed(bands, sizes)), feet, horizon)
     return figure, ax
 
 
-def flows_of(plan: Plan) -> dict[str, tuple[Flow, ...]]:
-    """The flows of a plan by class: its moves, or else those of the agents' stays."""
-    if plan.moves:
-        return {
-            name: tuple((*move[:3], move.count) for move in plan.moves[name]) for name in plan.moves
-        }
+def flows_of(plan: Plan) -> dict[str, tuple[MoveTuple, ...]]:
+    """The flows of a plan by class: the moves of swarms, and those of all other agents' stays."""
     counted: dict[str, Counter[tuple[int, str, str]]] = {}
-    for bundle in plan.bundles:
-        counter = counted.setdefault(bundle.class_name, Counter())
-        for step, source, target in _uses(bundle):
+    for track in tracks(plan):
+        counter = counted.setdefault(track.class_name, Counter())
+        for step, source, target in _uses(track):
             if step < plan.horizon:
-                counter[step, source, target] += len(bundle.agents)
-    return {
+                counter[step, source, target] += track.count
+    flows: dict[str, tuple[MoveTuple, ...]] = {
         name: tuple((*use, count) for use, count in sorted(counter.items()))
         for name, counter in counted.items()
     }
+    return flows | dict[str, tuple[MoveTuple, ...]](plan.moves)
 
 
-def _uses(bundle: Bundle) -> Iterator[tuple[int, str, str]]:
-    """Each edge that a path enters: its step and its ends."""
-    for first, last, state in bundle.stays:
+def _uses(track: Track) -> Iterator[tuple[int, str, str]]:
+    """Each edge that a track enters: its step and its ends."""
+    for first, last, state, _ in track.stops:
         yield from ((step, state, state) for step in range(first, last))
-    for (_, left, source), (_, _, target) in pairwise(bundle.stays):
-        yield left, source, target
-    if bundle.heading is not None:
-        yield bundle.stays[-1][1], bundle.stays[-1][2], bundle.heading
+    for here, there in pairwise(track.stops):
+        yield here.last, here.state, there.state
 
 
-def bands_of(flows: Mapping[str, Iterable[Flow]], system: TransitionSystem) -> tuple[Band, ...]:
+def bands_of(
+    flows: Mapping[str, Iterable[MoveTuple]], system: TransitionSystem
+) -> tuple[Band, ...]:
     """The bands with their places in the stacks: ordered by where they go to and come from.
 
     Bands of one class lie together, so that a class is one piece of every stack.
@@ -159,29 +156,24 @@ def bands_of(flows: Mapping[str, Iterable[Flow]], system: TransitionSystem) -> t
     rank = {state: number for number, state in enumerate(row_order(bare))}
     classes = {name: number for number, name in enumerate(flows)}
 
-    def stacked(near: str, far: str) -> dict[int, int]:
+    def stacked(near: Callable[[Band], Node], far: Callable[[Band], Node]) -> dict[int, int]:
         """For each band, how many agents lie before it in its stack at its `near` end."""
         filled: Counter[Node] = Counter()
         offsets = {}
-        ranked = sorted(
-            range(len(bare)),
-            key=lambda n: (
-                classes[bare[n].class_name],
-                rank[getattr(bare[n], far)[0]],
-                getattr(bare[n], far)[1],
-            ),
-        )
-        for number in ranked:
-            node = getattr(bare[number], near)
+
+        def place(number: int) -> tuple[int, int, int]:
+            state, step = far(bare[number])
+            return classes[bare[number].class_name], rank[state], step
+
+        for number in sorted(range(len(bare)), key=place):
+            node = near(bare[number])
             offsets[number] = filled[node]
             filled[node] += bare[number].count
         return offsets
 
-    leaves, arrives = stacked("source", "target"), stacked("target", "source")
-    return tuple(
-        Band(b.class_name, b.source, b.target, b.count, leaves[n], arrives[n])
-        for n, b in enumerate(bare)
-    )
+    leaves = stacked(lambda band: band.source, lambda band: band.target)
+    arrives = stacked(lambda band: band.target, lambda band: band.source)
+    return tuple(replace(b, leaves=leaves[n], arrives=arrives[n]) for n, b in enumerate(bare))
 
 
 def row_order(bands: Sequence[Band]) -> tuple[str, ...]:
@@ -222,54 +214,37 @@ def _sizes(bands: Iterable[Band]) -> dict[Node, int]:
     return {node: leaving[node] or arriving[node] for node in {**leaving, **arriving}}
 
 
-def _rows(bands: Sequence[Band], order: Sequence[str]) -> tuple[dict[str, float], float]:
-    """The foot of each row in agents from above, and the height of all rows."""
+def _rows(
+    sizes: Mapping[Node, int], order: Sequence[str]
+) -> tuple[dict[str, float], list[float], float]:
+    """The foot of each row in agents from above, the middle of its stacks, the height of all."""
     most = dict.fromkeys(order, 0)
-    for (state, _), size in _sizes(bands).items():
+    for (state, _), size in sizes.items():
         most[state] = max(most[state], size)
     mean = sum(most.values()) / len(most)
     feet, y = {}, 0.0
     for state in order:
         feet[state] = y + _AIR * mean / 2
         y += max(most[state], 0.4 * mean) + _AIR * mean
-    return feet, y
+    return feet, [feet[state] + most[state] / 2 for state in order], y
 
 
-def _name_rows(
-    ax: Any, order: Sequence[str], feet: Mapping[str, float], bands: Sequence[Band]
-) -> None:
-    """The names of the states at the middle of their largest stack, if there is room for all."""
-    most: dict[str, int] = {}
-    for (state, _), size in _sizes(bands).items():
-        most[state] = max(most.get(state, 0), size)
-    tall = ax.get_window_extent().height / ax.figure.dpi * POINTS / len(order)
-    if tall < TINY * 1.15:
-        ax.set_yticks([])
-        ax.set_ylabel(f"{len(order):,} states", fontsize=SMALL)
-        return
-    middles = [feet[state] + most[state] / 2 for state in order]
-    words = [plain(shortened(state, _LONGEST)) for state in order]
-    ax.set_yticks(middles, words, fontsize=min(SMALL, tall / 1.15))
-    ax.tick_params(axis="y", length=0)
-
-
-def _draw_bands(
-    ax: Any, bands: Sequence[Band], feet: Mapping[str, float], paint: Paint, horizon: int
-) -> None:
-
+def _draw_bands(ax: Any, bands: Sequence[Band], feet: Mapping[str, float], paint: Paint) -> None:
     for waits, opacity in ((True, _STAY), (False, _MOVE)):
         some = [b for b in bands if (b.source[0] == b.target[0]) == waits]
-        shapes = library("collections").PathCollection(
+        kind = "stays" if waits else "moves"
+        add_collection(
+            ax,
+            "PathCollection",
             [_ribbon(band, feet) for band in some],
             facecolors=paint.colour,
             edgecolors=paint.colour,
             linewidths=0.4,  # closes the seams, and steep bands never vanish
             hatch=paint.hatch or None,
             alpha=opacity,
-            gid=visible(f"{'stays' if waits else 'moves'}:{bands[0].class_name if bands else ''}"),
+            zorder=3 if waits else 2,
+            gid=visible(f"{kind}:{bands[0].class_name if bands else ''}"),
         )
-        shapes.set_zorder(3 if waits else 2)
-        ax.add_collection(shapes, autolim=False)
 
 
 def _ribbon(band: Band, feet: Mapping[str, float]) -> Any:
@@ -287,36 +262,34 @@ def _ribbon(band: Band, feet: Mapping[str, float]) -> Any:
     )
 
 
-def _write_counts(ax: Any, bands: Sequence[Band], feet: Mapping[str, float], horizon: int) -> None:
+def _write_counts(
+    ax: Any, stacks: tuple[Mapping[Node, int], set[Node]], feet: Mapping[str, float], horizon: int
+) -> None:
     """The size of a stack where it has changed, if the number fits into it.
 
-    A stack of one step alone has one only if its agents have just split or met.
+    A stack of one step alone has one only if its agents have just split or met. `stacks` are all
+    stacks by their sizes, and those that have just changed.
     """
-    extent = ax.get_window_extent()
-    points = POINTS / ax.figure.dpi
-    across = extent.width * points / (horizon or 1)
-    upward = extent.height * points / abs(np.diff(ax.get_ylim())[0])
-    sizes = _sizes(bands)
-    new = _changed(bands, sizes)
-    room: dict[str, float] = {}
+    sizes, new = stacks
+    width, height = extent(ax)
+    across, upward = width / (horizon or 1), height / abs(np.diff(ax.get_ylim())[0])
+    free: dict[str, float] = {}  # from where on a row has no number yet
     for (state, step), size in sorted(sizes.items(), key=lambda item: item[0][1]):
         if sizes.get((state, step - 1)) == size or size * upward < SMALL or step > horizon:
             continue
         text = f"{size:,}"
-        width = text_size(text, SMALL)[0] / across
+        wide = text_size(text, SMALL)[0] / across
         until = step
         while sizes.get((state, until + 1)) == size:
             until += 1
-        begin = max(step, room.get(state, -1.0)) + 2 / across
-        if begin + width > min(until, horizon):
-            begin = min(max(step - width / 2, 2 / across), horizon - width - 2 / across)
-            if (state, step) not in new or begin < room.get(state, -1.0) + 2 / across:
+        begin = max(step, free.get(state, -1.0)) + 2 / across
+        if begin + wide > min(until, horizon):
+            begin = min(max(step - wide / 2, 2 / across), horizon - wide - 2 / across)
+            if (state, step) not in new or begin < free.get(state, -1.0) + 2 / across:
                 continue
-        room[state] = begin + width
-        ax.text(
-            begin, feet[state] + size / 2, text, fontsize=SMALL, va="center", color=DARK, zorder=5,
-            bbox=halo(WHITE), gid="size",
-        )  # fmt: skip
+        free[state] = begin + wide
+        style = {"fontsize": SMALL, "va": "center", "color": DARK, "zorder": 5, "gid": "size"}
+        ax.text(begin, feet[state] + size / 2, text, bbox=halo(WHITE), **style)
 
 
 def _changed(bands: Sequence[Band], sizes: Mapping[Node, int]) -> set[Node]:
@@ -328,9 +301,8 @@ def _changed(bands: Sequence[Band], sizes: Mapping[Node, int]) -> set[Node]:
 
 
 def _entries(given: Mapping[str, Paint]) -> list[Entry]:
-
-    patch = library("patches").Patch
+    style = {"edgecolor": LINE, "linewidth": 0}
     return [
-        Entry(patch(facecolor=p.colour, hatch=p.hatch or None, edgecolor=LINE, linewidth=0), name)
-        for name, p in given.items()
+        Entry.patch(name, facecolor=paint.colour, hatch=paint.hatch or None, **style)
+        for name, paint in given.items()
     ]

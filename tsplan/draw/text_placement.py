@@ -1,12 +1,13 @@
-"""Room for texts: a text is placed where it hides no other, or not at all."""
+"""Where texts go: a text is placed where it hides no other, or not at all."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from tsplan.draw.canvas import POINTS, settle, text_size
+from tsplan.draw.canvas import extent, settle, text_size
 
 Point: TypeAlias = tuple[float, float]
 
@@ -21,6 +22,12 @@ class Box:
     bottom: float
     right: float
     top: float
+
+    @classmethod
+    def around(cls, centre: Point, across: float, up: float) -> Box:
+        """A rectangle by its centre and half its width and height."""
+        x, y = centre
+        return cls(x - across, y - up, x + across, y + up)
 
     def meets(self, other: Box) -> bool:
         """Whether two rectangles share any area."""
@@ -74,13 +81,12 @@ def frame_of(ax: Any, box: tuple[float, float, float, float]) -> Frame:
     ax.set_aspect("equal", adjustable="box")
     ax.axis("off")
     settle(ax.figure)
-    extent = ax.get_window_extent()
-    points = POINTS / ax.figure.dpi
-    scale = min(extent.width * points / (right - left), extent.height * points / (top - bottom))
+    width, height = extent(ax)
+    scale = min(width / (right - left), height / (top - bottom))
     return Frame(left, bottom, right, top, scale)
 
 
-class Room:
+class Placement:
     """What is taken on the page, in points."""
 
     def __init__(self, page: Box) -> None:
@@ -111,8 +117,19 @@ class Room:
 def text_box(text: str, size: float, centre: Point) -> Box:
     """The rectangle of a text around its centre, with a little air."""
     width, height = text_size(text, size)
-    x, y = centre
-    return Box(x - width / 2 - 1, y - height / 2 - 0.5, x + width / 2 + 1, y + height / 2 + 0.5)
+    return Box.around(centre, width / 2 + 1, height / 2 + 0.5)
+
+
+def between(begin: Point, end: Point, share: float) -> Point:
+    """The point at a share of the way from one point to another."""
+    return begin[0] + (end[0] - begin[0]) * share, begin[1] + (end[1] - begin[1]) * share
+
+
+def direction(begin: Point, end: Point) -> tuple[Point, float]:
+    """A step of length 1 on the way from one point to another, and how long the way is."""
+    right, up = end[0] - begin[0], end[1] - begin[1]
+    length = math.hypot(right, up) or 1.0
+    return (right / length, up / length), length
 
 
 def _cells(box: Box) -> Iterable[tuple[int, int]]:

@@ -13,9 +13,11 @@ from tsplan.draw.map import height_of as map_height
 from tsplan.draw.path_map import draw_paths
 from tsplan.draw.requirement_chart import draw_requirements
 from tsplan.draw.requirement_chart import height_of as chart_height
+from tsplan.draw.step_axes import REST
 from tsplan.draw.swarm_bands import FLOW_HEIGHT, draw_swarm
 from tsplan.draw.timeline import draw_timeline
 from tsplan.draw.timeline import height_of as timeline_height
+from tsplan.draw.tracks import tracks
 from tsplan.errors import Finding, InputError, nearest
 
 if TYPE_CHECKING:
@@ -69,31 +71,32 @@ def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Pictur
 
 
 def draw_page(plan: Plan, mission: Mission, figure: Any = None) -> tuple[Any, tuple[Any, ...]]:
-    """Paths, timeline and requirements on one page: the figure and its three axes.
+    """Paths, timeline and requirements on one page: the figure and its axes.
 
-    Of swarms without paths of single agents, the map and the flow stand for the first two.
+    Swarms without paths of single agents have their flow, and the map where there are no paths.
     A given `figure` is drawn on as it is; it should be about as large as `page_size`.
     """
     refuse_misfit(plan, mission)
     heights = _heights(plan, mission)
     whole = figure if figure is not None else new_figure(*page_size(plan, mission))
-    parts = whole.subfigures(len(heights), 1, height_ratios=heights)
-    names = ("paths", "timeline") if plan.agents else ("map", "flow")
-    drawn = [VIEWS[name] for name in (*names, "requirements")]
+    parts = whole.subfigures(len(heights), 1, height_ratios=list(heights.values()))
     every = [part.add_subplot() for part in parts]
-    for draw, ax in zip(drawn, every, strict=True):
-        draw(plan, mission, ax)
+    for view, ax in zip(heights, every, strict=True):
+        VIEWS[view](plan, mission, ax)
     return whole, tuple(every)
 
 
 def page_size(plan: Plan, mission: Mission) -> tuple[float, float]:
     """Inches across and down of the page of a plan."""
-    return _WIDTH, sum(_heights(plan, mission))
+    return _WIDTH, sum(_heights(plan, mission).values())
 
 
-def _heights(plan: Plan, mission: Mission) -> tuple[float, float, float]:
-    return (
-        map_height(mission.system),
-        timeline_height(plan) if plan.agents else FLOW_HEIGHT,
-        chart_height(plan.requirements(mission)),
-    )
+def _heights(plan: Plan, mission: Mission) -> dict[str, float]:
+    """The views on the page, each with the inches it takes."""
+    mapped = {"paths" if plan.agents else "map": map_height(mission.system)}
+    moving = tracks(plan, mission)
+    timed = {"timeline": timeline_height(plan, moving) + REST} if plan.agents else {}
+    grouped = any(not track.ids for track in moving)
+    flowing = {"flow": FLOW_HEIGHT + REST} if grouped else {}
+    charted = {"requirements": chart_height(plan.requirements(mission)) + REST}
+    return mapped | timed | flowing | charted

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import TYPE_CHECKING, TypeAlias, cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
 from tsplan.explanation.why.witness_tree import meanings
 from tsplan.logic.atoms import OPPOSITE, Count
+from tsplan.logic.causes import Span
 from tsplan.logic.decision_time import decided_at, earliness
 from tsplan.logic.nodes import (
     Always,
@@ -35,8 +36,6 @@ if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
 
-Span: TypeAlias = tuple[int, int]
-
 MOST_PARTS = 300
 """Rows of a formula; what lies below them is summed up in the last ones."""
 
@@ -55,7 +54,6 @@ class Chart:
     """
 
     text: str
-    relation: str
     bound: int
     counts: tuple[tuple[int, int], ...]
     needed: tuple[Span, ...]
@@ -126,12 +124,10 @@ def _rows(judged: _Judged, whole: Formula) -> list[Part]:
     rows: list[Part] = []
     waiting = [(whole, START, 0)]
     while waiting:
-        formula, owed, depth = waiting.pop()
-        opened = len(rows) < MOST_PARTS and _opens(formula)
-        rows.append(_row(judged, (formula, owed), depth, opened=opened))
-        if opened:
-            found = reversed(_below(judged, formula, owed))
-            waiting += [(child, more, depth + 1) for child, more in found]
+        formula, duty, depth = waiting.pop()
+        below_it = _below(judged, formula, duty) if len(rows) < MOST_PARTS else []
+        rows.append(_row(judged, (formula, duty), depth, opened=bool(below_it)))
+        waiting += [(child, more, depth + 1) for child, more in reversed(below_it)]
     return rows
 
 
@@ -142,31 +138,26 @@ def _judged(mission: Mission, plan: Plan, formula: Formula) -> _Judged:
     return _Judged(mission, trace, meaning, earliness(goal, trace))
 
 
-def _opens(formula: Formula) -> bool:
-    """Whether a row has rows below: where several atoms are joined somewhere inside."""
-    return bool(_joint(formula).children)
+def _chain(formula: Formula) -> list[Formula]:
+    """The nodes from a formula down to the first that joins several others, or to an atom."""
+    chain = [formula]
+    while len(chain[-1].children) == 1:
+        chain += chain[-1].children
+    return chain
 
 
-def _joint(formula: Formula) -> Formula:
-    """The first node below that joins several others, or the atom that there is instead."""
-    while len(formula.children) == 1:
-        formula = formula.children[0]
-    return formula
-
-
-def _below(judged: _Judged, formula: Formula, owed: Obligation) -> list[tuple[Formula, Obligation]]:
+def _below(judged: _Judged, formula: Formula, duty: Obligation) -> list[tuple[Formula, Obligation]]:
     """The parts that a row joins with what it asks of them, in the order of the text."""
-    while len(formula.children) == 1:
-        (owed,) = below(judged.meaning[formula], owed, judged.early)
-        formula = formula.children[0]
-    asked = below(judged.meaning[formula], owed, judged.early)
-    return list(zip(formula.children, asked, strict=True))
+    duties: tuple[Obligation, ...] = (duty,)
+    for node in _chain(formula):
+        duties = below(judged.meaning[node], duties[0], judged.early) if node.children else ()
+    return list(zip(node.children, duties, strict=True))
 
 
 def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, opened: bool) -> Part:
-    formula, owed = asked
+    formula, duty = asked
     meaning = judged.meaning[formula]
-    parts = obligations(meaning, owed, judged.early)
+    parts = obligations(meaning, duty, judged.early)
     every = {(node, holds): o for (node, holds), o in parts.items() if isinstance(node, Count)}
     counts = {key: one for key, one in every.items() if one.steps.size}
     charts = [_chart(judged, key, one) for key, one in list(counts.items())[:MOST_CHARTS]]
@@ -178,7 +169,7 @@ def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, open
         heading=heading(formula) if opened else text,
         depth=depth,
         settled=tuple(sorted(settled.items())),
-        failed=_failed(judged, meaning, owed),
+        failed=_failed(judged, meaning, duty),
         needed=runs(np.array(sorted(settled), dtype=np.int64)),
         states=tuple(state for label in labels for state in judged.mission.system.labels[label]),
         charts=tuple(charts),
@@ -208,34 +199,27 @@ def heading(formula: Formula) -> str:
     >>> heading(parse("F[0,3] !(a && b)", language="mtl"))
     'at some step of [0,3] not all of'
     """
-    words = [_JOINTS[type(formula)].format(*formula.parameters)]
-    while len(formula.children) == 1:
-        formula = formula.children[0]
-        words.append(_JOINTS[type(formula)].format(*formula.parameters))
-    return " ".join(words)
+    return " ".join(_JOINTS[type(node)].format(*node.parameters) for node in _chain(formula))
 
 
-def _chart(judged: _Judged, key: tuple[Count, bool | None], owed: Obligation) -> Chart:
+def _chart(judged: _Judged, key: tuple[Count, bool | None], duty: Obligation) -> Chart:
     count, holds = key
     shown = replace(count, relation=OPPOSITE[count.relation]) if holds is False else count
     values = measured(count, judged.trace)
     changes = np.flatnonzero(np.diff(values, prepend=values[0] - 1))
     return Chart(
         text=text_of(shown),
-        relation=shown.relation,
         bound=cast("int", count.bound),  # a meaning has no percentages
         counts=tuple((int(step), int(values[step])) for step in changes),
-        needed=runs(owed.steps),
-        possible=tuple(sorted(owed.windows)),
+        needed=runs(duty.steps),
+        possible=tuple(sorted(duty.windows)),
     )
 
 
-def _failed(judged: _Judged, meaning: Formula, owed: Obligation) -> int | None:
+def _failed(judged: _Judged, meaning: Formula, duty: Obligation) -> int | None:
     """The first step at which it is certain that a part is not what it has to be."""
-    if owed.holds is None:
+    if duty.holds is None:
         return None
-    early = judged.early[meaning][owed.steps]
-    wrong = early[(early >= 0) != owed.holds]
-    if not wrong.size:
-        return None
-    return int(decided_at(wrong, judged.trace.steps - 1).min())
+    early = judged.early[meaning][duty.steps]
+    wrong = early[(early >= 0) != duty.holds]
+    return int(decided_at(wrong, judged.trace.steps - 1).min()) if wrong.size else None

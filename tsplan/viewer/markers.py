@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import TypeAlias
 
+from tsplan.draw.text_placement import Point, between, direction
+from tsplan.draw.tracks import Track, Whereabouts
 from tsplan.viewer.positions import slot_points
-from tsplan.viewer.tracks import Mover, Whereabouts
-
-Point: TypeAlias = tuple[float, float]
 
 ASIDE = 1.3
 """How far to the right of an edge agents travel, in radii of their marks."""
@@ -34,7 +32,7 @@ class Ground:
 
 
 @dataclass
-class Picture:
+class Markers:
     """What is to be drawn at one time: marks by class, and numbers as (class, agents, point)."""
 
     marks: dict[str, list[Point]] = field(default_factory=dict)
@@ -42,76 +40,65 @@ class Picture:
     counts: Counter[str] = field(default_factory=Counter)
 
 
-def picture(movers: Iterable[Mover], ground: Ground, time: float) -> Picture:
-    """Place all agents at a time; agents between two states count at none of them."""
-    drawn = Picture()
-    there = [(m, m.at(time)) for m in movers if m.present(time)]
-    convoys: dict[tuple[str, Whereabouts], list[tuple[Mover, Whereabouts]]] = {}
+def markers(found: Iterable[Track], ground: Ground, time: float) -> Markers:
+    """Place all agents at a time; agents between two states count at none of them.
+
+    Agents of one class that entered one edge together are a convoy: shown one by one or as one
+    number, like those at a state.
+    """
+    drawn = Markers()
+    there = [(track, track.at(time)) for track in found if track.present(time)]
     staffing: dict[str, Counter[str]] = {}
-    for mover, where in there:
+    convoys: Counter[tuple[str, Whereabouts]] = Counter()
+    for track, where in there:
         if where.share:
-            key = (mover.class_name, _without_slots(where))
-            convoys.setdefault(key, []).append((mover, where))
+            convoys[_convoy(track, where)] += track.count
         else:
-            state = where.source.state
-            drawn.counts[state] += mover.count
-            staffing.setdefault(state, Counter())[mover.class_name] += mover.count
-    for mover, where in there:
-        if not where.share and drawn.counts[where.source.state] <= ground.most:
-            drawn.marks.setdefault(mover.class_name, []).extend(_marks(mover, where, ground))
-    for (class_name, where), convoy in convoys.items():
-        _travelling(drawn, ground, class_name, where, convoy)
+            drawn.counts[where.source.state] += track.count
+            staffing.setdefault(where.source.state, Counter())[track.class_name] += track.count
+    for track, where in there:
+        near = convoys[_convoy(track, where)] if where.share else drawn.counts[where.source.state]
+        if near <= ground.most:
+            drawn.marks.setdefault(track.class_name, []).extend(_marks(track, where, ground))
+    for (class_name, where), agents in convoys.items():
+        if agents > ground.most:
+            drawn.numbers.append((class_name, agents, point(where, ground)))
     for state, classes in staffing.items():
         if drawn.counts[state] > ground.most:
             drawn.numbers += _stacked(classes, ground.places[state], ground)
     return drawn
 
 
-def _without_slots(where: Whereabouts) -> Whereabouts:
-    return where._replace(
-        source=where.source._replace(first=0, slot=0), target=where.target._replace(last=0, slot=0)
+def _convoy(track: Track, where: Whereabouts) -> tuple[str, Whereabouts]:
+    """What agents have in common that are on one edge together."""
+    source = where.source._replace(first=0, slot=0)
+    return track.class_name, where._replace(
+        source=source, target=where.target._replace(last=0, slot=0)
     )
 
 
-def _travelling(
-    drawn: Picture,
-    ground: Ground,
-    class_name: str,
-    where: Whereabouts,
-    convoy: Sequence[tuple[Mover, Whereabouts]],
-) -> None:
-    """Agents of one class that entered one edge together."""
-    agents = sum(mover.count for mover, _ in convoy)
-    if agents > ground.most:
-        drawn.numbers.append((class_name, agents, point(where, ground)))
-        return
-    for mover, own in convoy:
-        drawn.marks.setdefault(class_name, []).extend(_marks(mover, own, ground))
-
-
-def _marks(mover: Mover, where: Whereabouts, ground: Ground) -> list[Point]:
+def _marks(track: Track, where: Whereabouts, ground: Ground) -> list[Point]:
     """A point for each agent: its slots, or on the way from the one to the other."""
     x, y = point(where, ground)
     slots = slot_points()
     made = []
-    for number in range(mover.count):
-        a = slots[min(len(slots) - 1, where.source.slot + number)]
-        b = slots[min(len(slots) - 1, where.target.slot + number)]
-        dx, dy = (p + (q - p) * where.share for p, q in zip(a, b, strict=True))
+    for number in range(track.count):
+        begin, end = (
+            slots[min(len(slots) - 1, stop.slot + number)] for stop in (where.source, where.target)
+        )
+        dx, dy = between(begin, end, where.share)
         made.append((x + dx * ground.distance, y - dy * ground.distance))
     return made
 
 
 def point(where: Whereabouts, ground: Ground) -> Point:
     """The middle of a group: at its state, or on the right of its edge."""
-    (ax, ay), (bx, by) = ground.places[where.source.state], ground.places[where.target.state]
+    ends = ground.places[where.source.state], ground.places[where.target.state]
     share = where.share
-    x, y = ax + (bx - ax) * share, ay + (by - ay) * share
-    length = ((bx - ax) ** 2 + (by - ay) ** 2) ** 0.5
-    if not share or not length:
-        return x, y
-    aside = ASIDE * ground.radius * min(1.0, 6 * share, 6 * (1 - share)) / length
-    return x + (by - ay) * aside, y - (bx - ax) * aside
+    x, y = between(*ends, share)
+    right, up = direction(*ends)[0]
+    aside = ASIDE * ground.radius * min(1.0, 6 * share, 6 * (1 - share))
+    return x + up * aside, y - right * aside
 
 
 def _stacked(classes: Counter[str], at: Point, ground: Ground) -> list[tuple[str, int, Point]]:

@@ -5,21 +5,23 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.draw.layout import places
+from tsplan.draw.layout import links, places
 from tsplan.draw.palette import PLAIN, Paint, Palette
+from tsplan.draw.tracks import Track, tracks
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.plans.summary import infinite_word, objective_line, outcome
 from tsplan.viewer.formula_rows import Part, formula_parts
-from tsplan.viewer.tracks import movers
+from tsplan.viewer.positions import with_slots
 from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
-    from tsplan.ts import Edge, State, TransitionSystem
+    from tsplan.ts import State, TransitionSystem
 
 Json: TypeAlias = dict[str, Any]
 
@@ -31,11 +33,11 @@ def page_data(mission: Mission, plan: Plan) -> Json:
     """Everything the page needs to know; raises PlanError for a plan that does not fit the map."""
     refuse_misfit(plan, mission)
     system = mission.system
-    lanes = movers(mission, plan)
+    moving = with_slots(tracks(plan, mission, moving=True))
     places_of = {state: place for place, state in enumerate(system.states)}
     classes = _classes(mission)
     kind = {entry["name"]: place for place, entry in enumerate(classes)}
-    named = sum(mover.count for mover in lanes) <= MOST_IDS
+    named = sum(track.count for track in moving) <= MOST_IDS
     endless = infinite_word(plan)
     return {
         "title": plan.mission.name or mission.name or system.name or "plan",
@@ -47,23 +49,24 @@ def page_data(mission: Mission, plan: Plan) -> Json:
         "horizon": plan.horizon,
         "map": map_data(system),
         "classes": classes,
-        "movers": [
+        "tracks": [
             {
-                "class": kind[mover.class_name],
-                "count": mover.count,
-                "name": mover.name,
-                "ids": list(mover.ids) if named else [],
-                "end": mover.end,
-                "stops": [
-                    value
-                    for stop in mover.stops
-                    for value in (stop.first, stop.last, places_of[stop.state], stop.slot)
-                ],
+                "class": kind[track.class_name],
+                "count": track.count,
+                "name": track.name,
+                "ids": list(track.ids) if named else [],
+                "end": track.end,
+                "stops": _flat(track, places_of),
             }
-            for mover in lanes
+            for track in moving
         ],
         "formula": [_part(part, places_of) for part in formula_parts(mission, plan)],
     }
+
+
+def _flat(track: Track, place: Mapping[str, int]) -> list[int]:
+    """All stops in a row, four numbers each."""
+    return [n for stop in track.stops for n in (*stop[:2], place[stop.state], stop.slot)]
 
 
 def fact_words(item: ObjectiveValue, infinite: str = "unbounded") -> str:
@@ -80,25 +83,20 @@ def fact_words(item: ObjectiveValue, infinite: str = "unbounded") -> str:
 
 
 def map_data(system: TransitionSystem) -> Json:
-    """States with their places, and edges; those in both directions alike once."""
+    """States with their places, and the lines between them."""
     number = {state: place for place, state in enumerate(system.states)}
     where = places(system)
     paints = Palette(system).states
     states = [_state(state, where[name], paints[name]) for name, state in system.states.items()]
-    edges = []
-    for (source, target), edge in system.edges.items():
-        back = system.edges.get((target, source))
-        alike = back is not None and back.duration == edge.duration
-        if source == target or (alike and number[target] < number[source]):
-            continue
-        edges.append(
-            {
-                "from": number[source],
-                "to": number[target],
-                "words": duration_words(edge),
-                "oneWay": back is None,
-            }
-        )
+    edges = [
+        {
+            "from": number[source],
+            "to": number[target],
+            "words": "" if words == "1" else words,
+            "oneWay": one_way,
+        }
+        for source, target, one_way, words in links(system)
+    ]
     return {"name": system.name, "states": states, "edges": edges}
 
 
@@ -114,36 +112,12 @@ def _state(state: State, at: tuple[float, float], paint: Paint) -> Json:
     }
 
 
-def duration_words(edge: Edge) -> str:
-    """What is written on an edge: nothing for one step, a range where classes differ."""
-    if not isinstance(edge.duration, Mapping):
-        return "" if edge.duration == 1 else str(edge.duration)
-    least, most = min(edge.duration.values()), max(edge.duration.values())
-    return str(least) if least == most else f"{least}\u2013{most}"
-
-
 def _part(part: Part, number: Mapping[str, int]) -> Json:
     return {
-        "text": part.heading,
-        "whole": part.text,
-        "depth": part.depth,
+        **asdict(part),
         "when": span_words(part.needed),
         "duties": part.duties,
-        "settled": part.settled,
-        "failed": part.failed,
-        "needed": part.needed,
         "states": [number[state] for state in part.states],
-        "hidden": part.hidden,
-        "charts": [
-            {
-                "text": chart.text,
-                "bound": chart.bound,
-                "counts": chart.counts,
-                "needed": chart.needed,
-                "windows": chart.possible,
-            }
-            for chart in part.charts
-        ],
     }
 
 
@@ -163,21 +137,22 @@ def span_words(spans: tuple[tuple[int, int], ...]) -> str:
 
 def _classes(mission: Mission) -> list[Json]:
     able = {group.class_name: sorted(group.capabilities) for group in mission.team}
-    agents: Counter[str] = Counter()
-    for group in mission.team:
-        agents[group.class_name] += group.count
+    agents = class_sizes(mission)
     return [
         {
             "name": name,
-            "capabilities": able.get(name, []),
+            "capabilities": able[name],
             "agents": agents[name],
-            "color": color,
+            "color": paint.colour,
             "mark": place,
         }
-        for place, (name, color) in enumerate(class_colors(mission).items())
+        for place, (name, paint) in enumerate(Palette.of(mission).classes.items())
     ]
 
 
-def class_colors(mission: Mission) -> dict[str, str]:
-    """A colour for every class of the team, in its order."""
-    return {name: paint.colour for name, paint in Palette.of(mission).classes.items()}
+def class_sizes(mission: Mission) -> Counter[str]:
+    """How many agents each class of the team has."""
+    agents: Counter[str] = Counter()
+    for group in mission.team:
+        agents[group.class_name] += group.count
+    return agents

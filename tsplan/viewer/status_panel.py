@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Sequence
 from itertools import zip_longest
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.draw.matplotlib_loading import library
 from tsplan.viewer.formula_rows import Part
@@ -13,6 +13,9 @@ from tsplan.words import visible
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+LegendLine: TypeAlias = tuple[str, str, str]
+"""What a mark stands for, its colour and its shape (matplotlib's letter)."""
 
 MOST_ROWS = 9
 """Parts of the formula that are shown; the others are only counted."""
@@ -32,13 +35,11 @@ class StatusPanel:
         self._figure = figure
         self._horizon = what[1]
         self._width = float(figure.bbox.width)
-        self._height = float(figure.bbox.height)
         self._left = left * self._width
         self._rows: list[tuple[Part, Any, Any, Any]] = []
-        self._signs: list[Any] = []
         letters = int((self._width - self._left - 24) / 8.4)
         title = textwrap.shorten(visible(what[0]), 2 * letters, placeholder="...")
-        self._below = self._height - 16
+        self._below = float(figure.bbox.height) - 16
         self._put(self._left, self._below, textwrap.fill(title, letters), 11, weight="bold")
         self._below -= 21 * len(textwrap.wrap(title, letters)) + 2
         self._clock = self._put(self._left, self._below, "", 9.5, color=_SOFT, animated=True)
@@ -46,29 +47,24 @@ class StatusPanel:
         self._done = self._time_bar()
 
     def _put(self, x: float, y: float, words: str, size: float, **looks: Any) -> Any:
-        return self._figure.text(
-            x,
-            y,
-            words,
-            fontsize=size,
-            va=looks.pop("va", "top"),
-            color=looks.pop("color", _INK),
-            transform=None,
-            parse_math=False,
-            **looks,
-        )
+        looks = {"va": "top", "color": _INK, "transform": None, "parse_math": False} | looks
+        return self._figure.text(x, y, words, fontsize=size, **looks)
+
+    def _line(self, xs: Sequence[float], ys: Sequence[float], **looks: Any) -> Any:
+        return self._add(library("lines").Line2D(xs, ys, **looks))
+
+    def _add(self, artist: Any) -> Any:
+        """Put an artist on the figure, placed in dots."""
+        artist.set_transform(None)
+        self._figure.add_artist(artist)
+        return artist
 
     def _time_bar(self) -> Any:
         """The whole time as a line along the bottom; what is over of it is painted anew."""
         self._bar = (18.0, self._width - 18.0)
-        for ends, color, animated in ((self._bar, _LINE, False), ((18.0, 18.0), _TIME, True)):
-            line = library("lines").Line2D(
-                ends, (18.0, 18.0), color=color, linewidth=4, transform=None
-            )
-            line.set_solid_capstyle("round")
-            line.set_animated(animated)
-            self._figure.add_artist(line)
-        return line
+        looks: dict[str, Any] = {"linewidth": 4, "solid_capstyle": "round"}
+        self._line(self._bar, (18.0, 18.0), color=_LINE, **looks)
+        return self._line((18.0, 18.0), (18.0, 18.0), color=_TIME, animated=True, **looks)
 
     def show(self, parts: Sequence[Part]) -> None:
         """List the outermost parts of each formula."""
@@ -98,36 +94,26 @@ class StatusPanel:
         return "\n".join(lines)
 
     def _row(self, part: Part, words: str) -> None:
-
-        wedge, line = library("patches").Wedge, library("lines").Line2D
         x, y = self._left + 8, self._below - 7
         self._put(self._left + 22, self._below, words, 8.5, family="monospace")
-        around = wedge((x, y), 7, 0, 360, width=2.5, color=_LINE, linewidth=0)
+        wedge = library("patches").Wedge
+        self._add(wedge((x, y), 7, 0, 360, width=2.5, color=_LINE, linewidth=0))
         done = wedge((x, y), 7, 90, 90, width=2.5, color=_GOOD, linewidth=0, animated=True)
-        check = line((x - 3.2, x - 0.8, x + 3.6), (y, y - 2.8, y + 3.2), color="white")
-        cross = line((x - 3, x + 3, x, x - 3, x + 3), (y - 3, y + 3, y, y + 3, y - 3))
-        cross.set_color("white")
-        for artist in (around, done, check, cross):
-            artist.set_transform(None)
-            self._figure.add_artist(artist)
-        for sign in (check, cross):
-            sign.set_linewidth(1.6)
-            sign.set_animated(True)
-        self._rows.append((part, done, check, cross))
+        self._add(done)
+        looks: dict[str, Any] = {"color": "white", "linewidth": 1.6, "animated": True}
+        check = self._line((x - 3.2, x - 0.8, x + 3.6), (y, y - 2.8, y + 3.2), **looks)
+        xs, ys = (x - 3, x + 3, x, x - 3, x + 3), (y - 3, y + 3, y, y + 3, y - 3)
+        self._rows.append((part, done, check, self._line(xs, ys, **looks)))
 
-    def legend(self, classes: Iterable[tuple[str, str, str]]) -> None:
+    def legend(self, classes: Iterable[LegendLine]) -> None:
         """The classes' marks, below the formula."""
         y = self._below - 14
         for words, color, marker in classes:
             if y < 40:  # noqa: PLR2004  (dots above the time bar)
                 return
-            mark = library("lines").Line2D(
-                [self._left + 8], [y], color=color, marker=marker, transform=None
-            )
-            self._figure.add_artist(mark)
-            self._put(
-                self._left + 22, y, textwrap.shorten(visible(words), 40), 8.5, va="center_baseline"
-            )
+            self._line([self._left + 8], [y], color=color, marker=marker)
+            shown = textwrap.shorten(visible(words), 40)
+            self._put(self._left + 22, y, shown, 8.5, va="center_baseline")
             y -= 17
 
     def paint(self, time: float) -> None:

@@ -31,7 +31,7 @@ _SCRIPTS = (
     "player",
     "camera",
     "map",
-    "crowd",
+    "markers",
     "mapview",
     "timeline",
     "formula",

@@ -12,8 +12,8 @@ class AgentList {
     this.chosen = document.getElementById("chosen");
     this.rows = new Map();
     this.step = -1;
-    this.texts = model.movers.map((mover) =>
-      [mover.name, model.classes[mover.class].name, ...mover.ids].join(" ").toLowerCase());
+    this.texts = model.tracks.map((track) =>
+      [track.name, model.classes[track.class].name, ...track.ids].join(" ").toLowerCase());
     this.filter.addEventListener("input", () => {
       this.choice.chooseState(-1);
       this.fill();
@@ -21,12 +21,12 @@ class AgentList {
     this.fill();
   }
 
-  /* The movers that the filter and the chosen state leave. */
+  /* The tracks that the filter and the chosen state leave. */
   matching() {
     const { model } = this;
     const wanted = this.filter.value.trim().toLowerCase();
     const found = [];
-    for (let m = 0; m < model.movers.length; m += 1) {
+    for (let m = 0; m < model.tracks.length; m += 1) {
       if (this.choice.state >= 0 && model.stateOf(m) !== this.choice.state) continue;
       const held = !wanted || this.texts[m].includes(wanted) || model.whereabouts(m).toLowerCase().includes(wanted);
       if (held) found.push(m);
@@ -51,13 +51,13 @@ class AgentList {
   }
 
   row(m) {
-    const mover = this.model.movers[m];
+    const track = this.model.tracks[m];
     const button = element("button");
     button.type = "button";
     button.setAttribute("aria-pressed", "false");
     const where = element("span", "where", this.model.whereabouts(m));
-    button.append(swatch(this.model.classes[mover.class]), element("span", "name", mover.name), where);
-    button.addEventListener("click", () => this.choice.chooseMover(m));
+    button.append(swatch(this.model.classes[track.class]), element("span", "name", track.name), where);
+    button.addEventListener("click", () => this.choice.chooseTrack(m));
     this.rows.set(m, { button, where });
     return button;
   }
@@ -83,28 +83,28 @@ class AgentList {
 
   showChoice() {
     for (const [m, { button }] of this.rows) {
-      button.setAttribute("aria-pressed", String(m === this.choice.mover));
+      button.setAttribute("aria-pressed", String(m === this.choice.track));
     }
-    const row = this.rows.get(this.choice.mover);
+    const row = this.rows.get(this.choice.track);
     if (row) row.button.scrollIntoView({ block: "nearest" });
     this.showPath();
   }
 
   /* The chosen agent's path as a list; each stay leads to its step. */
   showPath() {
-    const m = this.choice.mover;
+    const m = this.choice.track;
     this.chosen.hidden = m < 0;
     this.chosen.replaceChildren();
     if (m < 0) return;
     const { model } = this;
-    const mover = model.movers[m];
-    const kind = model.classes[mover.class];
+    const track = model.tracks[m];
+    const kind = model.classes[track.class];
     const able = kind.capabilities.length ? `: ${kind.capabilities.join(", ")}` : "";
-    const many = mover.count > 1 ? `${mover.count} agents on one path, ` : "";
+    const many = track.count > 1 ? `${track.count} agents on one path, ` : "";
     const path = element("ol");
     path.setAttribute("aria-label", "Path");
     for (let i = model.begin[m]; i < model.begin[m + 1]; i += 1) path.append(this.stay(i));
-    this.chosen.append(element("h3", "", mover.name), element("p", "", `${many}class ${kind.name}${able}`), path);
+    this.chosen.append(element("h3", "", track.name), element("p", "", `${many}class ${kind.name}${able}`), path);
     this.markStay();
   }
 
@@ -122,7 +122,7 @@ class AgentList {
   }
 
   markStay() {
-    const m = this.choice.mover;
+    const m = this.choice.track;
     if (m < 0) return;
     const here = this.model.share[m] === 0 ? this.model.source[m] : -1;
     for (const button of this.chosen.querySelectorAll("button")) {

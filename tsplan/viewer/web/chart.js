@@ -60,7 +60,7 @@ class Charts {
     const most = mostOf(chart);
     const [top, bottom] = [6, height - 16];
     const y = (count) => bottom - (count * (bottom - top)) / most;
-    this.paintSpans(context, chart.windows, theme.shade, [top, bottom]);
+    this.paintSpans(context, chart.possible, theme.shade, [top, bottom]);
     this.paintSpans(context, chart.needed, theme.witness, [top, bottom]);
     this.paintAxes(context, most, [y, bottom]);
     this.paintCounts(context, chart.counts, y);

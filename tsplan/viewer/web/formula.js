@@ -18,7 +18,7 @@ class FormulaTree {
     const mark = element("span", "mark");
     mark.setAttribute("aria-hidden", "true");
     const status = element("span", "unseen");
-    button.append(mark, element("span", "text", node.text), element("span", "when", node.when), status);
+    button.append(mark, element("span", "text", node.heading), element("span", "when", node.when), status);
     button.addEventListener("click", () => this.choice.chooseNode(n));
     this.rows.push({ button, mark, status, shown: "" });
     return button;

@@ -4,7 +4,7 @@
 class Choice {
   constructor(nodes) {
     this.nodes = nodes;
-    this.mover = -1;
+    this.track = -1;
     this.state = -1;
     this.node = -1;
     this.listeners = [];
@@ -22,10 +22,10 @@ class Choice {
     for (const listener of this.listeners) listener(Object.keys(changes));
   }
 
-  chooseMover(mover) { this.set({ mover: mover === this.mover ? -1 : mover }); }
+  chooseTrack(track) { this.set({ track: track === this.track ? -1 : track }); }
   chooseNode(node) { this.set({ node: node === this.node ? -1 : node }); }
   chooseState(state) { if (state !== this.state) this.set({ state }); else if (state >= 0) this.set({ state: -1 }); }
-  nothing() { this.set({ mover: -1, state: -1, node: -1 }); }
+  nothing() { this.set({ track: -1, state: -1, node: -1 }); }
 
   /* The agent or part some places on, from none to the first or last. */
   neighbour(now, steps, length) {
@@ -182,9 +182,9 @@ class Page {
       this.formula.showChoice();
     }
     if (changed.includes("state")) this.agents.fill();
-    if (changed.includes("mover")) {
+    if (changed.includes("track")) {
       this.agents.showChoice();
-      if (this.choice.mover >= 0) this.timeline.reveal(this.choice.mover);
+      if (this.choice.track >= 0) this.timeline.reveal(this.choice.track);
     }
     this.map.refresh();
     this.timeline.refresh();
@@ -195,15 +195,15 @@ class Page {
 class Keys {
   constructor(page) {
     const { player, choice, map } = page;
-    const mover = (steps) => choice.set({ mover: choice.neighbour(choice.mover, steps, page.model.movers.length) });
+    const track = (steps) => choice.set({ track: choice.neighbour(choice.track, steps, page.model.tracks.length) });
     const node = (steps) => choice.set({ node: choice.neighbour(choice.node, steps, choice.nodes.length) });
     this.page = page;
     this.actions = {
       " ": () => player.toggle(),
       ArrowLeft: (event) => player.step(event.shiftKey ? -10 : -1),
       ArrowRight: (event) => player.step(event.shiftKey ? 10 : 1),
-      ArrowUp: () => mover(-1),
-      ArrowDown: () => mover(1),
+      ArrowUp: () => track(-1),
+      ArrowDown: () => track(1),
       Home: () => player.seek(0),
       End: () => player.seek(player.horizon),
       "+": () => player.faster(1),
@@ -250,14 +250,14 @@ window.tsplanViewer = Object.freeze({
   time: () => page.player.time,
   playing: () => page.player.playing,
   speed: () => page.player.speed,
-  chosen: () => ({ mover: page.choice.mover, state: page.choice.state, node: page.choice.node }),
-  places: () => page.model.movers.map((mover, m) => {
+  chosen: () => ({ track: page.choice.track, state: page.choice.state, node: page.choice.node }),
+  places: () => page.model.tracks.map((track, m) => {
     const state = page.model.stateOf(m);
-    return { name: mover.name, ids: [...mover.ids], count: mover.count, state: state < 0 ? null : page.model.states[state].name, at: page.map.crowd.positionOf(m) };
+    return { name: track.name, ids: [...track.ids], count: track.count, state: state < 0 ? null : page.model.states[state].name, at: page.map.markers.positionOf(m) };
   }),
   stateAt: (name) => {
     const state = page.model.states.find((one) => one.name === name);
     return state ? [page.map.camera.x(state.x), page.map.camera.y(state.y)] : null;
   },
-  parts: () => page.choice.nodes.map((node, n) => ({ text: node.text, status: page.formula.status(n, page.player.shown) })),
+  parts: () => page.choice.nodes.map((node, n) => ({ text: node.heading, status: page.formula.status(n, page.player.shown) })),
 });

@@ -7,7 +7,7 @@ class MapView {
     this.canvas = document.getElementById("map-canvas");
     this.tip = document.getElementById("tip");
     this.ground = new Ground(model);
-    this.crowd = new Crowd(model, this.ground);
+    this.markers = new Markers(model, this.ground);
     this.stale = true;
     this.asked = false;
     this.camera = new Camera(this.canvas, this.ground.bounds, () => this.refresh());
@@ -36,23 +36,23 @@ class MapView {
     }
     context.clearRect(0, 0, width, height);
     context.drawImage(this.ground.canvas, 0, 0, width, height);
-    if (this.choice.mover >= 0) this.paintPath(context, this.choice.mover);
-    this.crowd.paint(context, this.camera, this.choice.mover);
+    if (this.choice.track >= 0) this.paintPath(context, this.choice.track);
+    this.markers.paint(context, this.camera, this.choice.track);
   }
 
   /* The path of the chosen agent: what is behind it solid, what is ahead of it dashed. */
-  paintPath(context, mover) {
+  paintPath(context, track) {
     const { model, camera } = this;
     const place = (stop) => {
       const state = model.states[model.state[stop]];
       return [camera.x(state.x), camera.y(state.y)];
     };
-    this.crowd.locate(camera, mover);
-    const here = [this.crowd.px, this.crowd.py];
-    const now = model.source[mover];
+    this.markers.locate(camera, track);
+    const here = [this.markers.px, this.markers.py];
+    const now = model.source[track];
     const behind = [];
     const ahead = [here];
-    for (let i = model.begin[mover]; i < model.begin[mover + 1]; i += 1) {
+    for (let i = model.begin[track]; i < model.begin[track + 1]; i += 1) {
       (i <= now ? behind : ahead).push(place(i));
     }
     behind.push(here);
@@ -66,20 +66,20 @@ class MapView {
       context.strokeStyle = colour;
       context.stroke();
     };
-    const colour = model.classes[model.kind[mover]].color;
+    const colour = model.classes[model.kind[track]].color;
     for (const [points, dashes] of [[ahead, [1, 7]], [behind, []]]) {
       line(points, dashes, theme.halo, 7);
       line(points, dashes, colour, 4);
     }
     context.setLineDash([]);
-    this.paintTimes(context, mover, place);
+    this.paintTimes(context, track, place);
   }
 
   /* At each state of the path the steps of the stays there. */
-  paintTimes(context, mover, place) {
+  paintTimes(context, track, place) {
     const { model } = this;
     const words = new Map();
-    for (let i = model.begin[mover]; i < model.begin[mover + 1]; i += 1) {
+    for (let i = model.begin[track]; i < model.begin[track + 1]; i += 1) {
       if (model.first[i] > model.horizon) continue;
       const stay = model.first[i] === model.last[i] ? `${model.first[i]}` : `${model.first[i]}\u2013${model.last[i]}`;
       const state = model.state[i];
@@ -100,26 +100,26 @@ class MapView {
       this.tip.hidden = true;
       return;
     }
-    const mover = this.crowd.moverAt(event.offsetX, event.offsetY);
-    const state = mover >= 0 ? -1 : this.under(event);
-    this.canvas.classList.toggle("over", mover >= 0 || state >= 0);
-    this.tip.hidden = mover < 0 && state < 0;
+    const track = this.markers.trackAt(event.offsetX, event.offsetY);
+    const state = track >= 0 ? -1 : this.under(event);
+    this.canvas.classList.toggle("over", track >= 0 || state >= 0);
+    this.tip.hidden = track < 0 && state < 0;
     if (this.tip.hidden) return;
-    this.tip.textContent = mover >= 0 ? this.aboutMover(mover) : this.aboutState(state);
+    this.tip.textContent = track >= 0 ? this.aboutTrack(track) : this.aboutState(state);
     const left = Math.min(event.offsetX + 14, this.camera.width - this.tip.offsetWidth - 6);
     const top = Math.min(event.offsetY + 14, this.camera.height - this.tip.offsetHeight - 6);
     this.tip.style.transform = `translate(${Math.max(4, left)}px, ${Math.max(4, top)}px)`;
   }
 
   under(event) {
-    const blob = this.crowd.blobAt(event.offsetX, event.offsetY);
+    const blob = this.markers.blobAt(event.offsetX, event.offsetY);
     return blob >= 0 ? blob : this.ground.stateAt(event.offsetX, event.offsetY, this.camera);
   }
 
-  aboutMover(mover) {
-    const kind = this.model.classes[this.model.kind[mover]];
+  aboutTrack(track) {
+    const kind = this.model.classes[this.model.kind[track]];
     const able = kind.capabilities.length ? `\n${kind.capabilities.join(", ")}` : "";
-    return `${this.model.movers[mover].name}\n${this.model.whereabouts(mover)}${able}`;
+    return `${this.model.tracks[track].name}\n${this.model.whereabouts(track)}${able}`;
   }
 
   aboutState(state) {
@@ -134,9 +134,9 @@ class MapView {
 
   click(event) {
     if (!this.camera.clicked) return;
-    const mover = this.crowd.moverAt(event.offsetX, event.offsetY);
-    if (mover >= 0) {
-      this.choice.chooseMover(mover);
+    const track = this.markers.trackAt(event.offsetX, event.offsetY);
+    if (track >= 0) {
+      this.choice.chooseTrack(track);
       return;
     }
     const state = this.under(event);

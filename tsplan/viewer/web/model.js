@@ -1,8 +1,8 @@
-/* The plan as flat arrays: where every mover is at any time.
+/* The plan as flat arrays: where every track is at any time.
 
-   A mover is one or more agents on one path. Its stops are in time order; between two stops it is
-   on the way. All stops of all movers stand in the same arrays, those of mover m from begin[m] to
-   begin[m + 1]. `seek` fills `source`, `target` (stops) and `share` for every mover. */
+   A track is one or more agents on one path. Its stops are in time order; between two stops it is
+   on the way. All stops of all tracks stand in the same arrays, those of track m from begin[m] to
+   begin[m + 1]. `seek` fills `source`, `target` (stops) and `share` for every track. */
 
 class Model {
   constructor(data) {
@@ -10,44 +10,44 @@ class Model {
     this.states = data.map.states;
     this.edges = data.map.edges;
     this.classes = data.classes;
-    this.movers = data.movers;
-    const movers = data.movers.length;
-    const stops = data.movers.reduce((sum, mover) => sum + mover.stops.length / 4, 0);
-    this.begin = new Int32Array(movers + 1);
+    this.tracks = data.tracks;
+    const tracks = data.tracks.length;
+    const stops = data.tracks.reduce((sum, track) => sum + track.stops.length / 4, 0);
+    this.begin = new Int32Array(tracks + 1);
     this.first = new Int32Array(stops);
     this.last = new Int32Array(stops);
     this.state = new Int32Array(stops);
     this.slot = new Int32Array(stops);
-    this.kind = new Int32Array(movers);
-    this.count = new Int32Array(movers);
-    this.end = new Int32Array(movers);
-    this.source = new Int32Array(movers);
-    this.target = new Int32Array(movers);
-    this.share = new Float64Array(movers);
-    this.present = new Uint8Array(movers);
+    this.kind = new Int32Array(tracks);
+    this.count = new Int32Array(tracks);
+    this.end = new Int32Array(tracks);
+    this.source = new Int32Array(tracks);
+    this.target = new Int32Array(tracks);
+    this.share = new Float64Array(tracks);
+    this.present = new Uint8Array(tracks);
     this.agents = 0;
-    this.fill(data.movers);
+    this.fill(data.tracks);
     this.gatherConvoys(stops);
     this.seek(0);
   }
 
-  fill(movers) {
+  fill(tracks) {
     let next = 0;
-    movers.forEach((mover, m) => {
+    tracks.forEach((track, m) => {
       this.begin[m] = next;
-      this.kind[m] = mover.class;
-      this.count[m] = mover.count;
-      this.end[m] = mover.end;
-      this.agents += mover.count;
-      for (let i = 0; i < mover.stops.length; i += 4) {
-        this.first[next] = mover.stops[i];
-        this.last[next] = mover.stops[i + 1];
-        this.state[next] = mover.stops[i + 2];
-        this.slot[next] = mover.stops[i + 3];
+      this.kind[m] = track.class;
+      this.count[m] = track.count;
+      this.end[m] = track.end;
+      this.agents += track.count;
+      for (let i = 0; i < track.stops.length; i += 4) {
+        this.first[next] = track.stops[i];
+        this.last[next] = track.stops[i + 1];
+        this.state[next] = track.stops[i + 2];
+        this.slot[next] = track.stops[i + 3];
         next += 1;
       }
     });
-    this.begin[movers.length] = next;
+    this.begin[tracks.length] = next;
   }
 
   /* Agents of one class that enter one edge together form a convoy. For the way that begins at a
@@ -56,7 +56,7 @@ class Model {
     this.convoy = new Int32Array(stops);
     this.leader = new Int32Array(stops);
     const leaders = new Map();
-    for (let m = 0; m < this.movers.length; m += 1) {
+    for (let m = 0; m < this.tracks.length; m += 1) {
       for (let i = this.begin[m]; i + 1 < this.begin[m + 1]; i += 1) {
         const key = [this.kind[m], this.state[i], this.state[i + 1], this.last[i], this.first[i + 1]].join();
         if (!leaders.has(key)) leaders.set(key, i);
@@ -67,11 +67,11 @@ class Model {
     for (let i = 0; i < stops; i += 1) this.convoy[i] = this.convoy[this.leader[i]];
   }
 
-  /* The last stop of a mover that has begun at a time. */
-  stopAt(mover, time) {
-    let low = this.begin[mover];
-    let high = this.begin[mover + 1] - 1;
-    const here = this.source[mover];
+  /* The last stop of a track that has begun at a time. */
+  stopAt(track, time) {
+    let low = this.begin[track];
+    let high = this.begin[track + 1] - 1;
+    const here = this.source[track];
     if (here >= low && here <= high && this.first[here] <= time) {
       if (here === high || this.first[here + 1] > time) return here; // as a moment ago
       low = here;
@@ -86,7 +86,7 @@ class Model {
 
   seek(time) {
     this.time = time;
-    for (let m = 0; m < this.movers.length; m += 1) {
+    for (let m = 0; m < this.tracks.length; m += 1) {
       this.present[m] = this.first[this.begin[m]] <= time && time < this.end[m] ? 1 : 0;
       const i = this.stopAt(m, time);
       this.source[m] = i;
@@ -100,26 +100,26 @@ class Model {
     }
   }
 
-  /* The state of a mover at the time last sought, -1 while it travels or is not there. */
-  stateOf(mover) {
-    return this.present[mover] && this.share[mover] === 0 ? this.state[this.source[mover]] : -1;
+  /* The state of a track at the time last sought, -1 while it travels or is not there. */
+  stateOf(track) {
+    return this.present[track] && this.share[track] === 0 ? this.state[this.source[track]] : -1;
   }
 
-  /* Where a mover is, in words. */
-  whereabouts(mover) {
-    if (!this.present[mover]) {
-      const born = this.first[this.begin[mover]];
-      return this.time < born ? `from step ${born}` : `until step ${this.end[mover]}`;
+  /* Where a track is, in words. */
+  whereabouts(track) {
+    if (!this.present[track]) {
+      const born = this.first[this.begin[track]];
+      return this.time < born ? `from step ${born}` : `until step ${this.end[track]}`;
     }
-    const from = this.states[this.state[this.source[mover]]].name;
-    if (this.share[mover] === 0) return from;
-    return `${from} \u2192 ${this.states[this.state[this.target[mover]]].name}`;
+    const from = this.states[this.state[this.source[track]]].name;
+    if (this.share[track] === 0) return from;
+    return `${from} \u2192 ${this.states[this.state[this.target[track]]].name}`;
   }
 
   /* Agents of each class at a state now, as [class, agents] pairs. */
   staffing(state) {
     const counts = new Map();
-    for (let m = 0; m < this.movers.length; m += 1) {
+    for (let m = 0; m < this.tracks.length; m += 1) {
       if (this.stateOf(m) !== state) continue;
       counts.set(this.kind[m], (counts.get(this.kind[m]) || 0) + this.count[m]);
     }

@@ -1,4 +1,4 @@
-/* Who is where when: one row for each mover, coloured as the map is, hatched while travelling.
+/* Who is where when: one row for each track, coloured as the map is, hatched while travelling.
    Only the rows that are seen are painted. */
 
 const ROW = 20;
@@ -15,8 +15,8 @@ class Timeline {
     this.playhead = document.getElementById("playhead");
     this.asked = false;
     this.measure();
-    document.getElementById("rows-height").style.height = `${model.movers.length * ROW + 4}px`;
-    this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.movers.length) * ROW + 8)}px`;
+    document.getElementById("rows-height").style.height = `${model.tracks.length * ROW + 4}px`;
+    this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.tracks.length) * ROW + 8)}px`;
     this.rows.addEventListener("scroll", () => this.refresh());
     this.follow(this.rows, true);
     this.follow(this.axis, false);
@@ -32,14 +32,14 @@ class Timeline {
   x(step) { return this.names + (step * this.width) / Math.max(1, this.model.horizon); }
   step(x) { return ((x - this.names) * Math.max(1, this.model.horizon)) / this.width; }
 
-  /* Press and drag to seek; a press on a row also chooses its mover. */
+  /* Press and drag to seek; a press on a row also chooses its track. */
   follow(place, choosing) {
     const seek = (event) => this.player.seek(Math.round(this.step(event.clientX - this.rows.getBoundingClientRect().left)));
     place.addEventListener("pointerdown", (event) => {
       if (event.offsetX > this.whole) return; // the scroll bar
       if (choosing) {
         const row = Math.floor((event.clientY - this.canvas.getBoundingClientRect().top + this.rows.scrollTop) / ROW);
-        if (row >= 0 && row < this.model.movers.length) this.choice.chooseMover(row);
+        if (row >= 0 && row < this.model.tracks.length) this.choice.chooseTrack(row);
       }
       if (event.clientX - this.rows.getBoundingClientRect().left < this.names) return;
       this.player.pause();
@@ -66,7 +66,7 @@ class Timeline {
     this.hatch = context.createPattern(hatching(), "repeat");
     this.paintSpans(context, height);
     const from = Math.floor(this.rows.scrollTop / ROW);
-    const to = Math.min(this.model.movers.length, from + Math.ceil(height / ROW) + 1);
+    const to = Math.min(this.model.tracks.length, from + Math.ceil(height / ROW) + 1);
     for (let m = from; m < to; m += 1) this.paintRow(context, m, m * ROW - this.rows.scrollTop);
     this.move();
   }
@@ -102,7 +102,7 @@ class Timeline {
 
   paintRow(context, m, top) {
     const { model } = this;
-    const chosen = m === this.choice.mover;
+    const chosen = m === this.choice.track;
     if (chosen) {
       context.fillStyle = theme.shade;
       context.fillRect(0, top, this.whole, ROW);
@@ -116,7 +116,7 @@ class Timeline {
     context.textAlign = "left";
     context.textBaseline = "middle";
     context.fillStyle = theme.ink;
-    context.fillText(fitted(context, model.movers[m].name, this.names - 30), 24, top + ROW / 2 + 0.5);
+    context.fillText(fitted(context, model.tracks[m].name, this.names - 30), 24, top + ROW / 2 + 0.5);
     for (let i = model.begin[m]; i < model.begin[m + 1]; i += 1) this.paintStop(context, m, i, top);
   }
 

@@ -4,7 +4,7 @@
 
 const WIDEST = 60; // dots around a state's middle that single agents may take
 
-class Crowd {
+class Markers {
   constructor(model, ground) {
     this.model = model;
     this.ground = ground;
@@ -12,7 +12,7 @@ class Crowd {
     this.totals = new Int32Array(model.states.length);
     this.marks = model.classes.map(() => new Float32Array(64)); // x, y of each mark
     this.used = new Int32Array(model.classes.length);
-    this.hits = new Float32Array(256); // x, y, mover of each mark
+    this.hits = new Float32Array(256); // x, y, track of each mark
     this.hit = 0;
     this.blobs = []; // numbers drawn in this frame: reused records
     this.blobCount = 0;
@@ -38,7 +38,7 @@ class Crowd {
     const { model, tally, totals } = this;
     tally.fill(0);
     totals.fill(0);
-    for (let m = 0; m < model.movers.length; m += 1) {
+    for (let m = 0; m < model.tracks.length; m += 1) {
       const state = model.stateOf(m);
       if (state < 0) continue;
       tally[state * model.classes.length + model.kind[m]] += model.count[m];
@@ -48,7 +48,7 @@ class Crowd {
 
   place(camera) {
     const { model, totals } = this;
-    for (let m = 0; m < model.movers.length; m += 1) {
+    for (let m = 0; m < model.tracks.length; m += 1) {
       if (!model.present[m]) continue;
       const from = model.source[m];
       const crowd = model.share[m] === 0 ? totals[model.state[from]] : model.convoy[from];
@@ -60,7 +60,7 @@ class Crowd {
     }
   }
 
-  /* The middle of a mover on the screen, into `this.px` and `this.py`. */
+  /* The middle of a track on the screen, into `this.px` and `this.py`. */
   locate(camera, m) {
     const { model } = this;
     const a = model.states[model.state[model.source[m]]];
@@ -91,7 +91,7 @@ class Crowd {
     }
   }
 
-  mark(kind, x, y, mover) {
+  mark(kind, x, y, track) {
     if (2 * this.used[kind] + 2 > this.marks[kind].length) this.marks[kind] = doubled(this.marks[kind]);
     this.marks[kind][2 * this.used[kind]] = x;
     this.marks[kind][2 * this.used[kind] + 1] = y;
@@ -99,7 +99,7 @@ class Crowd {
     if (3 * this.hit + 3 > this.hits.length) this.hits = doubled(this.hits);
     this.hits[3 * this.hit] = x;
     this.hits[3 * this.hit + 1] = y;
-    this.hits[3 * this.hit + 2] = mover;
+    this.hits[3 * this.hit + 2] = track;
     this.hit += 1;
   }
 
@@ -216,8 +216,8 @@ class Crowd {
     context.stroke();
   }
 
-  /* The mover whose mark is nearest to a point, -1 if none is close. */
-  moverAt(x, y) {
+  /* The track whose mark is nearest to a point, -1 if none is close. */
+  trackAt(x, y) {
     let best = -1;
     let nearest = this.radius + 5;
     for (let i = 0; i < this.hit; i += 1) {
@@ -238,10 +238,10 @@ class Crowd {
     return -1;
   }
 
-  /* Where a mover is drawn now, for those who ask from outside. */
-  positionOf(mover) {
+  /* Where a track is drawn now, for those who ask from outside. */
+  positionOf(track) {
     for (let i = 0; i < this.hit; i += 1) {
-      if (this.hits[3 * i + 2] === mover) return [this.hits[3 * i], this.hits[3 * i + 1]];
+      if (this.hits[3 * i + 2] === track) return [this.hits[3 * i], this.hits[3 * i + 1]];
     }
     return null;
   }

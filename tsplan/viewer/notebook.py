@@ -1,16 +1,20 @@
-"""How maps, formulas and plans show themselves in a notebook."""
+"""How maps, formulas and plans show themselves in a notebook: the page's data as still SVG."""
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
+from itertools import chain
 from typing import TYPE_CHECKING
 
-from tsplan.draw import svg
-from tsplan.draw.layout import Places, places
-from tsplan.draw.palette import HUES, Paint, Palette
-from tsplan.draw.timeline import Row, keys_of, rows_of, ways
+from tsplan.draw.palette import HUES, PLAIN, Paint
+from tsplan.draw.text_placement import Box, Placement
+from tsplan.draw.timeline import keys_of, path_rows, rows_of
+from tsplan.draw.tracks import agents_of, tracks
 from tsplan.logic.text import operator_text
-from tsplan.plans.summary import infinite_word, names, objective_line, outcome
+from tsplan.plans.summary import infinite_word, objective_line, outcome
+from tsplan.viewer import svg
+from tsplan.viewer.page_data import Json, map_data
 from tsplan.words import number
 
 if TYPE_CHECKING:
@@ -42,7 +46,7 @@ def map_svg(system: TransitionSystem) -> str:
     title = f"{system.name or 'map'}: {len(system.states):,} states, {len(system.edges):,} edges"
     if len(system.states) > MOST_STATES:
         return svg.picture([svg.text(title, 8, 18)], svg.width_of(title) + 16, 28, title)
-    sheet = _Sheet(system)
+    sheet = _Sheet(map_data(system))
     parts = [*_shapes(sheet), _edges(sheet), *_dots(sheet), *_names(sheet)]
     return svg.picture(parts, sheet.width, sheet.height, title)
 
@@ -50,82 +54,74 @@ def map_svg(system: TransitionSystem) -> str:
 class _Sheet:
     """A map fitted into a picture; upwards is upwards."""
 
-    def __init__(self, system: TransitionSystem) -> None:
-        self.system = system
-        self.where: Places = places(system)
-        self.paints = Palette(system).states
-        corners = [point for state in system.states.values() for point in state.shape or ()]
-        points = [*self.where.values(), *corners]
-        self._left = min(x for x, _ in points)
-        self._top = max(y for _, y in points)
-        across = max(x for x, _ in points) - self._left
-        up = self._top - min(y for _, y in points)
+    def __init__(self, data: Json) -> None:
+        self.edges, self.states = data["edges"], data["states"]
+        self.named = len(self.states) <= _LABELLED
+        corners = chain.from_iterable(state["shape"] or () for state in self.states)
+        xs, ys = zip(*((s["x"], s["y"]) for s in self.states), *corners, strict=True)
+        self._left, self._top = min(xs), max(ys)
+        across, up = max(xs) - self._left, self._top - min(ys)
         free = (_WIDTH - 2 * _MARGIN, _HIGHEST - 2 * _MARGIN)
         self._scale = min(free[0] / (across or 1.0), free[1] / (up or 1.0)) if across or up else 1.0
         self.width = max(across * self._scale + 2 * _MARGIN, 160.0)
         self.height = up * self._scale + 2 * _MARGIN + _SMALL
 
-    def at(self, point: tuple[float, float]) -> tuple[float, float]:
+    def at(self, x: float, y: float) -> tuple[float, float]:
         """A point of the map in pixels."""
-        x, y = point
         return _MARGIN + (x - self._left) * self._scale, _MARGIN + (self._top - y) * self._scale
 
     def line(self, points: list[tuple[float, float]]) -> str:
         """The path through some points of the map."""
-        return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in map(self.at, points))
+        return "M" + "L".join("{:.1f} {:.1f}".format(*self.at(*point)) for point in points)
+
+
+def _paint(state: Json) -> Paint:
+    return Paint(state["color"] or PLAIN.colour)
 
 
 def _shapes(sheet: _Sheet) -> list[str]:
     """All shapes of one colour as one path."""
-    by_paint: dict[Paint, list[str]] = defaultdict(list)
-    for name, state in sheet.system.states.items():
-        if state.shape:
-            by_paint[sheet.paints[name]].append(sheet.line(list(state.shape)) + "Z")
+    by_colour: dict[str, list[str]] = defaultdict(list)
+    for state in sheet.states:
+        if state["shape"]:
+            by_colour[_paint(state).pale].append(sheet.line(state["shape"]) + "Z")
     return [
-        svg.element("path", d="".join(paths), fill=paint.pale, stroke="#b0b0b0", stroke_width=0.7)
-        for paint, paths in by_paint.items()
+        svg.element("path", d="".join(paths), fill=fill, stroke="#b0b0b0", stroke_width=0.7)
+        for fill, paths in by_colour.items()
     ]
 
 
 def _edges(sheet: _Sheet) -> str:
-    lines = [
-        sheet.line([sheet.where[source], sheet.where[target]])
-        for source, target in sheet.system.edges
-        if source < target or (source != target and (target, source) not in sheet.system.edges)
-    ]
-    width = 0.8 if len(sheet.system.states) <= _LABELLED else 0.4
+    ends = ((sheet.states[edge["from"]], sheet.states[edge["to"]]) for edge in sheet.edges)
+    lines = [sheet.line([(a["x"], a["y"]), (b["x"], b["y"])]) for a, b in ends]
+    width = 0.8 if sheet.named else 0.4
     return svg.element("path", d="".join(lines), stroke="#8c8c8c", stroke_width=width, fill="none")
 
 
 def _dots(sheet: _Sheet) -> list[str]:
-    radius = 3.5 if len(sheet.system.states) <= _LABELLED else 1.5
+    radius = 3.5 if sheet.named else 1.5
     border = {"stroke": "#333333", "stroke_width": 0.5}
     return [
-        svg.element("circle", cx=x, cy=y, r=radius, fill=sheet.paints[name].colour, **border)
-        for name, state in sheet.system.states.items()
-        if not state.shape
-        for x, y in [sheet.at(sheet.where[name])]
+        svg.element("circle", cx=x, cy=y, r=radius, fill=_paint(state).colour, **border)
+        for state in sheet.states
+        if not state["shape"]
+        for x, y in [sheet.at(state["x"], state["y"])]
     ]
 
 
 def _names(sheet: _Sheet) -> list[str]:
     """Names, below the dots or in the shapes, each where it hides no other."""
-    if len(sheet.system.states) > _LABELLED:
-        return []
-    taken: list[tuple[float, float, float, float]] = []
+    taken = Placement(Box(0.0, -math.inf, sheet.width, math.inf))
+    halo = {"paint_order": "stroke", "stroke": "#ffffff", "stroke_width": 2}
     found = []
-    for name, state in sheet.system.states.items():
-        x, y = sheet.at(sheet.where[name])
-        y += _SMALL / 3 if state.shape else _SMALL + 3.5
+    for state in sheet.states if sheet.named else ():
+        name, (x, y) = state["name"], sheet.at(state["x"], state["y"])
+        y += _SMALL / 3 if state["shape"] else _SMALL + 3.5
         half = svg.width_of(name, _SMALL) / 2
         x = min(max(x, half), sheet.width - half)
-        box = (x - half, y - _SMALL, x + half, y + 2)
-        free = all(
-            box[0] >= o[2] or o[0] >= box[2] or box[1] >= o[3] or o[1] >= box[3] for o in taken
-        )
-        if free and box[0] >= 0 and box[2] <= sheet.width:
-            taken.append(box)
-            halo = {"paint_order": "stroke", "stroke": "#ffffff", "stroke_width": 2}
+        box = Box(x - half, y - _SMALL, x + half, y + 2)
+        if taken.free(box):
+            taken.take(box)
             found.append(svg.text(name, x, y, _SMALL, text_anchor="middle", **halo))
     return found
 
@@ -162,59 +158,50 @@ def _branch(above: tuple[float, float], below: tuple[float, float]) -> str:
 
 def plan_html(plan: Plan) -> str:
     """A plan: what is known about it, and who is where when."""
-    facts = [("mission", plan.mission.name or "mission"), ("outcome", outcome(plan))]
     endless = infinite_word(plan)
+    facts = [("mission", plan.mission.name or "mission"), ("outcome", outcome(plan))]
     facts += [("objective", objective_line(item, endless)) for item in plan.objective]
     if plan.has_paths and all(item.name != "availability" for item in plan.objective):
         facts.append(("availability", number(plan.availability, endless)))
     facts.append(("horizon", f"{plan.horizon} steps, {len(plan.agents):,} agents"))
     facts += [("note", note) for note in plan.notes]
-    table = svg.element("table", svg.element("tbody", "".join(_line(*fact) for fact in facts)))
-    return svg.element("div", table + (timeline_svg(plan) if plan.agents else ""))
-
-
-def _line(name: str, value: str) -> str:
-    """One line of the table of facts."""
     left = {"style": "text-align:left"}
-    cells = svg.element("th", svg.words(name), **left) + svg.element("td", svg.words(value), **left)
-    return svg.element("tr", cells)
+    lines = (
+        svg.element("th", svg.words(name), **left) + svg.element("td", svg.words(value), **left)
+        for name, value in facts
+    )
+    table = svg.element("tbody", "".join(svg.element("tr", line) for line in lines))
+    drawn = timeline_svg(plan) if plan.agents else ""
+    return svg.element("div", svg.element("table", table) + drawn)
 
 
 def timeline_svg(plan: Plan) -> str:
     """A row for each agent, or for each path of a large team: states by colour, ways hatched."""
-    rows = rows_of(plan) or tuple(
-        Row(names([plan.agents[a].id for a in bundle.agents], most=1), bundle.class_name, bundle)
-        for bundle in plan.bundles
-    )
+    moving = tracks(plan)
+    rows = rows_of(plan, moving) or path_rows(moving)
     shown, hidden = rows[:MOST_ROWS], rows[MOST_ROWS:]
-    keys = keys_of(plan, None)
-    left = max(svg.width_of(row.words) for row in shown) + 12
+    keys = keys_of(moving, plan.horizon, None)
+    left = max(svg.width_of(row.name) for row in shown) + 12
     step = (_WIDTH - left - 10) / (plan.horizon + 1)
     parts = [svg.stripes()]
     for place, row in enumerate(shown):
         y = 8 + place * _ROW
-        parts.append(svg.text(row.words, left - 6, y + 12, text_anchor="end"))
-        for first, last in ways(row.bundle, plan.horizon):
-            parts.append(
-                _bar(left + first * step, y, (last - first + 1) * step, "url(#tsplan-way)")
-            )
-        for first, last, state in row.bundle.stays:
-            parts += _stay(
-                (left + first * step, y), (last - first + 1) * step, state, keys[state].paint
-            )
+        parts.append(svg.text(row.name, left - 6, y + 12, text_anchor="end"))
+        for first, last in row.ways(plan.horizon):
+            bar = {"x": left + first * step, "width": (last - first + 1) * step}
+            fill = "url(#tsplan-way)"
+            parts.append(svg.element("rect", **bar, y=y, height=_ROW - 3, fill=fill))
+        for first, last, state, _ in row.stays(plan.horizon):
+            corner = left + first * step, y
+            parts += _stay(corner, (last - first + 1) * step, state, keys[state].paint)
     bottom = 8 + len(shown) * _ROW
     parts += _axis(plan.horizon, left, step, bottom)
     if hidden:
-        agents = sum(len(row.bundle.agents) for row in hidden)
-        words = f"... and {agents:,} agents on {len(hidden):,} more paths"
+        words = f"... and {agents_of(hidden):,} agents on {len(hidden):,} more paths"
         parts.append(svg.text(words, 8, bottom + 32))
     return svg.picture(
         parts, _WIDTH, bottom + (40 if hidden else 22), f"{plan.mission.name}: who is where"
     )
-
-
-def _bar(x: float, y: float, width: float, fill: str) -> str:
-    return svg.element("rect", x=x, y=y, width=width, height=_ROW - 3, fill=fill)
 
 
 def _stay(corner: tuple[float, float], width: float, state: str, paint: Paint) -> list[str]:

@@ -1,0 +1,250 @@
+"""Who moves when: agents, paths and groups of swarms as tracks, for every picture and the page.
+
+A track is one or more agents of one class that move together: all agents that share a path, or a
+group of a swarm for as long as it neither splits nor merges.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+
+from tsplan.checking.path_segments import read_path
+from tsplan.errors import Finding, PlanError
+from tsplan.plans.summary import names
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.moves import Move
+    from tsplan.plans.plan import Plan
+    from tsplan.ts import TransitionSystem
+
+MoveTuple: TypeAlias = tuple[int, str, str, int]
+"""`(step, source, target, count)`: so many agents enter this edge at this step, waits included."""
+
+_OTHER = "name the mission that was planned"
+
+
+class Stop(NamedTuple):
+    """At a state at every step `first..last`, on the slots from `slot` on.
+
+    A stop beyond the horizon is where the agents are travelling to when the plan ends.
+    """
+
+    first: int
+    last: int
+    state: str
+    slot: int = 0
+
+
+class Whereabouts(NamedTuple):
+    """At `source` (`share` is 0), or `share` of the way from `source` to `target`."""
+
+    source: Stop
+    target: Stop
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """`count` agents of one class together, from their first step on, and no more from `end` on.
+
+    `ids` are the agents' names; none where agents have none.
+    """
+
+    class_name: str
+    count: int
+    name: str
+    ids: tuple[str, ...]
+    stops: tuple[Stop, ...]
+    end: int
+
+    @property
+    def short(self) -> str:
+        """The name with one run of agents at most, the others counted."""
+        return names(self.ids, most=1) if self.ids else self.name
+
+    def present(self, time: float) -> bool:
+        """Whether they are there: agents always are, parts of a swarm while they last."""
+        return self.stops[0].first <= time < self.end
+
+    def at(self, time: float) -> Whereabouts:
+        """Where they are at a time between 0 and the horizon, not only at whole steps."""
+        place = max(0, bisect_right(self.stops, time, key=lambda stop: stop.first) - 1)
+        here = self.stops[place]
+        if time <= here.last or place + 1 == len(self.stops):
+            return Whereabouts(here, here, 0.0)
+        there = self.stops[place + 1]
+        return Whereabouts(here, there, (time - here.last) / (there.first - here.last))
+
+    def stays(self, horizon: int) -> tuple[Stop, ...]:
+        """The stops up to the horizon, as far as the track lasts."""
+        last = min(self.end - 1, horizon)
+        return tuple(
+            stop._replace(last=min(stop.last, last)) for stop in self.stops if stop.first <= last
+        )
+
+    def ways(self, horizon: int) -> Iterator[tuple[int, int]]:
+        """The steps, first and last, at which they are between two states."""
+        stays = self.stays(horizon)
+        for here, there in pairwise(stays):
+            if there.first > here.last + 1:
+                yield here.last + 1, there.first - 1
+        last = min(self.end - 1, horizon)
+        if stays[-1].last < last:
+            yield stays[-1].last + 1, last
+
+
+def tracks(
+    plan: Plan, mission: Mission | None = None, *, moving: bool = False
+) -> tuple[Track, ...]:
+    """The tracks of a plan, class by class: of each path of agents, of each group of a swarm.
+
+    A swarm whose agents have paths is shown by them. For what is `moving` it is its groups that
+    move, and arrivals beyond the horizon are those of the map; then PlanError tells everything that
+    the map does not allow about the paths. Without the mission there are no groups.
+    """
+    found: list[Track] = []
+    findings: list[Finding] = []
+    known = {bundle.class_name for bundle in plan.bundles}
+    swarms = () if mission is None else (n for n in plan.moves if moving or n not in known)
+    grouped = dict.fromkeys(swarms)
+    for bundle in plan.bundles:
+        if bundle.class_name not in grouped:
+            exact = mission.system if mission is not None and moving else None
+            found.append(_of_agents(plan, bundle, exact, findings))
+    if findings:
+        raise PlanError(findings)
+    if mission is None:
+        return tuple(found)
+    for group in mission.team:
+        if group.class_name in grouped:
+            found += _of_swarm(plan, mission.system, group.class_name, dict(group.starts))
+    order = {group.class_name: place for place, group in reversed([*enumerate(mission.team)])}
+    return tuple(sorted(found, key=lambda track: order[track.class_name]))
+
+
+def _of_agents(
+    plan: Plan, bundle: Bundle, exact: TransitionSystem | None, findings: list[Finding]
+) -> Track:
+    """The track of a path; what an `exact` map does not allow about it goes to `findings`."""
+    ids = tuple(plan.agents[place].id for place in bundle.agents)
+    stops = [Stop(*stay) for stay in bundle.stays]
+    if exact is not None:
+        path = read_path(exact, bundle, plan.horizon)
+        findings += [Finding(f"agent {ids[0]} {words}", _OTHER) for words in path.problems]
+        if path.segments and path.segments[-1].left > plan.horizon:
+            last = path.segments[-1]
+            stops.append(Stop(last.left, last.left, last.edge.target))
+    elif bundle.heading is not None:
+        stops.append(Stop(plan.horizon + 1, plan.horizon + 1, bundle.heading))
+    end = plan.horizon + 1
+    return Track(bundle.class_name, len(ids), names(ids), ids, tuple(stops), end)
+
+
+def _of_swarm(
+    plan: Plan, system: TransitionSystem, name: str, starts: Mapping[str, int]
+) -> Iterator[Track]:
+    """The tracks of the groups of a swarm, in the order they begin."""
+    moves = plan.moves[name]
+    durations = {move[1:3]: _duration(system, name, move) for move in moves}
+    groups = lanes(starts, moves, durations, plan.horizon)
+    for lane in sorted(groups, key=lambda lane: lane.stays[0].first):
+        yield Track(name, lane.count, f"{name} ({lane.count:,})", (), tuple(lane.stays), lane.end)
+
+
+def _duration(system: TransitionSystem, swarm: str, move: Move) -> int:
+    edge = system.edges.get((move.source, move.target))
+    duration = None if edge is None else edge.duration_for(swarm)
+    if duration is None:
+        what = f"{swarm} goes from {move.source} to {move.target}, and the map has no such edge"
+        raise PlanError([Finding(what, _OTHER)])
+    return duration
+
+
+def agents_of(found: Iterable[Track]) -> int:
+    """How many agents there are in all, however often their groups split and merge."""
+    return sum(track.count for track in found if track.ids or track.stops[0].first == 0)
+
+
+def by_class(found: Iterable[Track]) -> dict[str, list[Track]]:
+    """The tracks of each class, in their order."""
+    classes: dict[str, list[Track]] = {}
+    for track in found:
+        classes.setdefault(track.class_name, []).append(track)
+    return classes
+
+
+def single(found: Iterable[Track]) -> Iterator[Track]:
+    """Each agent that has a name as a track of its own; groups stay as they are."""
+    for track in found:
+        if not track.ids:
+            yield track
+        for name in track.ids:
+            yield replace(track, count=1, name=name, ids=(name,))
+
+
+@dataclass(eq=False)
+class Lane:
+    """`count` agents that stay together: their stays, and the step from which they are no more.
+
+    A lane that ends where others begin ends at the step at which they begin.
+    """
+
+    count: int
+    end: int
+    stays: list[Stop] = field(default_factory=list)
+
+    def arrive(self, step: int, state: str) -> None:
+        """Go on at a state from a step on; at the same state as before, stay on there."""
+        if self.stays and self.stays[-1][1:3] == (step - 1, state):
+            self.stays[-1] = self.stays[-1]._replace(last=step)
+        else:
+            self.stays.append(Stop(step, step, state))
+
+
+def lanes(
+    starts: Mapping[str, int],
+    moves: Iterable[MoveTuple],
+    durations: Mapping[tuple[str, str], int],
+    horizon: int,
+) -> tuple[Lane, ...]:
+    """The lanes of one swarm, in the order they begin.
+
+    `moves` name every edge entered at every step, waits included, as those of a swarm's plan do;
+    `durations` has their edges. Where exactly one group comes to a state and goes on together, it
+    keeps its lane; otherwise all that come end there and each that goes begins.
+
+    >>> made = lanes({"p": 5}, [(0, "p", "p", 2), (0, "p", "q", 3), (1, "p", "q", 2)],
+    ...              {("p", "p"): 1, ("p", "q"): 1}, 1)
+    >>> [(lane.count, [stop[:3] for stop in lane.stays]) for lane in made]
+    [(2, [(0, 1, 'p'), (2, 2, 'q')]), (3, [(0, 0, 'p'), (1, 1, 'q')])]
+    """
+    leaving: defaultdict[tuple[int, str], list[MoveTuple]] = defaultdict(list)
+    for move in moves:
+        leaving[move[0], move[1]].append(move)
+    made: list[Lane] = []
+    here: defaultdict[tuple[int, str], list[Lane]] = defaultdict(list)
+    for state, count in starts.items():
+        lane = Lane(count, horizon + 1, [Stop(0, 0, state)])
+        made.append(lane)
+        here[0, state].append(lane)
+    for (step, state), gone in sorted(leaving.items()):
+        came = here[step, state]
+        if len(came) == 1 and len(gone) == 1:
+            going = came
+        else:
+            going = [Lane(move[3], horizon + 1, [Stop(step, step, state)]) for move in sorted(gone)]
+            made += going
+            for lane in came:
+                lane.end = step
+        for lane, (_, _, target, _) in zip(going, sorted(gone), strict=True):
+            arrival = step + durations[state, target]
+            lane.arrive(arrival, target)
+            here[arrival, target].append(lane)
+    return tuple(lane for lane in made if lane.end > lane.stays[0].first)
