@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from tests.command_line import printed
 from tsplan.draw.colours import NAMED, colour_of, ink_on, lightness, mixed, rgb
-from tsplan.draw.layout import MOST_SPRINGS, centroid, places, spacing
+from tsplan.draw.edge_layout import MOST_SPRINGS
+from tsplan.draw.layout import centroid, places, spacing
 from tsplan.draw.palette import HATCHES, HUES, PLAIN, TRAVEL, Palette, paints
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
@@ -163,7 +164,7 @@ def test_states_are_painted_as_the_map_says():
         State("g", frozenset({"x"}), color="url(javascript:alert(1))"),
     ]
     system = TransitionSystem.build(states, [])
-    painted = Palette(system, ("scout", "heavy"), ("see",)).states
+    painted = Palette(system, ("scout", "heavy")).states
     assert painted["a"] == painted["b"] != painted["c"]
     assert painted["d"] == PLAIN
     assert painted["e"].colour == "#d2b48c"

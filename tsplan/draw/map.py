@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tsplan.draw.canvas import (
     DARK,
@@ -25,16 +25,14 @@ from tsplan.draw.canvas import (
     plain,
     set_title,
 )
-from tsplan.draw.layout import Places, bounds, links, places, spacing
+from tsplan.draw.layout import Places, Point, bounds, links, places, spacing
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Palette
 from tsplan.draw.state_labels import DOT, StateLabel, state_labels
-from tsplan.draw.text_placement import Box, Frame, Placement, Point, between, direction, frame_of
+from tsplan.draw.text_placement import Box, Frame, Placement, direction, frame_of
+from tsplan.mission import Mission
+from tsplan.ts import TransitionSystem
 from tsplan.words import visible
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.ts import TransitionSystem
 
 WIDTH = 7.0
 """Inches across the page of a map without its legend."""
@@ -64,18 +62,21 @@ class DrawnMap:
         """Whether states are so close together that everything is drawn thin."""
         return len(self.where) > 1 and spacing(self.where) * self.frame.scale < _DENSE
 
-    def write(self, text: str, centre: Point, size: float, **style: Any) -> None:
-        """Write a text around a point of the page."""
-        x, y = self.frame.back(centre)
-        self.ax.text(
-            x,
-            y,
-            plain(text),
-            fontsize=size,
-            ha="center",
-            va="center",
-            **{"color": DARK, "zorder": 6, "in_layout": False, "linespacing": 1.15, **style},
-        )
+    def line(self, source: str, target: str) -> tuple[Point, Point]:
+        """The straight line from one state to another."""
+        return self.where[source], self.where[target]
+
+    def write(self, text: str, centre: complex, size: float, **style: Any) -> None:
+        """Write a text around a place of the page."""
+        usual = {"color": DARK, "zorder": 6, "in_layout": False, "linespacing": 1.15}
+        look = {"ha": "center", "va": "center", "fontsize": size, **usual, **style}
+        self.ax.text(*self.frame.back(centre), plain(text), **look)
+
+    def write_free(self, text: str, centres: Iterable[complex], size: float, **style: Any) -> None:
+        """Write a text around the first of several places where it hides nothing, if any."""
+        centre = self.placement.place(text, size, centres)
+        if centre is not None:
+            self.write(text, centre, size, **style)
 
 
 def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:
@@ -139,10 +140,9 @@ def finish(drawn: DrawnMap, used: Collection[tuple[str, str]] = ()) -> None:
     for source, target, _, text in links(drawn.system):
         if text == usual or (source, target) in used or (target, source) in used:
             continue
-        begin, end = drawn.frame.at(drawn.where[source]), drawn.frame.at(drawn.where[target])
-        centres = [between(begin, end, share) for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
-        if found := drawn.placement.place(text, SMALL, centres):
-            drawn.write(text, found, SMALL, color="#666666", bbox=halo(), zorder=5)
+        begin, end = map(drawn.frame.at, drawn.line(source, target))
+        centres = [begin + (end - begin) * share for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
+        drawn.write_free(text, centres, SMALL, color="#666666", bbox=halo(), zorder=5)
 
 
 def _box(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:
@@ -178,37 +178,28 @@ def usual_duration(system: TransitionSystem) -> str:
 
 def _draw_shapes(drawn: DrawnMap) -> None:
     """The polygons, pale and in the colour of their states."""
-    width = 0.2 if drawn.dense else 0.7
+    edge: dict[str, Any] = {"edgecolor": _BORDER, "linewidth": 0.7, "zorder": 1}
+    if drawn.dense:
+        edge |= {"edgecolor": WHITE, "linewidth": 0.2}
     for name, state in drawn.system.states.items():
         if state.shape:
             paint = drawn.palette.states[name]
-            drawn.ax.add_patch(
-                library("patches").Polygon(
-                    state.shape,
-                    facecolor=paint.pale,
-                    edgecolor=WHITE if drawn.dense else _BORDER,
-                    hatch=paint.hatch or None,
-                    linewidth=width,
-                    zorder=1,
-                    gid=visible(f"state:{name}"),
-                )
-            )
+            look = edge | {"facecolor": paint.pale, "hatch": paint.hatch or None}
+            shape = library("patches").Polygon(state.shape, gid=visible(f"state:{name}"), **look)
+            drawn.ax.add_patch(shape)
 
 
 def _draw_edges(drawn: DrawnMap) -> None:
     """One line for each pair of connected states; an arrow head if there is no way back."""
-    both: list[tuple[Point, Point]] = []
-    single: list[tuple[Point, Point]] = []
-    for source, target, one_way, _ in links(drawn.system):
-        line = (drawn.where[source], drawn.where[target])
-        if line[0] != line[1]:
-            (single if one_way else both).append(line)
     width = 0.3 if drawn.dense else 0.9
     style: dict[str, Any] = {"colors": LINE, "linewidths": width, "zorder": 2, "alpha": 0.7}
-    for lines, gid in ((both, "edges"), (single, "one-way edges")):
+    for kind in (False, True):
+        found = (drawn.line(*ends) for *ends, one_way, _ in links(drawn.system) if one_way == kind)
+        lines = [(begin, end) for begin, end in found if begin != end]
+        gid = "one-way edges" if kind else "edges"
         add_collection(drawn.ax, "LineCollection", lines, gid=gid, **style)
-    if not drawn.dense:
-        arrow_heads(drawn, single, 0.62, (LINE, 4.5))
+        if kind and not drawn.dense:
+            arrow_heads(drawn, lines, 0.62, (LINE, 4.5))
 
 
 def arrow_heads(
@@ -220,15 +211,11 @@ def arrow_heads(
     """Small triangles at a share of each line that point to its end; a colour and points long."""
     colour, size = look
     triangles = []
-    for begin, end in lines:
-        ends = drawn.frame.at(begin), drawn.frame.at(end)
-        right, up = (size * part for part in direction(*ends)[0])
-        x, y = between(*ends, share)
-        corners = (
-            (x + right / 2, y + up / 2),
-            (x - right / 2 - up * _SLIM, y - up / 2 + right * _SLIM),
-            (x - right / 2 + up * _SLIM, y - up / 2 - right * _SLIM),
-        )
+    for line in lines:
+        begin, end = map(drawn.frame.at, line)
+        middle, along = begin + (end - begin) * share, direction(end - begin) * size
+        left = along * _SLIM * 1j
+        corners = middle + along / 2, middle - along / 2 + left, middle - along / 2 - left
         triangles.append([drawn.frame.back(corner) for corner in corners])
     style: dict[str, Any] = {"facecolors": colour, "linewidths": 0, "zorder": 4, "gid": "heads"}
     add_collection(drawn.ax, "PolyCollection", triangles, **style)

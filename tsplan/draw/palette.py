@@ -1,4 +1,4 @@
-"""Colours for states, labels, classes and capabilities, the same in every picture of a mission.
+"""Colours for states, labels and classes, the same in every picture of a mission.
 
 The eight hues were chosen by search so that every two of them differ clearly (25 or more in
 CIELAB) for people with any of the three kinds of colour blindness, and so that their lightness
@@ -15,13 +15,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 from tsplan.draw.colours import colour_of, ink_on, mixed
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.ts import TransitionSystem
+from tsplan.mission import Mission
+from tsplan.ts import TransitionSystem
 
 HUES = (
     "#7753bf",
@@ -96,41 +94,47 @@ def paints(names: Iterable[str], hues: Sequence[str] = HUES) -> Mapping[str, Pai
     return MappingProxyType(given)
 
 
+class TeamClass(NamedTuple):
+    """How many agents a class has, and what they can do."""
+
+    agents: int
+    capabilities: tuple[str, ...]
+
+
+def classes_of(mission: Mission) -> dict[str, TeamClass]:
+    """The classes of a team by their names, in its order; swarms are classes too."""
+    found: dict[str, TeamClass] = {}
+    for group in mission.team:
+        agents, able = found.get(group.class_name, TeamClass(0, ()))
+        more = tuple(dict.fromkeys((*able, *sorted(group.capabilities))))
+        found[group.class_name] = TeamClass(agents + group.count, more)
+    return found
+
+
 @dataclass(frozen=True)
 class Palette:
     """All paints of one map and team.
 
-    Labels take the hues from the other end than classes and capabilities, so that few of each
-    never look alike.
+    Labels take the hues from the other end than classes, so that few of each never look
+    alike.
 
-    Labels, classes and capabilities are painted in the order in which the map and the team name
+    Labels and classes are painted in the order in which the map and the team name
     them. A state has the colour that the map gives it, or that one of its labels names; else its
     labels' paint: states with the same labels look the same.
     """
 
     system: TransitionSystem
     class_names: tuple[str, ...] = ()
-    capability_names: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, mission: Mission) -> Palette:
         """The palette of a mission."""
-        abilities = dict.fromkeys(c for group in mission.team for c in sorted(group.capabilities))
-        return cls(
-            mission.system,
-            tuple(dict.fromkeys(group.class_name for group in mission.team)),
-            tuple(abilities),
-        )
+        return cls(mission.system, tuple(classes_of(mission)))
 
     @cached_property
     def classes(self) -> Mapping[str, Paint]:
         """A paint for each class of agents."""
         return paints(self.class_names)
-
-    @cached_property
-    def capabilities(self) -> Mapping[str, Paint]:
-        """A paint for each capability."""
-        return paints(self.capability_names)
 
     @cached_property
     def labels(self) -> Mapping[str, Paint]:

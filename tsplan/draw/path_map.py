@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import (
@@ -29,13 +29,11 @@ from tsplan.draw.map import DrawnMap, arrow_heads, base, finish
 from tsplan.draw.palette import HUES, STROKES, Paint, Palette, paints
 from tsplan.draw.starts import draw_starts
 from tsplan.draw.state_labels import StateLabel
-from tsplan.draw.text_placement import Box, Point, between, direction
+from tsplan.draw.text_placement import Box, direction
 from tsplan.draw.tracks import Track, agents_of, by_class, tracks
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 from tsplan.words import visible
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
 
 MOST_PATHS = len(HUES) * len(STROKES) - 8
 """Distinct paths that are drawn one by one; more cannot be told apart."""
@@ -55,11 +53,13 @@ Pair = tuple[str, str]
 
 @dataclass
 class Passage:
-    """Uses of an edge by one strand: how many agents in all, and the steps at which they arrive."""
+    """Uses of an edge by one strand: how many agents in all, and when they arrive.
+
+    `arrivals` have a step up to the horizon each, and whether the agents rest there then.
+    """
 
     agents: int = 0
-    arrivals: list[int] = field(default_factory=list)
-    resting: list[int] = field(default_factory=list)
+    arrivals: list[tuple[int, bool]] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def strands_of(
 
     The second value says whether they are joined.
     """
-    moving = [track for track in found if any(_moves(track, horizon))]
+    moving = [track for track in found if track.moves]
     if len(moving) <= MOST_PATHS:
         given = paints(str(number) for number in range(len(moving)))
         return tuple(
@@ -127,25 +127,18 @@ def lanes_of(strands: Sequence[Strand]) -> Mapping[Pair, tuple[int, ...]]:
     return {pair: tuple(numbers) for pair, numbers in lanes.items()}
 
 
-def _moves(track: Track, horizon: int) -> Iterator[tuple[Pair, int | None, bool]]:
-    """The moves of a track: the edge, the step of arrival up to the horizon, whether it rests."""
-    for here, there in pairwise(track.stops):
-        if here.state != there.state:
-            arrival = there.first if there.first <= horizon else None
-            yield (here.state, there.state), arrival, there.last > there.first
-
-
 def _passages(group: Sequence[Track], horizon: int) -> Mapping[Pair, Passage]:
     found: dict[Pair, Passage] = {}
     for track in group:
         last = track.stays(horizon)[-1].first
-        for pair, arrival, rests in _moves(track, horizon):
-            passage = found.setdefault(pair, Passage())
+        for here, there in pairwise(track.stops):
+            if here.state == there.state:
+                continue
+            passage = found.setdefault((here.state, there.state), Passage())
             passage.agents += track.count
-            if arrival is not None:
-                passage.arrivals.append(arrival)
-                if rests or arrival == last:
-                    passage.resting.append(arrival)
+            if there.first <= horizon:
+                rests = there.last > there.first or there.first == last
+                passage.arrivals.append((there.first, rests))
     return found
 
 
@@ -155,23 +148,19 @@ def _shift(lane: tuple[int, ...], number: int) -> float:
     return gap * (lane.index(number) + 0.7)
 
 
-def _ends(drawn: DrawnMap, pair: Pair, shift: float) -> tuple[Point, Point]:
+def _ends(drawn: DrawnMap, pair: Pair, shift: float) -> tuple[complex, complex]:
     """A lane's two ends on the page: beside the middle of the way, clear of both states' names."""
-    (x0, y0), (x1, y1) = (drawn.frame.at(drawn.where[name]) for name in pair)
-    along, length = direction((x0, y0), (x1, y1))
-    right, up = along[1] * shift, -along[0] * shift
-    most = 0.0 if drawn.dense else 0.4 * length
-    begin = min(_clearance(drawn.labels[pair[0]], (x0, y0), along), most)
-    end = min(_clearance(drawn.labels[pair[1]], (x1, y1), (-along[0], -along[1])), most)
-    return (
-        (x0 + along[0] * begin + right, y0 + along[1] * begin + up),
-        (x1 - along[0] * end + right, y1 - along[1] * end + up),
-    )
+    start, goal = map(drawn.frame.at, drawn.line(*pair))
+    along, side = direction(goal - start), -1j * shift * direction(goal - start)
+    most = 0.0 if drawn.dense else 0.4 * abs(goal - start)
+    begin = min(_clearance(drawn.labels[pair[0]], start, along), most)
+    end = min(_clearance(drawn.labels[pair[1]], goal, -along), most)
+    return start + along * begin + side, goal - along * end + side
 
 
-def _clearance(label: StateLabel, centre: Point, along: Point) -> float:
+def _clearance(label: StateLabel, centre: complex, along: complex) -> float:
     """How far a lane keeps from the middle of a state: until it has left the state's label."""
-    box, (x, y), (right, up) = label.box, centre, along
+    box, x, y, right, up = label.box, centre.real, centre.imag, along.real, along.imag
     if not label.parts or not Box(x, y, x, y).inside(box):
         return _CLEAR
     across = ((box.right if right > 0 else box.left) - x) / right if right else math.inf
@@ -181,23 +170,20 @@ def _clearance(label: StateLabel, centre: Point, along: Point) -> float:
 
 def _draw_strand(drawn: DrawnMap, strand: Strand, shifts: Sequence[float]) -> None:
     """All lanes of a strand, and their arrow heads."""
-    lines = []
-    for pair, shift in zip(strand.passages, shifts, strict=True):
-        begin, end = _ends(drawn, pair, shift)
-        lines.append((drawn.frame.back(begin), drawn.frame.back(end)))
+    ends = (_ends(drawn, *lane) for lane in zip(strand.passages, shifts, strict=True))
+    lines = [(drawn.frame.back(begin), drawn.frame.back(end)) for begin, end in ends]
     thin = _THIN if drawn.dense else 1.0
     widths = [thin * _width(passage.agents) for passage in strand.passages.values()]
-    for colour, more, layer in _layers(strand.paint):
-        add_collection(
-            drawn.ax,
-            "LineCollection",
-            lines,
-            colors=colour,
-            linestyles=strand.paint.stroke,
-            linewidths=[width + more for width in widths],
-            zorder=layer,
-            gid=visible(f"path:{strand.words}"),
-        )
+    style: dict[str, Any] = {
+        "linestyles": strand.paint.stroke,
+        "gid": visible(f"path:{strand.words}"),
+    }
+    layers = [(strand.paint.colour, 0.0, 4.0)]
+    if lightness(strand.paint.colour) >= _LIGHT:  # a thin grey border, or it drowns in pale shapes
+        layers.insert(0, ("#808080", 0.6, 3.9))
+    for colour, more, layer in layers:
+        style |= {"colors": colour, "linewidths": [width + more for width in widths]}
+        add_collection(drawn.ax, "LineCollection", lines, zorder=layer, **style)
     if not drawn.dense:
         head = max(_HEAD, 2.0 * max(widths, default=0.0))
         arrow_heads(drawn, lines, 0.93, (strand.paint.colour, head))
@@ -206,15 +192,6 @@ def _draw_strand(drawn: DrawnMap, strand: Strand, shifts: Sequence[float]) -> No
 def _width(agents: int) -> float:
     """Points of a lane with so many agents."""
     return 1.2 + 0.8 * math.log10(agents)
-
-
-def _layers(paint: Paint) -> list[tuple[str, float, float]]:
-    """Colour, extra width and layer of what is drawn for a lane.
-
-    Light colours have a thin grey border, or they would drown in pale shapes.
-    """
-    border = [("#808080", 0.6, 3.9)] if lightness(paint.colour) >= _LIGHT else []
-    return [*border, (paint.colour, 0.0, 4.0)]
 
 
 def _mark_arrivals(
@@ -226,39 +203,35 @@ def _mark_arrivals(
         light = lightness(strand.paint.colour) >= _LIGHT
         colour = mixed(strand.paint.colour, "#000000", 0.55 if light else 0.35)
         for pair, passage in strand.passages.items():
-            steps = passage.arrivals if every else passage.resting
+            steps = sorted({step for step, rests in passage.arrivals if rests or every})
             if not steps:
                 continue
-            text = ",".join(str(step) for step in sorted(set(steps))[:_STEPS])
-            text += "\u2026" if len(set(steps)) > _STEPS else ""
-            spots = _beside(drawn, pair, _shift(lanes[pair], lanes[pair][-1]), text)
-            if found := drawn.placement.place(text, _TEXT, spots):
-                drawn.write(text, found, _TEXT, color=colour, zorder=5, gid="arrival")
+            text = ",".join(map(str, steps[:_STEPS])) + ("\u2026" if len(steps) > _STEPS else "")
+            centres = _beside(drawn, pair, _shift(lanes[pair], lanes[pair][-1]), text)
+            drawn.write_free(text, centres, _TEXT, color=colour, zorder=5, gid="arrival")
 
 
-def _beside(drawn: DrawnMap, pair: Pair, outermost: float, text: str) -> Iterator[Point]:
+def _beside(drawn: DrawnMap, pair: Pair, outermost: float, text: str) -> Iterator[complex]:
     """Places for a mark: outside all lanes of the way, nearest to the arrival first."""
-    (x0, y0), (x1, y1) = (drawn.frame.at(drawn.where[name]) for name in pair)
-    (right, up), _ = direction((x0, y0), (x1, y1))
+    start, goal = map(drawn.frame.at, drawn.line(*pair))
+    along = direction(goal - start)
     width, height = text_size(text, _TEXT)
     # half of the text, seen across the way
-    reach = (width * abs(up) + height * abs(right)) / 2
+    reach = (width * abs(along.imag) + height * abs(along.real)) / 2
     for more in (1.0, 5.0):
         begin, end = _ends(drawn, pair, outermost + reach + more)
-        yield from (between(begin, end, share) for share in (0.8, 0.65, 0.5, 0.35, 0.2))
+        yield from (begin + (end - begin) * share for share in (0.8, 0.65, 0.5, 0.35, 0.2))
 
 
 def _entries(moving: Sequence[Track], strands: Sequence[Strand], *, joined: bool) -> list[Entry]:
     """The legend: each strand, the agents that never move, and what the numbers are."""
-    shown = [
-        Entry.line(
-            s.words, color=s.paint.colour, linestyle=s.paint.stroke, linewidth=_width(s.agents)
-        )
-        for s in strands
-    ]
+    shown = []
+    for strand in strands:
+        look = {"color": strand.paint.colour, "linestyle": strand.paint.stroke}
+        shown.append(Entry.line(strand.words, linewidth=_width(strand.agents), **look))
     badge = {"marker": "o", "markersize": 8, "color": WHITE, "markeredgecolor": DARK}
     shown.append(Entry.line("agents that start there", **badge))
-    idle = sum(t.count for t in moving if t.ids and len({stop.state for stop in t.stops}) == 1)
+    idle = sum(track.count for track in moving if track.ids and not track.moves)
     if idle:
         shown.append(Entry.nothing(f"{idle:,} never {'moves' if idle == 1 else 'move'}"))
     if strands:

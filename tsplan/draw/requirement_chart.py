@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -27,12 +27,10 @@ from tsplan.draw.canvas import (
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import BAD, GOOD
 from tsplan.draw.step_axes import name_rows, step_axes
+from tsplan.explanation.why.requirements import Requirement
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 from tsplan.words import number
-
-if TYPE_CHECKING:
-    from tsplan.explanation.why.requirements import Requirement
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
 
 MOST_ROWS = 40
 """Atoms that are drawn; of more, those with the fewest agents to spare."""

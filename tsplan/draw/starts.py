@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from tsplan.draw.canvas import DARK, SMALL, WHITE, Entry
 from tsplan.draw.map import DrawnMap
-from tsplan.draw.palette import Paint, Palette
-from tsplan.draw.text_placement import Box, Point
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
+from tsplan.draw.palette import Paint, Palette, classes_of
+from tsplan.draw.text_placement import Box
+from tsplan.mission import Mission
 
 _BADGE = 11.0  # points across a badge
 _APART = _BADGE + 2  # points from badge to badge
@@ -24,20 +21,13 @@ _UNITS = ("", "k", "M", "G", "T", "P", "E")
 
 def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
     """A legend of the classes: how many robots each has, and what they can do."""
-    counts: Counter[str] = Counter()
-    able: dict[str, dict[str, None]] = {}
-    for group in mission.team:
-        counts[group.class_name] += group.count
-        able.setdefault(group.class_name, {}).update(dict.fromkeys(sorted(group.capabilities)))
     badge = {"marker": "o", "markersize": 8, "markeredgecolor": DARK, "markeredgewidth": 0.6}
-    return [
-        Entry.line(
-            f"{count:,} {name}" + (f" ({', '.join(able[name])})" if able[name] else ""),
-            color=palette.classes[name].colour,
-            **badge,
-        )
-        for name, count in counts.items()
-    ]
+    shown = []
+    for name, group in classes_of(mission).items():
+        able = f" ({', '.join(group.capabilities)})" if group.capabilities else ""
+        colour = palette.classes[name].colour
+        shown.append(Entry.line(f"{group.agents:,} {name}{able}", color=colour, **badge))
+    return shown
 
 
 def draw_starts(drawn: DrawnMap, mission: Mission, paints: Mapping[str, Paint]) -> None:
@@ -51,42 +41,32 @@ def draw_starts(drawn: DrawnMap, mission: Mission, paints: Mapping[str, Paint]) 
             there = starts.setdefault(state, Counter())
             if count:
                 there[group.class_name] += count
-    rows = _rows(drawn, starts)
-    if rows is None:
+    rows = (
+        {}
+        if drawn.dense
+        else {state: _row_at(drawn, state, len(starts[state])) for state in starts}
+    )
+    if drawn.dense or None in rows.values():  # some would lie on each other
         _draw_rings(drawn, starts)
         return
-    for state, (x, y) in rows.items():
+    for state, middle in rows.items():
         for place, (name, count) in enumerate(starts[state].items()):
-            left = x + (place - (len(starts[state]) - 1) / 2) * _APART
-            _badge(drawn, (left, y), count, paints.get(name, _WHITE))
+            shift = (place - (len(starts[state]) - 1) / 2) * _APART
+            _badge(drawn, (middle or 0) + shift, count, paints.get(name, _WHITE))
 
 
-def _rows(drawn: DrawnMap, starts: Mapping[str, Mapping[str, int]]) -> dict[str, Point] | None:
-    """The centre of each state's row of badges; None if they would lie on each other."""
-    if drawn.dense:
-        return None
-    found: dict[str, Point] = {}
-    for state, there in starts.items():
-        centre = _row_at(drawn, state, len(there))
-        if centre is None:
-            return None
-        found[state] = centre
-    return found
-
-
-def _row_at(drawn: DrawnMap, state: str, number: int) -> Point | None:
+def _row_at(drawn: DrawnMap, state: str, number: int) -> complex | None:
     """A free place for a row of badges, which takes it: below a state's name, above, beside it."""
-    x = drawn.frame.at(drawn.where[state])[0]
     label = drawn.labels[state]
     across, up = number * _APART / 2, _BADGE / 2 + 1
-    below, above = label.box.bottom - up, label.box.top + up
-    right, left = label.box.right + across + 1, label.box.left - across - 1
-    for centre in ((x, below), (x, above), (right, label.centre[1]), (left, label.centre[1])):
-        row = Box.around(centre, across, up)
-        if drawn.placement.free(row):
-            drawn.placement.take(row)
-            return centre
-    return None
+    x, y = drawn.frame.at(drawn.where[state]).real, label.centre.imag
+    centres = (
+        complex(x, label.box.bottom - up),
+        complex(x, label.box.top + up),
+        complex(label.box.right + across + 1, y),
+        complex(label.box.left - across - 1, y),
+    )
+    return drawn.placement.first(centres, lambda centre: Box.around(centre, across, up))
 
 
 def _draw_rings(drawn: DrawnMap, starts: Mapping[str, Mapping[str, int]]) -> None:
@@ -109,7 +89,7 @@ def three_digits(count: int) -> str:
     return f"{size:.3g}{_UNITS[unit]}"
 
 
-def _badge(drawn: DrawnMap, centre: Point, count: int, paint: Paint) -> None:
+def _badge(drawn: DrawnMap, centre: complex, count: int, paint: Paint) -> None:
     """A disc with a number; its outline tells it from everything else on the map."""
     text = three_digits(count)
     size = SMALL if len(text) < 3 else SMALL * 2.4 / len(text)  # noqa: PLR2004  (as above)

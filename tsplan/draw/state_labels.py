@@ -8,18 +8,17 @@ is written, because a map with some of its names looks as if the other states ha
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from itertools import product
+from typing import NamedTuple
 
 from tsplan.draw.canvas import TEXT, TINY, text_size
-from tsplan.draw.text_placement import Box, Frame, Placement, Point
+from tsplan.draw.layout import Places
+from tsplan.draw.text_placement import Box, Frame, Placement
+from tsplan.ts import State, TransitionSystem
 from tsplan.words import visible
-
-if TYPE_CHECKING:
-    from tsplan.draw.layout import Places
-    from tsplan.ts import State, TransitionSystem
 
 MOST_LABELLED = 400
 """States above which nothing is written at them."""
@@ -37,7 +36,7 @@ class StateLabel:
     name: str
     words: str
     size: float
-    centre: Point
+    centre: complex
     labels: frozenset[str]
 
     @cached_property
@@ -61,96 +60,73 @@ class StateLabel:
         """The rectangle of the texts."""
         return Box.around(self.centre, self.width / 2 + 1, self.height / 2 + 0.5)
 
-    def lines(self) -> Iterator[tuple[str, float, Point]]:
+    def lines(self) -> Iterator[tuple[str, float, complex]]:
         """Each text with its size and its centre."""
-        x, top = self.centre[0], self.centre[1] + self.height / 2
+        top = self.centre + self.height / 2 * 1j
         for text, size in self.parts:
-            height = text_size(text, size)[1]
-            yield text, size, (x, top - height / 2)
+            height = text_size(text, size)[1] * 1j
+            yield text, size, top - height / 2
             top -= height
 
 
 def state_labels(system: TransitionSystem, where: Places, frame: Frame) -> Mapping[str, StateLabel]:
     """What is written at every state, empty where nothing is."""
-    nothing = {
-        name: StateLabel("", "", TEXT, frame.at(where[name]), frozenset()) for name in system.states
-    }
-    if len(system.states) > MOST_LABELLED:
-        return nothing
-    for kind in (_name_and_labels, _labels_alone):
-        for size in _SIZES:
-            found = _all_placed(system, where, frame, (kind, size))
+    at = {name: frame.at(where[name]) for name in system.states}
+    nothing = {name: StateLabel("", "", TEXT, at[name], frozenset()) for name in system.states}
+    if len(system.states) <= MOST_LABELLED:
+        for named, size in product((True, False), _SIZES):
+            found = _all_placed(system, at, frame, LabelStyle(named, size))
             if found is not None:
                 return nothing | found
     return nothing
 
 
-Kind = Callable[["State"], tuple[str, tuple[str, ...]]]
+class LabelStyle(NamedTuple):
+    """How all states are labelled: whether by their names too, and how large."""
 
-
-def _name_and_labels(state: State) -> tuple[str, tuple[str, ...]]:
-    return state.name, tuple(label for label in sorted(state.labels) if label != state.name)
-
-
-def _labels_alone(state: State) -> tuple[str, tuple[str, ...]]:
-    return "", tuple(sorted(state.labels))
+    named: bool
+    size: float
 
 
 def _all_placed(
-    system: TransitionSystem, where: Places, frame: Frame, how: tuple[Kind, float]
+    system: TransitionSystem, at: Mapping[str, complex], frame: Frame, style: LabelStyle
 ) -> dict[str, StateLabel] | None:
-    """The texts of one kind and size, or None if one of them does not fit."""
-    kind, size = how
-    taken = Placement(frame.page)
+    """The texts of one style, or None if one of them does not fit."""
+    free = Placement(frame.page)
     placed: dict[str, StateLabel] = {}
     for name, state in system.states.items():
         if not state.shape:
-            taken.take(Box.around(frame.at(where[name]), DOT / 2, DOT / 2))
+            free.take(Box.around(at[name], DOT / 2, DOT / 2))
     for name, state in system.states.items():
-        title, labels = kind(state)
-        if not title and not labels:
-            continue
-        possible = _possible(state, (title, labels), size, (frame, frame.at(where[name])))
-        label = next((label for label in possible if taken.free(label.box)), None)
-        if label is None:
-            return None
-        taken.take(label.box)
-        placed[name] = label
+        if style.named or state.labels:
+            options = _possible(state, style, at[name], frame)
+            label = free.first(options, lambda label: label.box)
+            if label is None:
+                return None
+            placed[name] = label
     return placed
 
 
 def _possible(
-    state: State, texts: tuple[str, tuple[str, ...]], size: float, place: tuple[Frame, Point]
+    state: State, style: LabelStyle, centre: complex, frame: Frame
 ) -> Iterator[StateLabel]:
     """What may be written: inside a state's shape, or around its dot, in one line or in more."""
-    (title, labels), (frame, centre) = texts, place
-    shown, listed = visible(title), [visible(label) for label in labels]
-    names = dict.fromkeys((shown, _folded(shown)))
-    words = dict.fromkeys((", ".join(listed), ",\n".join(listed)))
-    limit = _extent(state, frame)
-    seen = frozenset(labels) | ({title} & state.labels)
-    for name in names:
-        for word in words:
-            label = StateLabel(name, word, size, centre, seen)
-            if limit is None:
-                yield from _around(label)
-            elif label.width <= limit[0] and label.height <= limit[1]:
-                yield label
-
-
-def _extent(state: State, frame: Frame) -> tuple[float, float] | None:
-    """Width and height of a state's shape in points; None without one."""
-    if not state.shape:
-        return None
-    xs, ys = zip(*state.shape, strict=True)
-    return (max(xs) - min(xs)) * frame.scale - 4, (max(ys) - min(ys)) * frame.scale - 2
-
-
-def _around(label: StateLabel) -> Iterator[StateLabel]:
-    """The same below, above, right and left of a dot."""
-    (x, y), across, up = label.centre, label.width / 2 + DOT, label.height / 2 + DOT
-    for centre in ((x, y - up), (x, y + up), (x + across, y), (x - across, y)):
-        yield replace(label, centre=centre)
+    shown = visible(state.name) if style.named else ""
+    listed = [
+        visible(word) for word in sorted(state.labels) if not style.named or word != state.name
+    ]
+    for name in dict.fromkeys((shown, _folded(shown))):
+        for words in dict.fromkeys((", ".join(listed), ",\n".join(listed))):
+            label = StateLabel(name, words, style.size, centre, state.labels)
+            if state.shape:
+                xs, ys = zip(*state.shape, strict=True)
+                across, up = ((max(part) - min(part)) * frame.scale for part in (xs, ys))
+                if label.width <= across - 4 and label.height <= up - 2:
+                    yield label
+                continue
+            across, up = label.width / 2 + DOT, label.height / 2 + DOT
+            for shift in (-up * 1j, up * 1j, across, -across):  # below, above, right, left
+                yield replace(label, centre=centre + shift)
 
 
 def _folded(name: str) -> str:

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -34,12 +34,10 @@ from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Paint, paints
 from tsplan.draw.step_axes import name_rows, names_width, step_axes
 from tsplan.draw.tracks import MoveTuple, Track, tracks
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
+from tsplan.ts import TransitionSystem
 from tsplan.words import visible
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
-    from tsplan.ts import TransitionSystem
 
 _WIDTH = 7.5  # inches of the steps
 _LOWEST, _HIGHEST = 2.0, 8.5

@@ -1,21 +1,23 @@
-"""Where texts go: a text is placed where it hides no other, or not at all."""
+"""Where texts go: a text is placed where it hides no other, or not at all.
+
+A place on the page is a complex number, in points: across and up, so that ways are differences, and
+turning a way to its left is multiplying it by `1j`.
+"""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import Any, TypeAlias
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, NamedTuple, TypeVar
 
 from tsplan.draw.canvas import extent, settle, text_size
+from tsplan.draw.layout import Point
 
-Point: TypeAlias = tuple[float, float]
+T = TypeVar("T")
 
 _CELL = 40.0  # points; texts are looked up by the cells they touch
 
 
-@dataclass(frozen=True, slots=True)
-class Box:
+class Box(NamedTuple):
     """A rectangle in points."""
 
     left: float
@@ -24,32 +26,23 @@ class Box:
     top: float
 
     @classmethod
-    def around(cls, centre: Point, across: float, up: float) -> Box:
+    def around(cls, centre: complex, across: float, up: float) -> Box:
         """A rectangle by its centre and half its width and height."""
-        x, y = centre
+        x, y = centre.real, centre.imag
         return cls(x - across, y - up, x + across, y + up)
 
     def meets(self, other: Box) -> bool:
         """Whether two rectangles share any area."""
-        return (
-            self.left < other.right
-            and other.left < self.right
-            and self.bottom < other.top
-            and other.bottom < self.top
-        )
+        across = self.left < other.right and other.left < self.right
+        return across and self.bottom < other.top and other.bottom < self.top
 
     def inside(self, other: Box) -> bool:
         """Whether this rectangle lies within another one."""
-        return (
-            self.left >= other.left
-            and self.right <= other.right
-            and self.bottom >= other.bottom
-            and self.top <= other.top
-        )
+        across = self.left >= other.left and self.right <= other.right
+        return across and self.bottom >= other.bottom and self.top <= other.top
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+class Frame(NamedTuple):
     """How data coordinates lie on the page: `scale` points for one unit, the same both ways."""
 
     left: float
@@ -58,19 +51,19 @@ class Frame:
     top: float
     scale: float
 
-    def at(self, point: Point) -> Point:
-        """A point of the data in points of the page."""
-        return (point[0] - self.left) * self.scale, (point[1] - self.bottom) * self.scale
+    def at(self, point: Point) -> complex:
+        """A point of the data on the page."""
+        return complex(point[0] - self.left, point[1] - self.bottom) * self.scale
 
-    def back(self, point: Point) -> Point:
-        """A point of the page in data coordinates."""
-        return self.left + point[0] / self.scale, self.bottom + point[1] / self.scale
+    def back(self, place: complex) -> Point:
+        """A place on the page in data coordinates."""
+        return self.left + place.real / self.scale, self.bottom + place.imag / self.scale
 
     @property
     def page(self) -> Box:
         """The whole frame in points."""
-        width, height = self.right - self.left, self.top - self.bottom
-        return Box(0.0, 0.0, width * self.scale, height * self.scale)
+        corner = self.at((self.right, self.top))
+        return Box(0.0, 0.0, corner.real, corner.imag)
 
 
 def frame_of(ax: Any, box: tuple[float, float, float, float]) -> Frame:
@@ -82,8 +75,12 @@ def frame_of(ax: Any, box: tuple[float, float, float, float]) -> Frame:
     ax.axis("off")
     settle(ax.figure)
     width, height = extent(ax)
-    scale = min(width / (right - left), height / (top - bottom))
-    return Frame(left, bottom, right, top, scale)
+    return Frame(*box, min(width / (right - left), height / (top - bottom)))
+
+
+def direction(way: complex) -> complex:
+    """A step of length 1 along a way; none along a way of no length."""
+    return way / (abs(way) or 1.0)
 
 
 class Placement:
@@ -104,35 +101,22 @@ class Placement:
         for cell in _cells(box):
             self._taken.setdefault(cell, []).append(box)
 
-    def place(self, text: str, size: float, centres: Iterable[Point]) -> Point | None:
-        """The first of several centres where a text fits, then taken; None if there is none."""
-        for centre in centres:
-            box = text_box(text, size, centre)
+    def first(self, options: Iterable[T], box_of: Callable[[T], Box]) -> T | None:
+        """The first of several options whose box is free, which is then taken; None without."""
+        for option in options:
+            box = box_of(option)
             if self.free(box):
                 self.take(box)
-                return centre
+                return option
         return None
 
-
-def text_box(text: str, size: float, centre: Point) -> Box:
-    """The rectangle of a text around its centre, with a little air."""
-    width, height = text_size(text, size)
-    return Box.around(centre, width / 2 + 1, height / 2 + 0.5)
-
-
-def between(begin: Point, end: Point, share: float) -> Point:
-    """The point at a share of the way from one point to another."""
-    return begin[0] + (end[0] - begin[0]) * share, begin[1] + (end[1] - begin[1]) * share
+    def place(self, text: str, size: float, centres: Iterable[complex]) -> complex | None:
+        """The first of several centres where a text fits with a little air."""
+        width, height = text_size(text, size)
+        return self.first(centres, lambda at: Box.around(at, width / 2 + 1, height / 2 + 0.5))
 
 
-def direction(begin: Point, end: Point) -> tuple[Point, float]:
-    """A step of length 1 on the way from one point to another, and how long the way is."""
-    right, up = end[0] - begin[0], end[1] - begin[1]
-    length = math.hypot(right, up) or 1.0
-    return (right / length, up / length), length
-
-
-def _cells(box: Box) -> Iterable[tuple[int, int]]:
+def _cells(box: Box) -> Iterator[tuple[int, int]]:
     for x in range(int(box.left // _CELL), int(box.right // _CELL) + 1):
         for y in range(int(box.bottom // _CELL), int(box.top // _CELL) + 1):
             yield x, y

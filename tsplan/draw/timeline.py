@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -34,13 +34,11 @@ from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
 from tsplan.draw.step_axes import HALF, name_rows, names_width, step_axes
 from tsplan.draw.tracks import Track, agents_of, by_class, single, tracks
 from tsplan.errors import Finding, PlanError
+from tsplan.milp.model import Ints
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 from tsplan.plans.presence import interval_counts
 from tsplan.words import visible
-
-if TYPE_CHECKING:
-    from tsplan.milp.model import Ints
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
 
 MOST_AGENTS = 24
 """Agents up to which each has a row of its own."""

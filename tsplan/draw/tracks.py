@@ -11,18 +11,16 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from tsplan.checking.path_segments import read_path
 from tsplan.errors import Finding, PlanError
+from tsplan.mission import Mission
+from tsplan.plans.agent_plans import Bundle
+from tsplan.plans.moves import Move
+from tsplan.plans.plan import Plan
 from tsplan.plans.summary import names
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.agent_plans import Bundle
-    from tsplan.plans.moves import Move
-    from tsplan.plans.plan import Plan
-    from tsplan.ts import TransitionSystem
+from tsplan.ts import TransitionSystem
 
 MoveTuple: TypeAlias = tuple[int, str, str, int]
 """`(step, source, target, count)`: so many agents enter this edge at this step, waits included."""
@@ -68,6 +66,11 @@ class Track:
     def short(self) -> str:
         """The name with one run of agents at most, the others counted."""
         return names(self.ids, most=1) if self.ids else self.name
+
+    @property
+    def moves(self) -> bool:
+        """Whether they are ever at another state, or head for one."""
+        return len({stop.state for stop in self.stops}) > 1
 
     def present(self, time: float) -> bool:
         """Whether they are there: agents always are, parts of a swarm while they last."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import Picture, new_figure
@@ -19,10 +19,8 @@ from tsplan.draw.timeline import draw_timeline
 from tsplan.draw.timeline import height_of as timeline_height
 from tsplan.draw.tracks import tracks
 from tsplan.errors import Finding, InputError, nearest
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 
 View: TypeAlias = "Callable[[Plan, Mission, Any], Picture]"
 

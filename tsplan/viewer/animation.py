@@ -18,14 +18,13 @@ import numpy as np
 from tsplan.document.files import write_whole
 from tsplan.draw.matplotlib_loading import letters_lost, warned
 from tsplan.errors import Finding, InputError, TsplanError
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 from tsplan.viewer.browser import write_page
 from tsplan.viewer.scene import Pixels, Scene, Size
 
 if TYPE_CHECKING:
     from PIL.Image import Image
-
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
 
 LONGEST = 30.0
 """Seconds that an animation takes at most, unless the seconds of a step are given."""

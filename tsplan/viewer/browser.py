@@ -7,14 +7,11 @@ import re
 import tempfile
 import webbrowser
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from tsplan.document.files import write_whole
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 from tsplan.viewer.webpage import page
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
 
 
 def write_page(mission: Mission, plan: Plan, path: Path | None = None) -> Path:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 import numpy as np
 
@@ -14,7 +14,6 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
 from tsplan.explanation.why.witness_tree import meanings
 from tsplan.logic.atoms import OPPOSITE, Count
-from tsplan.logic.causes import Span
 from tsplan.logic.decision_time import decided_at, earliness
 from tsplan.logic.nodes import (
     Always,
@@ -30,11 +29,10 @@ from tsplan.logic.nodes import (
 )
 from tsplan.logic.obligations import START, Obligation, below, obligations
 from tsplan.logic.text import text_of
-
-if TYPE_CHECKING:
-    from tsplan.logic.traces import CountTrace, Floats
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
+from tsplan.logic.time_horizon import Span
+from tsplan.logic.traces import CountTrace, Floats
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 
 MOST_PARTS = 300
 """Rows of a formula; what lies below them is summed up in the last ones."""

@@ -6,7 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from tsplan.draw.text_placement import Point, between, direction
+from tsplan.draw.layout import Point
+from tsplan.draw.text_placement import direction
 from tsplan.draw.tracks import Track, Whereabouts
 from tsplan.viewer.positions import slot_points
 
@@ -62,7 +63,7 @@ def markers(found: Iterable[Track], ground: Ground, time: float) -> Markers:
             drawn.marks.setdefault(track.class_name, []).extend(_marks(track, where, ground))
     for (class_name, where), agents in convoys.items():
         if agents > ground.most:
-            drawn.numbers.append((class_name, agents, point(where, ground)))
+            drawn.numbers.append((class_name, agents, _pair(_middle(where, ground))))
     for state, classes in staffing.items():
         if drawn.counts[state] > ground.most:
             drawn.numbers += _stacked(classes, ground.places[state], ground)
@@ -79,26 +80,26 @@ def _convoy(track: Track, where: Whereabouts) -> tuple[str, Whereabouts]:
 
 def _marks(track: Track, where: Whereabouts, ground: Ground) -> list[Point]:
     """A point for each agent: its slots, or on the way from the one to the other."""
-    x, y = point(where, ground)
     slots = slot_points()
     made = []
     for number in range(track.count):
         begin, end = (
             slots[min(len(slots) - 1, stop.slot + number)] for stop in (where.source, where.target)
         )
-        dx, dy = between(begin, end, where.share)
-        made.append((x + dx * ground.distance, y - dy * ground.distance))
+        shift = (begin + (end - begin) * where.share).conjugate() * ground.distance
+        made.append(_pair(_middle(where, ground) + shift))
     return made
 
 
-def point(where: Whereabouts, ground: Ground) -> Point:
+def _middle(where: Whereabouts, ground: Ground) -> complex:
     """The middle of a group: at its state, or on the right of its edge."""
-    ends = ground.places[where.source.state], ground.places[where.target.state]
-    share = where.share
-    x, y = between(*ends, share)
-    right, up = direction(*ends)[0]
-    aside = ASIDE * ground.radius * min(1.0, 6 * share, 6 * (1 - share))
-    return x + up * aside, y - right * aside
+    begin, end = (complex(*ground.places[s.state]) for s in (where.source, where.target))
+    aside = ASIDE * ground.radius * min(1.0, 6 * where.share, 6 * (1 - where.share))
+    return begin + (end - begin) * where.share - 1j * direction(end - begin) * aside
+
+
+def _pair(place: complex) -> Point:
+    return place.real, place.imag
 
 
 def _stacked(classes: Counter[str], at: Point, ground: Ground) -> list[tuple[str, int, Point]]:

@@ -5,22 +5,19 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from itertools import chain
-from typing import TYPE_CHECKING
 
 from tsplan.draw.palette import HUES, PLAIN, Paint
 from tsplan.draw.text_placement import Box, Placement
 from tsplan.draw.timeline import keys_of, path_rows, rows_of
 from tsplan.draw.tracks import agents_of, tracks
+from tsplan.logic.nodes import Formula
 from tsplan.logic.text import operator_text
+from tsplan.plans.plan import Plan
 from tsplan.plans.summary import infinite_word, objective_line, outcome
+from tsplan.ts import TransitionSystem
 from tsplan.viewer import svg
 from tsplan.viewer.page_data import Json, map_data
 from tsplan.words import number
-
-if TYPE_CHECKING:
-    from tsplan.logic.nodes import Formula
-    from tsplan.plans.plan import Plan
-    from tsplan.ts import TransitionSystem
 
 MOST_STATES = 3000
 """States of a map that is drawn; a larger one shows only its size."""

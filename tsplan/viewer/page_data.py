@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.layout import links, places
-from tsplan.draw.palette import PLAIN, Paint, Palette
+from tsplan.draw.palette import PLAIN, Paint, Palette, classes_of
 from tsplan.draw.tracks import Track, tracks
-from tsplan.plans.plan import ObjectiveValue
+from tsplan.mission import Mission
+from tsplan.plans.plan import ObjectiveValue, Plan
 from tsplan.plans.summary import infinite_word, objective_line, outcome
+from tsplan.ts import State, TransitionSystem
 from tsplan.viewer.formula_rows import Part, formula_parts
 from tsplan.viewer.positions import with_slots
 from tsplan.words import number
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
-    from tsplan.ts import State, TransitionSystem
 
 Json: TypeAlias = dict[str, Any]
 
@@ -35,8 +31,8 @@ def page_data(mission: Mission, plan: Plan) -> Json:
     system = mission.system
     moving = with_slots(tracks(plan, mission, moving=True))
     places_of = {state: place for place, state in enumerate(system.states)}
-    classes = _classes(mission)
-    kind = {entry["name"]: place for place, entry in enumerate(classes)}
+    paints = Palette.of(mission).classes
+    kind = {name: place for place, name in enumerate(paints)}
     named = sum(track.count for track in moving) <= MOST_IDS
     endless = infinite_word(plan)
     return {
@@ -48,7 +44,16 @@ def page_data(mission: Mission, plan: Plan) -> Json:
         ],
         "horizon": plan.horizon,
         "map": map_data(system),
-        "classes": classes,
+        "classes": [
+            {
+                "name": name,
+                "capabilities": list(group.capabilities),
+                "agents": group.agents,
+                "color": paints[name].colour,
+                "mark": kind[name],
+            }
+            for name, group in classes_of(mission).items()
+        ],
         "tracks": [
             {
                 "class": kind[track.class_name],
@@ -133,26 +138,3 @@ def span_words(spans: tuple[tuple[int, int], ...]) -> str:
     if first == last:
         return str(first)
     return f"{first}\u2013{last}" if len(spans) == 1 else f"{first}\u2026{last}"
-
-
-def _classes(mission: Mission) -> list[Json]:
-    able = {group.class_name: sorted(group.capabilities) for group in mission.team}
-    agents = class_sizes(mission)
-    return [
-        {
-            "name": name,
-            "capabilities": able[name],
-            "agents": agents[name],
-            "color": paint.colour,
-            "mark": place,
-        }
-        for place, (name, paint) in enumerate(Palette.of(mission).classes.items())
-    ]
-
-
-def class_sizes(mission: Mission) -> Counter[str]:
-    """How many agents each class of the team has."""
-    agents: Counter[str] = Counter()
-    for group in mission.team:
-        agents[group.class_name] += group.count
-    return agents

@@ -6,6 +6,7 @@ give each one a place of its own and keep it there for the whole stay.
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections import defaultdict
 from collections.abc import Sequence
@@ -17,7 +18,7 @@ from tsplan.draw.tracks import Track
 MOST_SLOTS = 127
 """Agents at one state that get a place of their own; more are shown as a number anyway."""
 
-_SIDES = tuple((math.cos(turn * math.pi / 3), math.sin(turn * math.pi / 3)) for turn in range(2, 8))
+_SIDES = tuple(cmath.rect(1, turn * math.pi / 3) for turn in range(2, 8))
 
 
 def with_slots(found: Sequence[Track]) -> tuple[Track, ...]:
@@ -50,21 +51,20 @@ def _free(taken: Sequence[tuple[int, int, int]], wanted: int) -> int:
 
 
 @cache
-def slot_points(most: int = MOST_SLOTS) -> tuple[tuple[float, float], ...]:
+def slot_points(most: int = MOST_SLOTS) -> tuple[complex, ...]:
     """The places of slots in units of their distance: a middle and hexagonal rings around it.
 
-    >>> [(round(x, 2), round(y, 2)) for x, y in slot_points()[:3]]
-    [(0.0, 0.0), (1.0, 0.0), (0.5, 0.87)]
+    >>> [complex(round(at.real, 2), round(at.imag, 2)) for at in slot_points()[:3]]
+    [0j, (1+0j), (0.5+0.87j)]
     """
-    points = [(0.0, 0.0)]
-    ring = 1
-    while len(points) < most:
-        x, y = float(ring), 0.0
-        for dx, dy in _SIDES:
-            for _ in range(ring):
-                points.append((x, y))
-                x, y = x + dx, y + dy
-        ring += 1
+    points = [0j]
+    for ring in range(1, most):
+        at = complex(ring)
+        for side in _SIDES:
+            points += (at + side * step for step in range(ring))
+            at += side * ring
+        if len(points) >= most:
+            break
     return tuple(points[:most])
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -16,17 +16,14 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import POINTS, figure_class
 from tsplan.draw.map import DrawnMap, base, finish
 from tsplan.draw.matplotlib_loading import lacking, library
-from tsplan.draw.palette import Palette
+from tsplan.draw.palette import Palette, classes_of
 from tsplan.draw.tracks import tracks
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 from tsplan.viewer.formula_rows import formula_parts
 from tsplan.viewer.markers import Ground, Markers, markers
-from tsplan.viewer.page_data import class_sizes
 from tsplan.viewer.positions import slots_within, with_slots
 from tsplan.viewer.status_panel import LegendLine, StatusPanel
-
-if TYPE_CHECKING:
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
 
 Pixels: TypeAlias = npt.NDArray[np.uint8]
 Size: TypeAlias = tuple[int, int]
@@ -65,8 +62,8 @@ class Scene:
         title = plan.mission.name or mission.system.name
         panel = StatusPanel(self._figure, (title, plan.horizon), _SHARE)
         panel.show(formula_parts(mission, plan))
-        sizes = class_sizes(mission)
-        classes = [(f"{sizes[name]:,} {name}", *look) for name, look in self._looks.items()]
+        sizes = ((name, group.agents) for name, group in classes_of(mission).items())
+        classes = [(f"{agents:,} {name}", *self._looks[name]) for name, agents in sizes]
         panel.legend([*classes, *self._map_legend()])
         self._panel = panel
         with lacking() as self.letters:
@@ -103,7 +100,7 @@ class Scene:
         radius = min(7.0, max(2.4, room * 0.09))
         for name, label in drawn.labels.items():
             if label.parts:  # agents stand below what is written on their state, but in its shape
-                middle = drawn.frame.at(drawn.where[name])[1]
+                middle = drawn.frame.at(drawn.where[name]).imag
                 written = max(middle - label.box.bottom, 0.0) * DOTS / POINTS
                 shape = self._dots(mission.system.states[name].shape or ())
                 floor = min((y for _, y in shape), default=-math.inf) + 1.3 * radius

@@ -11,19 +11,16 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64encode
+from collections.abc import Mapping
 from functools import cache
 from hashlib import sha256
 from importlib.resources import files
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
 from tsplan.viewer.page_data import page_data
 from tsplan.words import visible
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
 
 _SCRIPTS = (
     "paint",
