@@ -169,3 +169,11 @@ def test_a_swarm_without_paths_has_a_timeline_of_its_groups(mission, plan):
     alone = Plan("feasible", plan.mission, 4, "gap", moves={"drone": MOVES}, groups=plan.groups)
     _, ax = alone.plot(mission, view="timeline")
     assert rows(ax) == ["drone (400)", "drone (800)", "drone (100)", "drone (300)"]
+
+
+def test_the_requirements_count_robots_and_swarms(mission, plan):
+    counts = {row.label: row.counts.tolist() for row in plan.requirements(mission)}
+    assert counts == {REEF: [0, 0, 800, 800, 1100], HOME: [1, 1, 2, 1, 1]}
+    rows = {part["heading"]: part for part in page_data(mission, plan)["formula"][1:]}
+    assert [part["settled"] for part in rows.values()] == [((4, 1),), ((2, 1),)]
+    assert all(part["failed"] is None for part in rows.values())

@@ -15,15 +15,11 @@ Picture: TypeAlias = "tuple[Any, Any]"
 
 TEXT = 8.0
 """Points of ordinary text; `SMALL` of marks, `TINY` of the least that can be read."""
-SMALL = 6.5
-TINY = 5.0
+SMALL, TINY = 6.5, 5.0
 
-LINE = "#8c8c8c"
-DARK = "#333333"
-WHITE = "#ffffff"
+LINE, DARK, WHITE = "#8c8c8c", "#333333", "#ffffff"
 
 POINTS = 72.0  # points of an inch
-
 
 _LARGE = 100.0  # points, at which letters are measured
 _FIXED = 65536.0  # one in the font library's fixed-point numbers
@@ -138,12 +134,12 @@ def legend_width(entries: Sequence[Entry], height: float) -> float:
     if not entries:
         return 0.0
     widest = max(text_size(shortened(entry.words, _LONGEST), SMALL)[0] for entry in entries)
-    columns = -(-len(entries) // _legend_rows(height))
+    columns = -(-len(entries) // _legend_rows(height * POINTS))
     return columns * (widest + 4.5 * SMALL) / POINTS + 0.1
 
 
-def _legend_rows(height: float) -> int:
-    return max(4, int(height * POINTS / (1.7 * SMALL)) - 1)
+def _legend_rows(points: float) -> int:
+    return max(4, int(points / (1.7 * SMALL)) - 1)
 
 
 def legend_beside(ax: Any, entries: Sequence[Entry], gap: float = 0.0) -> None:
@@ -153,22 +149,14 @@ def legend_beside(ax: Any, entries: Sequence[Entry], gap: float = 0.0) -> None:
     """
     if not entries:
         return
-    shift = library("transforms").ScaledTranslation
-    rows = _legend_rows(ax.get_window_extent().height / ax.figure.dpi)
-    legend = ax.legend(
-        handles=[entry.handle for entry in entries],
-        # matplotlib leaves out words that begin with an underscore, so the words are set below
-        labels=["?"] * len(entries),
-        fontsize=SMALL,
-        loc="upper left",
-        bbox_to_anchor=(1.0, 1.0),
-        bbox_transform=ax.transAxes + shift(gap + 0.08, 0, ax.figure.dpi_scale_trans),
-        borderaxespad=0.0,
-        frameon=False,
-        ncols=-(-len(entries) // rows),
-        handlelength=2.0,
-        alignment="left",
-    )
+    shift = library("transforms").ScaledTranslation(gap + 0.08, 0, ax.figure.dpi_scale_trans)
+    rows = _legend_rows(extent(ax)[1])
+    place = {"loc": "upper left", "bbox_to_anchor": (1, 1), "bbox_transform": ax.transAxes + shift}
+    look = {"frameon": False, "borderaxespad": 0.0, "handlelength": 2.0, "alignment": "left"}
+    # matplotlib leaves out words that begin with an underscore, so the words are set below
+    names, columns = ["?"] * len(entries), -(-len(entries) // rows)
+    handles = [entry.handle for entry in entries]
+    legend = ax.legend(handles, names, fontsize=SMALL, ncols=columns, **place, **look)
     for text, entry in zip(legend.get_texts(), entries, strict=True):
         text.set_text(plain(shortened(entry.words, _LONGEST)))
 

@@ -8,23 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from tsplan.draw.canvas import (
-    DARK,
-    LINE,
-    SMALL,
-    WHITE,
-    Entry,
-    Picture,
-    add_collection,
-    area,
-    axes,
-    cut_entries,
-    halo,
-    legend_beside,
-    legend_width,
-    plain,
-    set_title,
-)
+from tsplan.draw import canvas
+from tsplan.draw.canvas import DARK, LINE, SMALL, WHITE, Entry, Picture
 from tsplan.draw.layout import Places, Point, bounds, links, places, spacing
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Palette
@@ -70,7 +55,7 @@ class DrawnMap:
         """Write a text around a place of the page."""
         usual = {"color": DARK, "zorder": 6, "in_layout": False, "linespacing": 1.15}
         look = {"ha": "center", "va": "center", "fontsize": size, **usual, **style}
-        self.ax.text(*self.frame.back(centre), plain(text), **look)
+        self.ax.text(*self.frame.back(centre), canvas.plain(text), **look)
 
     def write_free(self, text: str, centres: Iterable[complex], size: float, **style: Any) -> None:
         """Write a text around the first of several places where it hides nothing, if any."""
@@ -85,10 +70,7 @@ def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:
     Edges that exist in one direction only have an arrow head. What has no room is left out, least
     important first: durations, names, labels; labels that cannot be written go to a legend.
     """
-    drawn = base(Palette(system), ax, ())
-    finish(drawn)
-    set_title(drawn.ax, system.name)
-    return drawn.figure, drawn.ax
+    return finish(base(Palette(system), ax, ()), system.name)
 
 
 def draw_mission(mission: Mission, ax: Any = None) -> Picture:
@@ -98,9 +80,7 @@ def draw_mission(mission: Mission, ax: Any = None) -> Picture:
     palette = Palette.of(mission)
     drawn = base(palette, ax, class_entries(mission, palette))
     draw_starts(drawn, mission, palette.classes)
-    finish(drawn)
-    set_title(drawn.ax, mission.name or mission.system.name)
-    return drawn.figure, drawn.ax
+    return finish(drawn, mission.name or mission.system.name)
 
 
 def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> DrawnMap:
@@ -110,10 +90,10 @@ def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> DrawnMap:
     box = _box(system, where)
     tall = height_of(system)
     known = [*entries, *_unmarked(system)]
-    figure, ax = axes(ax, WIDTH + legend_width(known, tall - _TITLE), tall)
+    figure, ax = canvas.axes(ax, WIDTH + canvas.legend_width(known, tall - _TITLE), tall)
     frame = frame_of(ax, box)
     chosen = state_labels(system, where, frame)
-    legend_beside(ax, [*known, *_unwritten(palette, chosen)])
+    canvas.legend_beside(ax, [*known, *_unwritten(palette, chosen)])
     frame = frame_of(ax, box)
     chosen = state_labels(system, where, frame)
     free = Placement(frame.page)
@@ -132,17 +112,17 @@ def height_of(system: TransitionSystem) -> float:
     return min(max(WIDTH * ratio, _LOWEST), _HIGHEST) + _TITLE
 
 
-def finish(drawn: DrawnMap, used: Collection[tuple[str, str]] = ()) -> None:
-    """Write what comes last, where there is still room: the durations of edges not `used`."""
-    if drawn.dense:
-        return
+def finish(drawn: DrawnMap, title: str, used: Collection[tuple[str, str]] = ()) -> Picture:
+    """Write what comes last: the title, and durations of edges not `used` where there is room."""
     usual = usual_duration(drawn.system)
-    for source, target, _, text in links(drawn.system):
+    for source, target, _, text in () if drawn.dense else links(drawn.system):
         if text == usual or (source, target) in used or (target, source) in used:
             continue
         begin, end = map(drawn.frame.at, drawn.line(source, target))
         centres = [begin + (end - begin) * share for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
-        drawn.write_free(text, centres, SMALL, color="#666666", bbox=halo(), zorder=5)
+        drawn.write_free(text, centres, SMALL, color="#666666", bbox=canvas.halo(), zorder=5)
+    canvas.set_title(drawn.ax, title)
+    return drawn.figure, drawn.ax
 
 
 def _box(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:
@@ -158,8 +138,8 @@ def _unwritten(palette: Palette, chosen: Mapping[str, StateLabel]) -> list[Entry
     """What the colours stand for, for labels that are not written on the map."""
     written = frozenset().union(*(label.labels for label in chosen.values()))
     labels = [label for label in palette.system.labels if label not in written]
-    shown = [Entry.patch(label, **area(palette.labels[label])) for label in labels]
-    return cut_entries(shown, _MOST_LABELS, " labels")
+    shown = [Entry.patch(label, **canvas.area(palette.labels[label])) for label in labels]
+    return canvas.cut_entries(shown, _MOST_LABELS, " labels")
 
 
 def _unmarked(system: TransitionSystem) -> list[Entry]:
@@ -197,7 +177,7 @@ def _draw_edges(drawn: DrawnMap) -> None:
         found = (drawn.line(*ends) for *ends, one_way, _ in links(drawn.system) if one_way == kind)
         lines = [(begin, end) for begin, end in found if begin != end]
         gid = "one-way edges" if kind else "edges"
-        add_collection(drawn.ax, "LineCollection", lines, gid=gid, **style)
+        canvas.add_collection(drawn.ax, "LineCollection", lines, gid=gid, **style)
         if kind and not drawn.dense:
             arrow_heads(drawn, lines, 0.62, (LINE, 4.5))
 
@@ -218,7 +198,7 @@ def arrow_heads(
         corners = middle + along / 2, middle - along / 2 + left, middle - along / 2 - left
         triangles.append([drawn.frame.back(corner) for corner in corners])
     style: dict[str, Any] = {"facecolors": colour, "linewidths": 0, "zorder": 4, "gid": "heads"}
-    add_collection(drawn.ax, "PolyCollection", triangles, **style)
+    canvas.add_collection(drawn.ax, "PolyCollection", triangles, **style)
 
 
 def _draw_dots(drawn: DrawnMap) -> None:
@@ -241,6 +221,6 @@ def _draw_labels(drawn: DrawnMap) -> None:
         ground = drawn.palette.states[name].pale if shaped else WHITE
         for place, (text, size, centre) in enumerate(label.lines()):
             style = {} if place == 0 and label.name else {"style": "italic", "color": "#555555"}
-            drawn.write(text, centre, size, bbox=halo(ground), **style)
+            drawn.write(text, centre, size, bbox=canvas.halo(ground), **style)
         if label.parts:
             drawn.placement.take(label.box)

@@ -21,17 +21,10 @@ from tsplan.draw.colours import colour_of, ink_on, mixed
 from tsplan.mission import Mission
 from tsplan.ts import TransitionSystem
 
-HUES = (
-    "#7753bf",
-    "#ed6915",
-    "#843b65",
-    "#bac268",
-    "#4d895a",
-    "#9be1af",
-    "#384801",
-    "#f37fbd",
-)
+HUES = ["#7753bf", "#ed6915", "#843b65", "#bac268", "#4d895a", "#9be1af", "#384801", "#f37fbd"]
 """Colours in the order in which they are given out: neighbours differ much in lightness."""
+
+_ENDWISE = HUES[::-1]
 
 HATCHES = ("", "..", "xx", "||", "oo", "++")
 """Hatches, in matplotlib's letters, of the first eight names, the next eight, ..."""
@@ -115,12 +108,10 @@ def classes_of(mission: Mission) -> dict[str, TeamClass]:
 class Palette:
     """All paints of one map and team.
 
-    Labels take the hues from the other end than classes, so that few of each never look
-    alike.
-
-    Labels and classes are painted in the order in which the map and the team name
-    them. A state has the colour that the map gives it, or that one of its labels names; else its
-    labels' paint: states with the same labels look the same.
+    Labels and classes are painted in the order in which the map and the team name them, labels with
+    the hues from the other end, so that few of each never look alike. A state has the colour that
+    the map gives it, or that one of its labels names; else its labels' paint: states with the same
+    labels look the same.
     """
 
     system: TransitionSystem
@@ -144,32 +135,20 @@ class Palette:
             for name, state in reversed(tuple(self.system.states.items()))
             if len(state.labels) == 1
         }
-        return MappingProxyType(dict(paints(self.system.labels, HUES[::-1])) | alone)
+        return MappingProxyType(dict(paints(self.system.labels, _ENDWISE)) | alone)
 
     @cached_property
     def states(self) -> Mapping[str, Paint]:
         """A paint for each state."""
-        kinds = (
-            ", ".join(sorted(state.labels))
-            for name, state in self.system.states.items()
-            if state.labels and name not in self._own
-        )
-        by_labels = paints(kinds, HUES[::-1])
+        kinds = {name: ", ".join(sorted(s.labels)) for name, s in self.system.states.items()}
+        own = {name: paint for name in kinds if (paint := self._own(name)) is not None}
+        given = paints((kinds[name] for name in kinds if kinds[name] and name not in own), _ENDWISE)
         return MappingProxyType(
-            {
-                name: self._own.get(name) or by_labels.get(", ".join(sorted(state.labels)), PLAIN)
-                for name, state in self.system.states.items()
-            }
+            {name: own.get(name) or given.get(kind, PLAIN) for name, kind in kinds.items()}
         )
 
-    @cached_property
-    def _own(self) -> Mapping[str, Paint]:
-        """States whose colour the map names, or one of their labels."""
-        found = {}
-        for name, state in self.system.states.items():
-            for word in (state.color, *sorted(state.labels)):
-                colour = colour_of(word)
-                if colour is not None:
-                    found[name] = Paint(colour)
-                    break
-        return found
+    def _own(self, name: str) -> Paint | None:
+        """The colour that the map names for a state, or one of its labels; None without any."""
+        state = self.system.states[name]
+        words = map(colour_of, (state.color, *sorted(state.labels)))
+        return next((Paint(colour) for colour in words if colour is not None), None)

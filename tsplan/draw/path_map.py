@@ -14,16 +14,8 @@ from itertools import pairwise
 from typing import Any
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.draw.canvas import (
-    DARK,
-    TINY,
-    WHITE,
-    Entry,
-    Picture,
-    add_collection,
-    set_title,
-    text_size,
-)
+from tsplan.draw import canvas
+from tsplan.draw.canvas import DARK, TINY, WHITE, Entry, Picture
 from tsplan.draw.colours import lightness, mixed
 from tsplan.draw.map import DrawnMap, arrow_heads, base, finish
 from tsplan.draw.palette import HUES, STROKES, Paint, Palette, paints
@@ -89,9 +81,7 @@ def draw_paths(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
         _draw_strand(drawn, strand, [_shift(lanes[pair], number) for pair in strand.passages])
     if not joined and not drawn.dense:
         _mark_arrivals(drawn, strands, lanes)
-    finish(drawn, lanes)
-    set_title(drawn.ax, f"{plan.mission.name or mission.name}: paths")
-    return drawn.figure, drawn.ax
+    return finish(drawn, f"{plan.mission.name or mission.name}: paths", lanes)
 
 
 def strands_of(
@@ -183,7 +173,7 @@ def _draw_strand(drawn: DrawnMap, strand: Strand, shifts: Sequence[float]) -> No
         layers.insert(0, ("#808080", 0.6, 3.9))
     for colour, more, layer in layers:
         style |= {"colors": colour, "linewidths": [width + more for width in widths]}
-        add_collection(drawn.ax, "LineCollection", lines, zorder=layer, **style)
+        canvas.add_collection(drawn.ax, "LineCollection", lines, zorder=layer, **style)
     if not drawn.dense:
         head = max(_HEAD, 2.0 * max(widths, default=0.0))
         arrow_heads(drawn, lines, 0.93, (strand.paint.colour, head))
@@ -215,7 +205,7 @@ def _beside(drawn: DrawnMap, pair: Pair, outermost: float, text: str) -> Iterato
     """Places for a mark: outside all lanes of the way, nearest to the arrival first."""
     start, goal = map(drawn.frame.at, drawn.line(*pair))
     along = direction(goal - start)
-    width, height = text_size(text, _TEXT)
+    width, height = canvas.text_size(text, _TEXT)
     # half of the text, seen across the way
     reach = (width * abs(along.imag) + height * abs(along.real)) / 2
     for more in (1.0, 5.0):

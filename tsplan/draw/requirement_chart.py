@@ -13,17 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from tsplan.draw.canvas import (
-    DARK,
-    LINE,
-    POINTS,
-    SMALL,
-    Entry,
-    Picture,
-    settle,
-    shortened,
-    text_size,
-)
+from tsplan.draw import canvas
+from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import BAD, GOOD
 from tsplan.draw.step_axes import name_rows, step_axes
@@ -51,8 +42,8 @@ def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     """
     every = plan.requirements(mission)
     rows = shown_rows(every)
-    words = [shortened(row.title, _LONGEST) for row in rows]
-    left = max((text_size(word, SMALL)[0] for word in words), default=0.0) / POINTS
+    words = [canvas.shortened(row.title, _LONGEST) for row in rows]
+    left = max((canvas.text_size(word, SMALL)[0] for word in words), default=0.0) / POINTS
     beside = max((_beside(row)[2] for row in rows), default=0.0)
     inches = _WIDTH + left + beside, height_of(rows)
     figure, ax = step_axes(ax, plan.horizon, inches, _entries(rows), beside)
@@ -61,7 +52,7 @@ def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     more = f" ({hidden} more with agents to spare)" if hidden else ""
     title = f"{plan.mission.name or mission.name}: count against need{more}"
     name_rows(ax, [place + 0.55 for place in range(len(rows))], words, title)
-    settle(figure)
+    canvas.settle(figure)
     for place, row in enumerate(rows):
         _draw_row(ax, place, row)
     return figure, ax
@@ -137,7 +128,7 @@ def _beside(row: Requirement) -> tuple[str, str, float]:
     else:
         words = f"{number(spare)} to spare" if spare >= 0 else f"{number(-spare)} missing"
     most = f"peak {row.counts.max()}"
-    wide = max(text_size(text, SMALL)[0] for text in (words, most))
+    wide = max(canvas.text_size(text, SMALL)[0] for text in (words, most))
     return words, most, wide / POINTS + 0.1
 
 

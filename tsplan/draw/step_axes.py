@@ -5,19 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from tsplan.draw.canvas import (
-    POINTS,
-    SMALL,
-    Entry,
-    Picture,
-    axes,
-    legend_beside,
-    legend_width,
-    plain,
-    set_title,
-    shortened,
-    text_size,
-)
+from tsplan.draw import canvas
+from tsplan.draw.canvas import POINTS, SMALL, Entry, Picture
 from tsplan.draw.matplotlib_loading import library
 
 REST = 0.75
@@ -28,7 +17,11 @@ HALF = 0.5
 
 
 def step_axes(
-    ax: Any, horizon: int, inches: tuple[float, float], entries: Sequence[Entry], beside: float = 0
+    ax: Any,
+    horizon: int,
+    inches: tuple[float, float],
+    entries: Sequence[Entry],
+    beside: float = 0,
 ) -> Picture:
     """Axes of steps 0..horizon, with no frame but the axis of the steps, and their legend.
 
@@ -36,7 +29,7 @@ def step_axes(
     the width lie between the axes and the legend.
     """
     across, tall = inches
-    figure, ax = axes(ax, across + legend_width(entries, tall), tall + REST)
+    figure, ax = canvas.axes(ax, across + canvas.legend_width(entries, tall), tall + REST)
     ax.set_xlim(-HALF, horizon + HALF)
     ax.xaxis.set_major_locator(library("ticker").MaxNLocator(nbins=14, integer=True))
     ax.tick_params(axis="x", labelsize=SMALL, length=2.5, width=0.6)
@@ -44,7 +37,7 @@ def step_axes(
     for side in ("top", "right", "left"):
         ax.spines[side].set_visible(False)
     ax.spines["bottom"].set_linewidth(0.6)
-    legend_beside(ax, entries, beside)
+    canvas.legend_beside(ax, entries, beside)
     return figure, ax
 
 
@@ -52,11 +45,13 @@ def name_rows(
     ax: Any, middles: Sequence[float], words: Sequence[str], title: str, size: float = SMALL
 ) -> None:
     """The names of the rows at their middles, without marks, and the title above them all."""
-    ax.set_yticks(middles, [plain(word) for word in words], fontsize=size)
+    ax.set_yticks(middles, [canvas.plain(word) for word in words], fontsize=size)
     ax.tick_params(axis="y", length=0)
-    set_title(ax, title)
+    canvas.set_title(ax, title)
 
 
 def names_width(words: Sequence[str], longest: int) -> float:
     """Inches that the names of rows take beside the axes, shortened to a number of characters."""
-    return max(text_size(shortened(w, longest), SMALL)[0] for w in words) / POINTS + 0.2
+    return (
+        max(canvas.text_size(canvas.shortened(w, longest), SMALL)[0] for w in words) / POINTS + 0.2
+    )

@@ -7,33 +7,21 @@ their own, and bands that arrive together are one stack again. Moves are paler t
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from operator import attrgetter
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.draw.canvas import (
-    DARK,
-    LINE,
-    SMALL,
-    TINY,
-    WHITE,
-    Entry,
-    Picture,
-    add_collection,
-    extent,
-    halo,
-    settle,
-    shortened,
-    text_size,
-)
+from tsplan.draw import canvas
+from tsplan.draw.canvas import DARK, LINE, SMALL, TINY, Entry, Picture
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Paint, paints
 from tsplan.draw.step_axes import name_rows, names_width, step_axes
-from tsplan.draw.tracks import MoveTuple, Track, tracks
+from tsplan.draw.tracks import MoveTuple, Track, by_class, tracks
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.ts import TransitionSystem
@@ -52,6 +40,8 @@ _STAY, _MOVE = 1.0, 0.55  # opacity
 _MOST_ORDERED = 400  # states up to which the rows are ordered by the flow
 
 Node: TypeAlias = tuple[str, int]
+
+_SOURCE, _TARGET = attrgetter("source"), attrgetter("target")
 
 
 @dataclass(frozen=True)
@@ -100,14 +90,14 @@ def draw_flows(
     figure, ax = step_axes(ax, horizon, inches, _entries(given) if len(given) > 1 else [])
     ax.set_xlim(0, horizon or 1)
     ax.set_ylim(whole, 0)
-    size = min(SMALL, extent(ax)[1] / len(order) / 1.15)
+    size = min(SMALL, canvas.extent(ax)[1] / len(order) / 1.15)
     named = size >= TINY  # all names or none
-    words = [shortened(state, _LONGEST) for state in order]
+    words = [canvas.shortened(state, _LONGEST) for state in order]
     title = f"{name or system.name}: who splits and merges where"
     name_rows(ax, middles if named else (), words if named else (), title, size)
     if not named:
         ax.set_ylabel(f"{len(order):,} states", fontsize=SMALL)
-    settle(figure)
+    canvas.settle(figure)
     for class_name, paint in given.items():
         _draw_bands(ax, [b for b in bands if b.class_name == class_name], feet, paint)
     _write_counts(ax, (sizes, _changed(bands, sizes)), feet, horizon)
@@ -116,16 +106,14 @@ def draw_flows(
 
 def flows_of(plan: Plan) -> dict[str, tuple[MoveTuple, ...]]:
     """The flows of a plan by class: the moves of swarms, and those of all other agents' stays."""
-    counted: dict[str, Counter[tuple[int, str, str]]] = {}
-    for track in tracks(plan):
-        counter = counted.setdefault(track.class_name, Counter())
-        for step, source, target in _uses(track):
-            if step < plan.horizon:
-                counter[step, source, target] += track.count
-    flows: dict[str, tuple[MoveTuple, ...]] = {
-        name: tuple((*use, count) for use, count in sorted(counter.items()))
-        for name, counter in counted.items()
-    }
+    flows: dict[str, tuple[MoveTuple, ...]] = {}
+    for name, group in by_class(tracks(plan)).items():
+        counts: Counter[tuple[int, str, str]] = Counter()
+        for track in group:
+            for use in _uses(track):
+                counts[use] += track.count
+        inside = sorted(use for use in counts if use[0] < plan.horizon)
+        flows[name] = tuple((*use, counts[use]) for use in inside)
     return flows | dict[str, tuple[MoveTuple, ...]](plan.moves)
 
 
@@ -144,33 +132,21 @@ def bands_of(
 
     Bands of one class lie together, so that a class is one piece of every stack.
     """
-    bare = [
-        Band(
-            name, (source, step), (target, step + _duration(system, name, (source, target))), count
-        )
-        for name, moves in flows.items()
-        for step, source, target, count in moves
-    ]
+    bare = []
+    for name, moves in flows.items():
+        for step, source, target, count in moves:
+            edge = system.edges.get((source, target))
+            arrival = step + ((edge.duration_for(name) if edge else None) or 1)
+            bare.append(Band(name, (source, step), (target, arrival), count))
     rank = {state: number for number, state in enumerate(row_order(bare))}
     classes = {name: number for number, name in enumerate(flows)}
-
-    def stacked(near: Callable[[Band], Node], far: Callable[[Band], Node]) -> dict[int, int]:
-        """For each band, how many agents lie before it in its stack at its `near` end."""
+    leaves, arrives = [0] * len(bare), [0] * len(bare)
+    for offsets, near, far in ((leaves, _SOURCE, _TARGET), (arrives, _TARGET, _SOURCE)):
         filled: Counter[Node] = Counter()
-        offsets = {}
-
-        def place(number: int) -> tuple[int, int, int]:
-            state, step = far(bare[number])
-            return classes[bare[number].class_name], rank[state], step
-
-        for number in sorted(range(len(bare)), key=place):
-            node = near(bare[number])
-            offsets[number] = filled[node]
-            filled[node] += bare[number].count
-        return offsets
-
-    leaves = stacked(lambda band: band.source, lambda band: band.target)
-    arrives = stacked(lambda band: band.target, lambda band: band.source)
+        keys = [(classes[b.class_name], rank[far(b)[0]], far(b)[1]) for b in bare]
+        for number in sorted(range(len(bare)), key=keys.__getitem__):
+            offsets[number] = filled[near(bare[number])]
+            filled[near(bare[number])] += bare[number].count
     return tuple(replace(b, leaves=leaves[n], arrives=arrives[n]) for n, b in enumerate(bare))
 
 
@@ -195,11 +171,6 @@ def row_order(bands: Sequence[Band]) -> tuple[str, ...]:
     vector = np.linalg.eigh(laplacian)[1][:, 1]
     keys = np.round(vector * (-1.0 if vector[0] > vector[-1] else 1.0), 9)
     return tuple(sorted(place, key=lambda state: (keys[place[state]], place[state])))
-
-
-def _duration(system: TransitionSystem, name: str, ends: tuple[str, str]) -> int:
-    edge = system.edges.get(ends)
-    return (edge.duration_for(name) if edge else None) or 1
 
 
 def _sizes(bands: Iterable[Band]) -> dict[Node, int]:
@@ -230,19 +201,12 @@ def _rows(
 def _draw_bands(ax: Any, bands: Sequence[Band], feet: Mapping[str, float], paint: Paint) -> None:
     for waits, opacity in ((True, _STAY), (False, _MOVE)):
         some = [b for b in bands if (b.source[0] == b.target[0]) == waits]
-        kind = "stays" if waits else "moves"
-        add_collection(
-            ax,
-            "PathCollection",
-            [_ribbon(band, feet) for band in some],
-            facecolors=paint.colour,
-            edgecolors=paint.colour,
-            linewidths=0.4,  # closes the seams, and steep bands never vanish
-            hatch=paint.hatch or None,
-            alpha=opacity,
-            zorder=3 if waits else 2,
-            gid=visible(f"{kind}:{bands[0].class_name if bands else ''}"),
-        )
+        look: dict[str, Any] = {"facecolors": paint.colour, "hatch": paint.hatch or None}
+        # a line around closes the seams, and steep bands never vanish
+        look |= {"edgecolors": paint.colour, "linewidths": 0.4, "alpha": opacity}
+        kind = f"{'stays' if waits else 'moves'}:{bands[0].class_name if bands else ''}"
+        look |= {"zorder": 3 if waits else 2, "gid": visible(kind)}
+        canvas.add_collection(ax, "PathCollection", [_ribbon(b, feet) for b in some], **look)
 
 
 def _ribbon(band: Band, feet: Mapping[str, float]) -> Any:
@@ -253,11 +217,8 @@ def _ribbon(band: Band, feet: Mapping[str, float]) -> Any:
     low, high = y0 + band.count, y1 + band.count
     points = [(x0, y0), (a, y0), (b, y1), (x1, y1), (x1, high), (b, high), (a, low), (x0, low)]
     path = library("path").Path
-    curve, line = path.CURVE4, path.LINETO
-    return path(
-        [*points, (x0, y0)],
-        [path.MOVETO, curve, curve, curve, line, curve, curve, curve, path.CLOSEPOLY],
-    )
+    curve = [path.CURVE4] * 3
+    return path([*points, (x0, y0)], [path.MOVETO, *curve, path.LINETO, *curve, path.CLOSEPOLY])
 
 
 def _write_counts(
@@ -269,14 +230,14 @@ def _write_counts(
     stacks by their sizes, and those that have just changed.
     """
     sizes, new = stacks
-    width, height = extent(ax)
+    width, height = canvas.extent(ax)
     across, upward = width / (horizon or 1), height / abs(np.diff(ax.get_ylim())[0])
     free: dict[str, float] = {}  # from where on a row has no number yet
     for (state, step), size in sorted(sizes.items(), key=lambda item: item[0][1]):
         if sizes.get((state, step - 1)) == size or size * upward < SMALL or step > horizon:
             continue
         text = f"{size:,}"
-        wide = text_size(text, SMALL)[0] / across
+        wide = canvas.text_size(text, SMALL)[0] / across
         until = step
         while sizes.get((state, until + 1)) == size:
             until += 1
@@ -286,8 +247,8 @@ def _write_counts(
             if (state, step) not in new or begin < free.get(state, -1.0) + 2 / across:
                 continue
         free[state] = begin + wide
-        style = {"fontsize": SMALL, "va": "center", "color": DARK, "zorder": 5, "gid": "size"}
-        ax.text(begin, feet[state] + size / 2, text, bbox=halo(WHITE), **style)
+        look = {"fontsize": SMALL, "va": "center", "color": DARK, "zorder": 5}
+        ax.text(begin, feet[state] + size / 2, text, bbox=canvas.halo(), gid="size", **look)
 
 
 def _changed(bands: Sequence[Band], sizes: Mapping[Node, int]) -> set[Node]:

@@ -16,20 +16,8 @@ from typing import Any
 import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit, refuse_pathless
-from tsplan.draw.canvas import (
-    DARK,
-    LINE,
-    SMALL,
-    Entry,
-    Picture,
-    area,
-    cut_entries,
-    extent,
-    plain,
-    settle,
-    shortened,
-    text_size,
-)
+from tsplan.draw import canvas
+from tsplan.draw.canvas import DARK, LINE, SMALL, Entry, Picture
 from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
 from tsplan.draw.step_axes import HALF, name_rows, names_width, step_axes
 from tsplan.draw.tracks import Track, agents_of, by_class, single, tracks
@@ -82,8 +70,8 @@ def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) ->
     keys = keys_of(moving, plan.horizon, mission)
     rows = rows_of(plan, moving)
     classes = by_class(moving)
-    words = [shortened(row.name, _LONGEST) for row in rows] or [
-        f"{shortened(name, _LONGEST)}\n{agents_of(group):,} agents"
+    words = [canvas.shortened(row.name, _LONGEST) for row in rows] or [
+        f"{canvas.shortened(name, _LONGEST)}\n{agents_of(group):,} agents"
         for name, group in classes.items()
     ]
     entries = _entries(moving, plan.horizon, keys)
@@ -93,7 +81,7 @@ def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) ->
     ax.set_ylim(len(words) - HALF, -HALF)
     what = "who is where" if rows else "how many are where"
     name_rows(ax, range(len(words)), words, f"{plan.mission.name}: {what}")
-    settle(figure)
+    canvas.settle(figure)
     if rows:
         _draw_rows(ax, rows, keys, plan.horizon)
     else:
@@ -157,7 +145,7 @@ def _draw_rows(ax: Any, rows: Sequence[Track], keys: Keys, horizon: int) -> None
     ends = accumulate(Counter(row.class_name for row in rows).values())
     for end in [*ends][:-1]:
         ax.axhline(end - HALF, color=LINE, linewidth=0.5)
-    width, height = extent(ax)
+    width, height = canvas.extent(ax)
     across, tall = width / (horizon + 1), height / len(rows)
     size = min(SMALL, 0.75 * tall)
     for place, row in enumerate(rows):
@@ -166,16 +154,18 @@ def _draw_rows(ax: Any, rows: Sequence[Track], keys: Keys, horizon: int) -> None
         for first, last, state, _ in row.stays(horizon):
             _bar(ax, place, (first, last), keys[state].paint, state)
             words = visible(state)
-            if size >= SMALL * 0.7 and text_size(words, size)[0] + 3 < across * (last - first + 1):
+            if size >= SMALL * 0.7 and canvas.text_size(words, size)[0] + 3 < across * (
+                last - first + 1
+            ):
                 ax.text(
-                    (first + last) / 2, place, plain(words), fontsize=size, ha="center",
+                    (first + last) / 2, place, canvas.plain(words), fontsize=size, ha="center",
                     va="center_baseline", color=keys[state].paint.ink,
                 )  # fmt: skip
 
 
 def _bar(ax: Any, place: int, steps: tuple[float, float], paint: Paint, meaning: str) -> None:
     first, last = steps
-    style = area(paint) | {"height": _THICK, "gid": visible(meaning)}
+    style = canvas.area(paint) | {"height": _THICK, "gid": visible(meaning)}
     ax.barh(place, last - first + 1, left=first - HALF, **style)
 
 
@@ -191,7 +181,7 @@ def _draw_bands(ax: Any, moving: Sequence[Track], keys: Keys, horizon: int) -> N
             floor = floor + share
             if not share.any():
                 continue
-            style = area(paint) | {"linewidth": 0.3, "step": "post"}
+            style = canvas.area(paint) | {"linewidth": 0.3, "step": "post"}
             meaning = visible(f"{name}: {words or 'on the way'}")
             low, high = np.append(low, low[-1]), np.append(high, high[-1])
             ax.fill_between(edges, low, high, gid=meaning, **style)
@@ -213,11 +203,11 @@ def _entries(moving: Sequence[Track], horizon: int, keys: Keys) -> list[Entry]:
     """What the colours stand for, and the hatch of the ways."""
     listed = sorted(dict.fromkeys(keys.values()), key=lambda key: key.paint == PLAIN)
     shown = [Entry.patch(key.words, **_framed(key.paint)) for key in listed]
-    shown = cut_entries(shown, _MOST_ENTRIES)
+    shown = canvas.cut_entries(shown, _MOST_ENTRIES)
     if any(True for track in moving for _ in track.ways(horizon)):
         shown.append(Entry.patch("on the way", **_framed(TRAVEL)))
     return shown
 
 
 def _framed(paint: Paint) -> dict[str, Any]:
-    return area(paint) | ({} if paint.hatch else {"edgecolor": DARK, "linewidth": 0.3})
+    return canvas.area(paint) | ({} if paint.hatch else {"edgecolor": DARK, "linewidth": 0.3})

@@ -46,7 +46,8 @@ def draw_plan(
 ) -> Picture:
     """One of the `VIEWS`: the paths unless named; without a mission the timeline, all there is.
 
-    Raises InputError for a view that does not exist or needs the mission.
+    Raises InputError for a view that does not exist or needs the mission, and PlanError for a plan
+    without paths or of another mission.
     """
     if mission is not None:
         return draw_view(plan, mission, view or "paths", ax)
@@ -57,11 +58,7 @@ def draw_plan(
 
 
 def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Picture:
-    """One of the `VIEWS`, by name.
-
-    Raises InputError for an unknown name and PlanError for a plan without paths or of another
-    mission.
-    """
+    """One of the `VIEWS`, by name; raises as `draw_plan`."""
     if view not in VIEWS:
         found = Finding(f"there is no view '{view}' of a plan", nearest(view, VIEWS))
         raise InputError([found])

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import io
-import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -22,9 +23,6 @@ from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.viewer.browser import write_page
 from tsplan.viewer.scene import Pixels, Scene, Size
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 LONGEST = 30.0
 """Seconds that an animation takes at most, unless the seconds of a step are given."""
@@ -87,22 +85,16 @@ def animate(
     kind = path.suffix.lower()
     if kind == ".html":
         write_page(mission, plan, path)
-    elif kind == ".gif":
-        scene = Scene(mission, plan, pace.size)
-        write_whole(path, gif(scene, pace.times(plan.horizon), pace.fps))
-        _tell_letters(scene, path, tell)
-    elif kind == ".mp4":
-        program = _ffmpeg()
-        even = (pace.size[0] // 2 * 2, pace.size[1] // 2 * 2)  # the usual codec asks for it
-        scene = Scene(mission, plan, even)
-        write_whole(path, _mp4(program, scene, pace.times(plan.horizon), pace.fps))
-        _tell_letters(scene, path, tell)
-    else:
+        return
+    if kind not in _WRITERS:
         what = f"moving pictures cannot be written as '{kind or path.name}'"
         raise InputError([Finding(what, "use .gif, .mp4 or .html", str(path))])
-
-
-def _tell_letters(scene: Scene, path: Path, tell: Callable[[str], object] | None) -> None:
+    width, height = pace.size
+    if kind == ".mp4":
+        _ffmpeg()  # says what is missing before anything is painted
+        width, height = width // 2 * 2, height // 2 * 2  # the usual codec asks for it
+    scene = Scene(mission, plan, (width, height))
+    write_whole(path, _WRITERS[kind](scene, pace.times(plan.horizon), pace.fps))
     if scene.letters:
         lost = letters_lost(scene.letters, "an .html file is shown in the reader's fonts")
         (tell or warned)(f"{path}: {lost}")
@@ -116,23 +108,13 @@ def gif(scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
     sheet = Image.fromarray(np.vstack([scene.at(times[number]) for number in samples]))
     palette = sheet.quantize(_COLORS, method=Image.Quantize.MEDIANCUT)
 
-    def pictures() -> Iterator[Image.Image]:
-        for time in times:
-            yield Image.fromarray(scene.at(time)).quantize(
-                palette=palette, dither=Image.Dither.NONE
-            )
-
-    made = pictures()
+    style: dict[str, Any] = {"palette": palette, "dither": Image.Dither.NONE}
+    made = (Image.fromarray(scene.at(time)).quantize(**style) for time in times)
     content = io.BytesIO()
     each = round(1000 / fps)
-    next(made).save(
-        content,
-        format="GIF",
-        save_all=True,
-        append_images=made,
-        duration=[*(each for _ in times[1:]), each + round(1000 * _HOLD)],
-        loop=0,
-    )
+    pauses = [*(each for _ in times[1:]), each + round(1000 * _HOLD)]
+    film: dict[str, Any] = {"format": "GIF", "save_all": True, "append_images": made, "loop": 0}
+    next(made).save(content, duration=pauses, **film)
     return content.getvalue()
 
 
@@ -146,36 +128,34 @@ def _ffmpeg() -> str:
     return program
 
 
-def _mp4(program: str, scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
+def _mp4(scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
     width, height = scene.size
     with tempfile.TemporaryDirectory() as folder:
-        target = os.path.join(folder, "plan.mp4")  # noqa: PTH118  (an argument of a program)
+        target = Path(folder, "plan.mp4")
         command = [
-            *(program, "-loglevel", "error", "-y"),
+            *(_ffmpeg(), "-loglevel", "error", "-y"),
             *("-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}"),
             *("-r", str(fps), "-i", "-", "-an"),
-            *("-pix_fmt", "yuv420p", "-movflags", "+faststart", target),
+            *("-pix_fmt", "yuv420p", "-movflags", "+faststart", str(target)),
         ]
         frames = chain(times, [times[-1]] * round(_HOLD * fps))
         said = _fed(command, (scene.at(time) for time in frames))
-        if said or not Path(target).is_file():
+        if said or not target.is_file():
             raise FfmpegUnavailableError(f"ffmpeg failed: {said or 'it wrote nothing'}")
-        return Path(target).read_bytes()
+        return target.read_bytes()
 
 
-def _fed(command: list[str], frames: Iterator[Pixels]) -> str:
+def _fed(command: list[str], frames: Iterable[Pixels]) -> str:
     """Run a program on a stream of pictures; what it says if it fails."""
     with subprocess.Popen(  # noqa: S603  (a fixed command, no shell)
         command, stdin=subprocess.PIPE, stderr=subprocess.PIPE
     ) as process:
         assert process.stdin is not None
-        assert process.stderr is not None
-        try:
+        with suppress(BrokenPipeError):  # what it says explains why
             for frame in frames:
                 process.stdin.write(frame.tobytes())
-            process.stdin.close()
-        except BrokenPipeError:
-            pass  # what it says explains why
-        said = process.stderr.read().decode(errors="replace").strip()
-        failed = process.wait() != 0
-    return (said or f"exit code {process.returncode}") if failed else ""
+        words = process.communicate()[1].decode(errors="replace").strip()
+    return (words or f"exit code {process.returncode}") if process.returncode else ""
+
+
+_WRITERS = MappingProxyType({".gif": gif, ".mp4": _mp4})

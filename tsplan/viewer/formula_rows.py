@@ -13,20 +13,10 @@ import numpy as np
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
 from tsplan.explanation.why.witness_tree import meanings
+from tsplan.logic import nodes
 from tsplan.logic.atoms import OPPOSITE, Count
 from tsplan.logic.decision_time import decided_at, earliness
-from tsplan.logic.nodes import (
-    Always,
-    And,
-    Eventually,
-    Formula,
-    Iff,
-    Implies,
-    Not,
-    Or,
-    Release,
-    Until,
-)
+from tsplan.logic.nodes import Formula
 from tsplan.logic.obligations import START, Obligation, below, obligations
 from tsplan.logic.text import text_of
 from tsplan.logic.time_horizon import Span
@@ -108,32 +98,27 @@ def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    rows = _rows(_judged(mission, plan, mission.formula), mission.formula)
-    for wish in mission.prefer:
-        first, *rest = _rows(_judged(mission, plan, wish.formula), wish.formula)
-        said = f"preferred: {wish.name}: "
-        rows.append(replace(first, text=said + first.text, heading=said + first.heading))
-        rows += rest
+    rows: list[Part] = []
+    for name, formula in [("", mission.formula), *((w.name, w.formula) for w in mission.prefer)]:
+        first, *rest = _rows(mission, plan, formula)
+        said = f"preferred: {name}: " if name else ""
+        rows += replace(first, text=said + first.text, heading=said + first.heading), *rest
     return tuple(rows)
 
 
-def _rows(judged: _Judged, whole: Formula) -> list[Part]:
+def _rows(mission: Mission, plan: Plan, whole: Formula) -> list[Part]:
     """The rows of one formula, from the outside in."""
+    meaning = meanings(mission, whole)
+    trace = trace_of(plan, mission, meaning[whole])
+    judged = _Judged(mission, trace, meaning, earliness(meaning[whole], trace))
     rows: list[Part] = []
     waiting = [(whole, START, 0)]
     while waiting:
         formula, duty, depth = waiting.pop()
-        below_it = _below(judged, formula, duty) if len(rows) < MOST_PARTS else []
-        rows.append(_row(judged, (formula, duty), depth, opened=bool(below_it)))
-        waiting += [(child, more, depth + 1) for child, more in reversed(below_it)]
+        parts = _below(judged, formula, duty) if len(rows) < MOST_PARTS else []
+        rows.append(_row(judged, (formula, duty), depth, opened=bool(parts)))
+        waiting += [(child, more, depth + 1) for child, more in reversed(parts)]
     return rows
-
-
-def _judged(mission: Mission, plan: Plan, formula: Formula) -> _Judged:
-    meaning = meanings(mission, formula)
-    goal = meaning[formula]
-    trace = trace_of(plan, mission, goal)
-    return _Judged(mission, trace, meaning, earliness(goal, trace))
 
 
 def _chain(formula: Formula) -> list[Formula]:
@@ -177,15 +162,15 @@ def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, open
 
 _JOINTS: Mapping[type[Formula], str] = MappingProxyType(
     {
-        And: "all of",
-        Or: "any of",
-        Implies: "the first implies the second",
-        Iff: "both or neither of",
-        Not: "not",
-        Eventually: "at some step of [{0},{1}]",
-        Always: "at each step of [{0},{1}]",
-        Until: "the first until the second, in [{0},{1}]",
-        Release: "the second, in [{0},{1}] or up to the first",
+        nodes.And: "all of",
+        nodes.Or: "any of",
+        nodes.Implies: "the first implies the second",
+        nodes.Iff: "both or neither of",
+        nodes.Not: "not",
+        nodes.Eventually: "at some step of [{0},{1}]",
+        nodes.Always: "at each step of [{0},{1}]",
+        nodes.Until: "the first until the second, in [{0},{1}]",
+        nodes.Release: "the second, in [{0},{1}] or up to the first",
     }
 )
 

@@ -58,7 +58,7 @@ class Scene:
         }
         self._axes = self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
         drawn = base(Palette(mission.system), self._axes, ())
-        finish(drawn)
+        finish(drawn, "")
         title = plan.mission.name or mission.system.name
         panel = StatusPanel(self._figure, (title, plan.horizon), _SHARE)
         panel.show(formula_parts(mission, plan))
