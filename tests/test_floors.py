@@ -44,10 +44,7 @@ LATE = frozenset(
 
 KNOWN: frozenset[str] = frozenset(
     """
-circle: draw.map
-circle: draw.starts
-late: draw.canvas
-late: draw.map
+
 late: run.isolate
 """.splitlines()[1:]
 )

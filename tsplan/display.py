@@ -13,7 +13,8 @@ from tsplan.lazy_names import lazily
 
 if TYPE_CHECKING:
     from tsplan.draw.canvas import Picture
-    from tsplan.draw.map import draw_map, draw_mission
+    from tsplan.draw.map import draw_map
+    from tsplan.draw.starts import draw_mission
     from tsplan.draw.views import draw_plan
     from tsplan.explanation.why.requirements import Requirement, requirements
     from tsplan.explanation.why.witness_tree import WitnessNode, explain
@@ -61,7 +62,8 @@ class Displayed:
 __getattr__, __dir__ = lazily(
     __name__,
     {
-        "draw.map": ("draw_map", "draw_mission"),
+        "draw.map": ("draw_map",),
+        "draw.starts": ("draw_mission",),
         "viewer.notebook": ("formula_svg", "map_svg", "plan_html"),
         "draw.views": ("draw_plan",),
         "explanation.why.requirements": ("requirements",),

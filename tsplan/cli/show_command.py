@@ -13,9 +13,10 @@ from tsplan.cli.output import remark, say
 from tsplan.document import read_document
 from tsplan.document.files import beginning
 from tsplan.document.kinds import MISSION, kind_of_data
-from tsplan.draw.map import draw_map, draw_mission
+from tsplan.draw.map import draw_map
 from tsplan.draw.matplotlib_loading import PlotUnavailableError, library
 from tsplan.draw.picture_files import kind_of, save
+from tsplan.draw.starts import draw_mission
 from tsplan.draw.timeline import draw_timeline
 from tsplan.draw.views import PAGE, draw_page, draw_view
 from tsplan.errors import Finding, InputError

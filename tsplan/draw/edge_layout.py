@@ -11,15 +11,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-import networkx as nx
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import csgraph
 
-from tsplan.draw.layout import Places, Point, spacing
 from tsplan.ts import TransitionSystem
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+Point: TypeAlias = tuple[float, float]
+Places: TypeAlias = Mapping[str, Point]
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 
@@ -38,9 +41,34 @@ def computed(system: TransitionSystem, known: Mapping[str, Point]) -> Places:
     return {name: found[name] for name in system.states}
 
 
+def spacing(where: Places) -> float:
+    """The typical distance from a state to the nearest other one; 1 for a single state.
+
+    It is the median, so that a few states that are close together do not shrink everything.
+
+    >>> spacing({"p": (0, 0), "q": (3, 0), "r": (6, 0)})
+    3.0
+    """
+    from scipy.spatial import cKDTree  # noqa: PLC0415  (slow to import)
+
+    if len(where) < 2:  # noqa: PLR2004  (a distance needs two)
+        return 1.0
+    points = np.array(list(where.values()), dtype=np.float64)
+    nearest = np.asarray(cKDTree(points).query(points, k=2)[0], dtype=np.float64)[:, 1]
+    apart = nearest[nearest > 0]
+    return float(np.median(apart)) if apart.size else 1.0
+
+
+def _networkx() -> Any:
+    """The library of graphs, which is slow to import."""
+    import networkx as nx  # noqa: PLC0415  (as it says)
+
+    return nx
+
+
 def _undirected(system: TransitionSystem) -> nx.Graph[str]:
     """The map without waits and directions; an edge is as long as its quicker direction."""
-    graph: nx.Graph[str] = nx.Graph()
+    graph: nx.Graph[str] = _networkx().Graph()
     graph.add_nodes_from(system.states)
     for (source, target), edge in system.edges.items():
         if source == target:
@@ -54,7 +82,7 @@ def _undirected(system: TransitionSystem) -> nx.Graph[str]:
 def _filled(graph: nx.Graph[str], known: Mapping[str, Point]) -> Places:
     """All states, those without coordinates moved by springs to where their neighbours are."""
     how: dict[str, Any] = {"pos": _begin(graph, known), "fixed": list(known), "iterations": _ROUNDS}
-    found = nx.spring_layout(graph, k=spacing(known), weight=None, seed=0, **how)
+    found = _networkx().spring_layout(graph, k=spacing(known), weight=None, seed=0, **how)
     return {name: (float(x), float(y)) for name, (x, y) in found.items()} | dict(known)
 
 
@@ -80,7 +108,7 @@ def _arranged(graph: nx.Graph[str]) -> Places:
     """Places from the edges alone: each connected part by itself, side by side, largest first."""
     order = {name: number for number, name in enumerate(graph)}
     parts = sorted(
-        nx.connected_components(graph),
+        _networkx().connected_components(graph),
         key=lambda part: (-len(part), min(map(order.__getitem__, part))),
     )
     where: dict[str, Point] = {}
@@ -104,7 +132,7 @@ def _laid(graph: nx.Graph[str], names: list[str]) -> Floats:
         return np.zeros((1, 2))
     part = graph.subgraph(names)
     if len(names) <= MOST_SPRINGS:
-        found = nx.kamada_kawai_layout(part, weight="weight")
+        found = _networkx().kamada_kawai_layout(part, weight="weight")
         points = np.array([found[name] for name in names], dtype=np.float64)
     else:
         points = _scaled(part, names)
@@ -117,7 +145,9 @@ def _laid(graph: nx.Graph[str], names: list[str]) -> Floats:
 
 def _scaled(part: nx.Graph[str], names: list[str]) -> Floats:
     """Pivot MDS: the two main directions of the squared distances to a few far-apart states."""
-    matrix = nx.to_scipy_sparse_array(part, nodelist=names, weight="weight", format="csr")
+    from scipy.sparse import csgraph  # noqa: PLC0415  (slow to import)
+
+    matrix = _networkx().to_scipy_sparse_array(part, nodelist=names, weight="weight", format="csr")
     nearest = np.full(len(names), np.inf)
     rows: list[Floats] = []
     pivot = 0

@@ -8,15 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
-import numpy as np
-
+from tsplan.draw.edge_layout import Places, Point, computed
 from tsplan.ts import State, TransitionSystem
 from tsplan.ts.edges import Duration
-
-Point: TypeAlias = tuple[float, float]
-Places: TypeAlias = Mapping[str, Point]
 
 _FLAT = 1e-9  # of an area: below it a polygon has no centroid
 
@@ -45,8 +41,6 @@ def places(system: TransitionSystem) -> Places:
     known = {name: place for name, state in system.states.items() if (place := own_place(state))}
     if len(known) == len(system.states):
         return known
-    from tsplan.draw.edge_layout import computed  # noqa: PLC0415  (its libraries are slow to import)
-
     return computed(system, known)
 
 
@@ -73,24 +67,6 @@ def centroid(shape: Sequence[Point]) -> Point:
     if abs(area) <= _FLAT * max(extent * extent, 1.0):
         return sum(p[0] for p in shape) / len(shape), sum(p[1] for p in shape) / len(shape)
     return x / (3 * area), y / (3 * area)
-
-
-def spacing(where: Places) -> float:
-    """The typical distance from a state to the nearest other one; 1 for a single state.
-
-    It is the median, so that a few states that are close together do not shrink everything.
-
-    >>> spacing({"p": (0, 0), "q": (3, 0), "r": (6, 0)})
-    3.0
-    """
-    from scipy.spatial import cKDTree  # noqa: PLC0415  (slow to import)
-
-    if len(where) < 2:  # noqa: PLR2004  (a distance needs two)
-        return 1.0
-    points = np.array(list(where.values()), dtype=np.float64)
-    nearest = np.asarray(cKDTree(points).query(points, k=2)[0], dtype=np.float64)[:, 1]
-    apart = nearest[nearest > 0]
-    return float(np.median(apart)) if apart.size else 1.0
 
 
 def bounds(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:

@@ -10,12 +10,12 @@ from typing import Any
 
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, SMALL, WHITE, Entry, Picture
-from tsplan.draw.layout import Places, Point, bounds, links, places, spacing
+from tsplan.draw.edge_layout import Places, Point, spacing
+from tsplan.draw.layout import bounds, links, places
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Palette
 from tsplan.draw.state_labels import DOT, StateLabel, state_labels
 from tsplan.draw.text_placement import Box, Frame, Placement, direction, frame_of
-from tsplan.mission import Mission
 from tsplan.ts import TransitionSystem
 from tsplan.words import visible
 
@@ -71,16 +71,6 @@ def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:
     important first: durations, names, labels; labels that cannot be written go to a legend.
     """
     return finish(base(Palette(system), ax, ()), system.name)
-
-
-def draw_mission(mission: Mission, ax: Any = None) -> Picture:
-    """The map with how many robots of each class start where."""
-    from tsplan.draw.starts import class_entries, draw_starts  # noqa: PLC0415  (imports this)
-
-    palette = Palette.of(mission)
-    drawn = base(palette, ax, class_entries(mission, palette))
-    draw_starts(drawn, mission, palette.classes)
-    return finish(drawn, mission.name or mission.system.name)
 
 
 def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> DrawnMap:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping
+from typing import Any
 
-from tsplan.draw.canvas import DARK, SMALL, WHITE, Entry
-from tsplan.draw.map import DrawnMap
+from tsplan.draw.canvas import DARK, SMALL, WHITE, Entry, Picture
+from tsplan.draw.map import DrawnMap, base, finish
 from tsplan.draw.palette import Paint, Palette, classes_of
 from tsplan.draw.text_placement import Box
 from tsplan.mission import Mission
@@ -17,6 +18,14 @@ _APART = _BADGE + 2  # points from badge to badge
 _DOT = 12.0  # square points of the ring around one robot
 _WHITE = Paint(WHITE)
 _UNITS = ("", "k", "M", "G", "T", "P", "E")
+
+
+def draw_mission(mission: Mission, ax: Any = None) -> Picture:
+    """The map with how many robots of each class start where."""
+    palette = Palette.of(mission)
+    drawn = base(palette, ax, class_entries(mission, palette))
+    draw_starts(drawn, mission, palette.classes)
+    return finish(drawn, mission.name or mission.system.name)
 
 
 def class_entries(mission: Mission, palette: Palette) -> list[Entry]:

@@ -15,7 +15,7 @@ from itertools import product
 from typing import NamedTuple
 
 from tsplan.draw.canvas import TEXT, TINY, text_size
-from tsplan.draw.layout import Places
+from tsplan.draw.edge_layout import Places
 from tsplan.draw.text_placement import Box, Frame, Placement
 from tsplan.ts import State, TransitionSystem
 from tsplan.words import visible

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple, TypeVar
 
 from tsplan.draw.canvas import extent, settle, text_size
-from tsplan.draw.layout import Point
+from tsplan.draw.edge_layout import Point
 
 T = TypeVar("T")
 

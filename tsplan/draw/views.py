@@ -8,11 +8,11 @@ from typing import Any, TypeAlias
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import Picture, new_figure
-from tsplan.draw.map import draw_mission
 from tsplan.draw.map import height_of as map_height
 from tsplan.draw.path_map import draw_paths
 from tsplan.draw.requirement_chart import draw_requirements
 from tsplan.draw.requirement_chart import height_of as chart_height
+from tsplan.draw.starts import draw_mission
 from tsplan.draw.step_axes import REST
 from tsplan.draw.swarm_bands import FLOW_HEIGHT, draw_swarm
 from tsplan.draw.timeline import draw_timeline

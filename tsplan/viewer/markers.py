@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from tsplan.draw.layout import Point
+from tsplan.draw.edge_layout import Point
 from tsplan.draw.text_placement import direction
 from tsplan.draw.tracks import Track, Whereabouts
 from tsplan.viewer.positions import slot_points
