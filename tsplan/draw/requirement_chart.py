@@ -100,12 +100,9 @@ def _fails(row: Requirement) -> bool:
 
 def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
     first, last = steps
-    ax.add_patch(
-        library("patches").Rectangle(
-            (first - 0.5, place + 0.04), last - first + 1, 0.9, facecolor=colour, linewidth=0,
-            zorder=0.5, gid=meaning,
-        )
-    )  # fmt: skip
+    corner, look = (first - 0.5, place + 0.04), {"facecolor": colour, "linewidth": 0, "zorder": 0.5}
+    shade = library("patches").Rectangle(corner, last - first + 1, 0.9, gid=meaning, **look)
+    ax.add_patch(shade)
 
 
 def _write_spare(ax: Any, y: float, row: Requirement) -> None:

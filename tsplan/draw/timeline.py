@@ -8,7 +8,7 @@ each group, as long as it lasts.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Any
@@ -22,7 +22,6 @@ from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
 from tsplan.draw.step_axes import HALF, name_rows, names_width, step_axes
 from tsplan.draw.tracks import Track, agents_of, by_class, single, tracks
 from tsplan.errors import Finding, PlanError
-from tsplan.milp.model import Ints
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.plans.presence import interval_counts
@@ -127,16 +126,14 @@ def keys_of(moving: Sequence[Track], horizon: int, mission: Mission | None) -> K
         return {state: Key(state, given[state].soft) for state in states}
     painted = Palette.of(mission).states
     labels = {state: mission.system.states[state].labels for state in states}
-    shared: dict[Paint, frozenset[str]] = {}
-    every: dict[Paint, frozenset[str]] = {}
+    alike: dict[Paint, list[frozenset[str]]] = {}
     for state in states:
         if labels[state]:
-            paint = painted[state]
-            shared[paint] = shared.get(paint, labels[state]) & labels[state]
-            every[paint] = every.get(paint, labels[state]) | labels[state]
-    named = {
-        paint: Key(", ".join(sorted(shared[paint] or every[paint])), paint.soft) for paint in shared
-    }
+            alike.setdefault(painted[state], []).append(labels[state])
+    named = {}
+    for paint, sets in alike.items():
+        words = frozenset.intersection(*sets) or frozenset.union(*sets)
+        named[paint] = Key(", ".join(sorted(words)), paint.soft)
     nowhere = Key("no label", PLAIN)
     return {state: named[painted[state]] if labels[state] else nowhere for state in states}
 
@@ -153,14 +150,11 @@ def _draw_rows(ax: Any, rows: Sequence[Track], keys: Keys, horizon: int) -> None
             _bar(ax, place, (first, last), TRAVEL, "on the way")
         for first, last, state, _ in row.stays(horizon):
             _bar(ax, place, (first, last), keys[state].paint, state)
-            words = visible(state)
-            if size >= SMALL * 0.7 and canvas.text_size(words, size)[0] + 3 < across * (
-                last - first + 1
-            ):
-                ax.text(
-                    (first + last) / 2, place, canvas.plain(words), fontsize=size, ha="center",
-                    va="center_baseline", color=keys[state].paint.ink,
-                )  # fmt: skip
+            words, room = visible(state), across * (last - first + 1) - 3
+            if size >= SMALL * 0.7 and canvas.text_size(words, size)[0] < room:
+                look = {"fontsize": size, "color": keys[state].paint.ink}
+                look |= {"ha": "center", "va": "center_baseline"}
+                ax.text((first + last) / 2, place, canvas.plain(words), **look)
 
 
 def _bar(ax: Any, place: int, steps: tuple[float, float], paint: Paint, meaning: str) -> None:
@@ -172,31 +166,24 @@ def _bar(ax: Any, place: int, steps: tuple[float, float], paint: Paint, meaning:
 def _draw_bands(ax: Any, moving: Sequence[Track], keys: Keys, horizon: int) -> None:
     """One band for each class: its share at the states of each colour, the rest on the way."""
     edges = np.arange(horizon + 2) - HALF
+    row = {key: number for number, key in enumerate(dict.fromkeys(keys.values()))}
     for place, (name, group) in enumerate(by_class(moving).items()):
         everybody = agents_of(group)
-        floor = np.zeros(horizon + 1)
-        for words, paint, counts in [*_shares(group, keys, horizon), ("", TRAVEL, None)]:
-            share = 1.0 - floor if counts is None else counts / everybody
-            low, high = (place + _THICK * (HALF - part) for part in (floor, floor + share))
-            floor = floor + share
-            if not share.any():
-                continue
-            style = canvas.area(paint) | {"linewidth": 0.3, "step": "post"}
-            meaning = visible(f"{name}: {words or 'on the way'}")
-            low, high = np.append(low, low[-1]), np.append(high, high[-1])
-            ax.fill_between(edges, low, high, gid=meaning, **style)
-
-
-def _shares(group: Sequence[Track], keys: Keys, horizon: int) -> Iterator[tuple[str, Paint, Ints]]:
-    """How many agents of a class are at the states of each key, at every step."""
-    row = {key: number for number, key in enumerate(dict.fromkeys(keys.values()))}
-    intervals = (
-        (row[keys[state]], first, last, track.count)
-        for track in group
-        for first, last, state, _ in track.stays(horizon)
-    )
-    for key, counts in zip(row, interval_counts(intervals, len(row), horizon), strict=True):
-        yield key.words, key.paint, counts
+        intervals = (
+            (row[keys[state]], first, last, track.count)
+            for track in group
+            for first, last, state, _ in track.stays(horizon)
+        )
+        counts = interval_counts(intervals, len(row), horizon)
+        floor = np.zeros(horizon + 1, dtype=np.int64)
+        away = Key("on the way", TRAVEL), everybody - counts.sum(axis=0)
+        for key, there in [*zip(row, counts, strict=True), away]:
+            low, high = (place + _THICK * (HALF - n / everybody) for n in (floor, floor + there))
+            floor = floor + there
+            if there.any():
+                low, high = np.append(low, low[-1]), np.append(high, high[-1])
+                look = canvas.area(key.paint) | {"linewidth": 0.3, "step": "post"}
+                ax.fill_between(edges, low, high, gid=visible(f"{name}: {key.words}"), **look)
 
 
 def _entries(moving: Sequence[Track], horizon: int, keys: Keys) -> list[Entry]:

@@ -138,19 +138,13 @@ def formula_svg(formula: Formula) -> str:
     for place, (level, content, parent) in enumerate(rows):
         x, y = 10 + level * _INDENT, place * _ROW + 14
         if level:
-            above = 10 + rows[parent][0] * _INDENT, parent * _ROW + 14
-            parts.append(_branch(above, (x, y)))
-        parts.append(
-            svg.element("circle", cx=x, cy=y, r=3.2, fill=HUES[0] if level % 2 == 0 else HUES[1])
-        )
+            over, up = 10 + rows[parent][0] * _INDENT, parent * _ROW + 14
+            d = f"M{over:.0f} {up + 4:.0f}V{y:.0f}H{x - 4:.0f}"
+            parts.append(svg.element("path", d=d, stroke="#999999", stroke_width=1, fill="none"))
+        parts.append(svg.element("circle", cx=x, cy=y, r=3.2, fill=HUES[level % 2]))
         parts.append(svg.text(content, x + 8, y + 4))
     width = max(10 + level * _INDENT + 20 + svg.width_of(content) for level, content, _ in rows)
     return svg.picture(parts, width, len(rows) * _ROW + 10, "formula")
-
-
-def _branch(above: tuple[float, float], below: tuple[float, float]) -> str:
-    d = f"M{above[0]:.0f} {above[1] + 4:.0f}V{below[1]:.0f}H{below[0] - 4:.0f}"
-    return svg.element("path", d=d, stroke="#999999", stroke_width=1, fill="none")
 
 
 def plan_html(plan: Plan) -> str:
@@ -185,12 +179,11 @@ def timeline_svg(plan: Plan) -> str:
         y = 8 + place * _ROW
         parts.append(svg.text(row.name, left - 6, y + 12, text_anchor="end"))
         for first, last in row.ways(plan.horizon):
-            bar = {"x": left + first * step, "width": (last - first + 1) * step}
-            fill = "url(#tsplan-way)"
-            parts.append(svg.element("rect", **bar, y=y, height=_ROW - 3, fill=fill))
+            place_on = (left + first * step, y, (last - first + 1) * step)
+            parts.append(_bar(place_on, "", fill="url(#tsplan-way)"))
         for first, last, state, _ in row.stays(plan.horizon):
-            corner = left + first * step, y
-            parts += _stay(corner, (last - first + 1) * step, state, keys[state].paint)
+            place_on = (left + first * step, y, (last - first + 1) * step)
+            parts += _stay(place_on, state, keys[state].paint)
     bottom = 8 + len(shown) * _ROW
     parts += _axis(plan.horizon, left, step, bottom)
     if hidden:
@@ -201,14 +194,17 @@ def timeline_svg(plan: Plan) -> str:
     )
 
 
-def _stay(corner: tuple[float, float], width: float, state: str, paint: Paint) -> list[str]:
+def _bar(at: tuple[float, float, float], content: str, **looks: object) -> str:
+    """A bar from its left upper corner, so many pixels long."""
+    x, y, width = at
+    return svg.element("rect", content, x=x, y=y, width=width, height=_ROW - 3, **looks)
+
+
+def _stay(at: tuple[float, float, float], state: str, paint: Paint) -> list[str]:
     """A bar with its state's name: written on it if there is room, shown when it is pointed at."""
-    x, y = corner
+    x, y, width = at
     title = svg.element("title", svg.words(state))
-    bar = svg.element(
-        "rect", title, x=x, y=y, width=width, height=_ROW - 3, fill=paint.colour,
-        stroke="#ffffff", stroke_width=0.8,
-    )  # fmt: skip
+    bar = _bar(at, title, fill=paint.colour, stroke="#ffffff", stroke_width=0.8)
     if svg.width_of(state, _SMALL) + 4 > width:
         return [bar]
     style = {"text_anchor": "middle", "fill": paint.ink, "pointer_events": "none"}

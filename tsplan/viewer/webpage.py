@@ -22,20 +22,7 @@ from tsplan.plans.plan import Plan
 from tsplan.viewer.page_data import page_data
 from tsplan.words import visible
 
-_SCRIPTS = (
-    "paint",
-    "model",
-    "player",
-    "camera",
-    "map",
-    "markers",
-    "mapview",
-    "timeline",
-    "formula",
-    "chart",
-    "agents",
-    "main",
-)
+_SCRIPTS = "paint model player camera map markers mapview timeline formula chart agents main"
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 _UNSAFE = {ord(mark): f"\\u{ord(mark):04x}" for mark in "<>&\u2028\u2029"}
 
@@ -87,7 +74,7 @@ def _source(name: str) -> str:
 @cache
 def _program() -> str:
     """The modules one after the other, in a scope of their own."""
-    modules = "\n".join(_source(f"{name}.js") for name in _SCRIPTS)
+    modules = "\n".join(_source(f"{name}.js") for name in _SCRIPTS.split())
     return f'(() => {{\n"use strict";\n{modules}\n}})();'
 
 
