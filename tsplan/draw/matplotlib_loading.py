@@ -6,7 +6,7 @@ import os
 import re
 import sys
 import warnings
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager, suppress
 from importlib import import_module
 from typing import Any
@@ -70,14 +70,20 @@ def lacking() -> Iterator[dict[str, None]]:
             warnings.warn_explicit(item.message, item.category, item.filename, item.lineno)
 
 
-def warned(words: str) -> None:
-    """Say something as a MissingLettersWarning of whoever asked for the picture."""
-    warnings.warn(words, MissingLettersWarning, stacklevel=3)
+def tell_lost(
+    letters: Collection[str], remedy: str, tell: Callable[[str], object] | None, place: object = ""
+) -> None:
+    """Say in one sentence which letters were drawn as boxes, if any, and what to do about it.
 
-
-def letters_lost(letters: Collection[str], remedy: str) -> str:
-    """One sentence about letters that were drawn as boxes."""
+    Without somebody to `tell`, it is a MissingLettersWarning. `place` is the file it is about.
+    """
+    if not letters:
+        return
     shown = ", ".join(f"'{letter}'" for letter in list(letters)[:_MOST_LETTERS])
-    more = len(letters) - _MOST_LETTERS
-    more_words = f" and {more} more" if more > 0 else ""
-    return f"no font here has the letters {shown}{more_words}: they are boxes; {remedy}"
+    more = f" and {len(letters) - _MOST_LETTERS} more" if len(letters) > _MOST_LETTERS else ""
+    words = f"no font here has the letters {shown}{more}: they are boxes; {remedy}"
+    words = f"{place}: {words}" if place else words
+    if tell is None:
+        warnings.warn(words, MissingLettersWarning, stacklevel=3)
+    else:
+        tell(words)

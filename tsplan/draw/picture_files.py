@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tsplan.document.files import write_whole
-from tsplan.draw.matplotlib_loading import lacking, letters_lost, library, warned
+from tsplan.draw.matplotlib_loading import lacking, library, tell_lost
 from tsplan.errors import Finding, InputError
 
 RESOLUTION = 150
@@ -35,10 +35,7 @@ def save(
     for another ending or a place that cannot be written.
     """
     place = Path(path)
-    lost: list[str] = []
-    write_whole(place, content(figure, kind_of(place), resolution, lost.append))
-    for words in lost:
-        (tell or warned)(f"{place}: {words}")
+    write_whole(place, content(figure, kind_of(place), resolution, tell, place))
 
 
 def kind_of(path: Path) -> str:
@@ -55,12 +52,13 @@ def content(
     kind: str,
     resolution: float = RESOLUTION,
     tell: Callable[[str], object] | None = None,
+    place: Path | None = None,
 ) -> bytes:
-    """A figure in the bytes of a file; `tell` as for `save`."""
+    """A figure in the bytes of a file, which may be named; `tell` as for `save`."""
     metadata = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}[kind]
     stream = io.BytesIO()
     with lacking() as letters, library("style").context(_STYLE):
         figure.savefig(stream, format=kind, dpi=resolution, metadata=metadata)
-    if letters and kind != "svg":
-        (tell or warned)(letters_lost(letters, "an .svg file keeps its text as text"))
+    lost = letters if kind != "svg" else ()
+    tell_lost(lost, "an .svg file keeps its text as text", tell, place or "")
     return stream.getvalue()

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from tsplan.document.files import write_whole
-from tsplan.draw.matplotlib_loading import letters_lost, warned
+from tsplan.draw.matplotlib_loading import tell_lost
 from tsplan.errors import Finding, InputError, TsplanError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
@@ -95,9 +95,7 @@ def animate(
         width, height = width // 2 * 2, height // 2 * 2  # the usual codec asks for it
     scene = Scene(mission, plan, (width, height))
     write_whole(path, _WRITERS[kind](scene, pace.times(plan.horizon), pace.fps))
-    if scene.letters:
-        lost = letters_lost(scene.letters, "an .html file is shown in the reader's fonts")
-        (tell or warned)(f"{path}: {lost}")
+    tell_lost(scene.letters, "an .html file is shown in the reader's fonts", tell, path)
 
 
 def gif(scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
