@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from tsplan.checking.plan_check import certify
 from tsplan.draw.tracks import tracks
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
 from tsplan.plans.plan import AgentPlan, MissionRef, Plan
-from tsplan.plans.subswarms import subswarms
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer.markers import Ground, markers
 from tsplan.viewer.page_data import page_data
@@ -39,7 +39,6 @@ MOVES = (
     Move(3, HOME, HOME, 100),
     Move(3, REEF, REEF, 800),
 )
-DURATIONS = {(move.source, move.target): 1 + (move.source != move.target) for move in MOVES}
 SEEN = {  # how many of each class are at home, at the reef and at the pier, step by step
     "boat": [(1, 0, 1), (1, 0, 1), (2, 0, 0), (1, 0, 0), (1, 0, 0)],
     "drone": [(1200, 0, 0), (400, 0, 0), (400, 800, 0), (100, 800, 0), (100, 1100, 0)],
@@ -48,12 +47,12 @@ SEEN = {  # how many of each class are at home, at the reef and at the pier, ste
 
 @pytest.fixture(scope="module")
 def mission():
-    team = [
-        {"class": "boat", "at": {HOME: 1, PIER: 1}, "capabilities": ["boat"]},
-        {"class": "drone", "at": {HOME: 1200}, "capabilities": ["drone"]},
-    ]
+    team = [{"class": "boat", "at": {HOME: 1, PIER: 1}, "capabilities": ["boat"]}]
+    swarms = [{"name": "drone", "size": 1200, "at": HOME, "max_subswarms": 3}]
     formula = "F[0,4] sum(reef,drone) >= 1000 && F[0,2] sum(home,boat) >= 2"
-    return Mission.of(map=SYSTEM, team=team, formula=formula, language="mtl", name="bay work")
+    return Mission.of(
+        map=SYSTEM, team=team, swarms=swarms, formula=formula, language="mtl", name="bay work"
+    )
 
 
 @pytest.fixture(scope="module")
@@ -63,11 +62,13 @@ def plan(mission):
         AgentPlan("boat-1", "boat", boat, ((0, 4, HOME),)),
         AgentPlan("boat-2", "boat", boat, ((0, 1, PIER), (2, 2, HOME)), REEF),
     )
-    groups = subswarms("drone", {HOME: 1200}, MOVES, DURATIONS, 4)
     reference = MissionRef(mission.name, mission.digest)
-    return Plan(
-        "feasible", reference, 4, "gap", agents=agents, moves={"drone": MOVES}, groups=groups
+    made = certify(
+        mission,
+        Plan("feasible", reference, 4, "gap", agents=agents, moves={"drone": MOVES}),
     )
+    assert made.verified
+    return made
 
 
 def gids(ax):

@@ -96,13 +96,7 @@ class Ground {
       context.beginPath();
       for (const [x, y] of state.shape) context.lineTo(camera.x(x), camera.y(y));
       context.closePath();
-      context.globalAlpha = Number(theme.tint);
-      context.fillStyle = this.colours[s] || theme.state;
-      context.fill();
-      context.globalAlpha = 1;
-      context.lineWidth = lit.has(s) ? 3 : 1;
-      context.strokeStyle = lit.has(s) ? theme.accent : theme.edge;
-      context.stroke();
+      this.tintArea(context, s, lit, Number(theme.tint));
     });
     // once more on top, where a neighbour's border would hide it
     context.lineWidth = 3;
@@ -114,6 +108,17 @@ class Ground {
       context.closePath();
       context.stroke();
     }
+  }
+
+  /* Fill the present path in a state's colour, and draw its border. */
+  tintArea(context, s, lit, share) {
+    context.globalAlpha = share;
+    context.fillStyle = this.colours[s] || theme.state;
+    context.fill();
+    context.globalAlpha = 1;
+    context.lineWidth = lit.has(s) ? 3 : 1;
+    context.strokeStyle = lit.has(s) ? theme.accent : theme.edge;
+    context.stroke();
   }
 
   paintEdges(context, camera, sizes) {
@@ -165,13 +170,7 @@ class Ground {
       context.arc(camera.x(state.x), camera.y(state.y), sizes.circle, 0, 2 * Math.PI);
       context.fillStyle = theme.ground;
       context.fill();
-      context.globalAlpha = Math.min(1, 2 * Number(theme.tint));
-      context.fillStyle = this.colours[s] || theme.state;
-      context.fill();
-      context.globalAlpha = 1;
-      context.lineWidth = lit.has(s) ? 3 : 1;
-      context.strokeStyle = lit.has(s) ? theme.accent : theme.edge;
-      context.stroke();
+      this.tintArea(context, s, lit, Math.min(1, 2 * Number(theme.tint)));
     });
   }
 
