@@ -17,7 +17,6 @@ from tsplan.checking.path_segments import read_path
 from tsplan.errors import Finding, PlanError
 from tsplan.mission import Mission
 from tsplan.plans.agent_plans import Bundle
-from tsplan.plans.moves import Move
 from tsplan.plans.plan import Plan
 from tsplan.plans.summary import names
 from tsplan.ts import TransitionSystem
@@ -112,24 +111,20 @@ def tracks(
     move, and arrivals beyond the horizon are those of the map; then PlanError tells everything that
     the map does not allow about the paths. Without the mission there are no groups.
     """
-    found: list[Track] = []
     findings: list[Finding] = []
-    known = {bundle.class_name for bundle in plan.bundles}
-    swarms = () if mission is None else (n for n in plan.moves if moving or n not in known)
-    grouped = dict.fromkeys(swarms)
-    for bundle in plan.bundles:
-        if bundle.class_name not in grouped:
-            exact = mission.system if mission is not None and moving else None
-            found.append(_of_agents(plan, bundle, exact, findings))
+    exact = mission.system if mission is not None and moving else None
+    walked = by_class(_of_agents(plan, bundle, exact, findings) for bundle in plan.bundles)
     if findings:
         raise PlanError(findings)
     if mission is None:
-        return tuple(found)
-    for group in mission.team:
-        if group.class_name in grouped:
-            found += _of_swarm(plan, mission.system, group.class_name, dict(group.starts))
-    order = {group.class_name: place for place, group in reversed([*enumerate(mission.team)])}
-    return tuple(sorted(found, key=lambda track: order[track.class_name]))
+        return tuple(track for group in walked.values() for track in group)
+    found: list[Track] = []
+    for name, starts in {group.class_name: group.starts for group in mission.team}.items():
+        if name in plan.moves and (moving or name not in walked):
+            found += _of_swarm(plan, mission.system, name, dict(starts))
+        else:
+            found += walked.get(name, [])
+    return tuple(found)
 
 
 def _of_agents(
@@ -155,19 +150,17 @@ def _of_swarm(
 ) -> Iterator[Track]:
     """The tracks of the groups of a swarm, in the order they begin."""
     moves = plan.moves[name]
-    durations = {move[1:3]: _duration(system, name, move) for move in moves}
+    durations = {}
+    for move in moves:
+        edge = system.edges.get((move.source, move.target))
+        duration = None if edge is None else edge.duration_for(name)
+        if duration is None:
+            what = f"{name} goes from {move.source} to {move.target}, and the map has no such edge"
+            raise PlanError([Finding(what, _OTHER)])
+        durations[move.source, move.target] = duration
     groups = lanes(starts, moves, durations, plan.horizon)
     for lane in sorted(groups, key=lambda lane: lane.stays[0].first):
         yield Track(name, lane.count, f"{name} ({lane.count:,})", (), tuple(lane.stays), lane.end)
-
-
-def _duration(system: TransitionSystem, swarm: str, move: Move) -> int:
-    edge = system.edges.get((move.source, move.target))
-    duration = None if edge is None else edge.duration_for(swarm)
-    if duration is None:
-        what = f"{swarm} goes from {move.source} to {move.target}, and the map has no such edge"
-        raise PlanError([Finding(what, _OTHER)])
-    return duration
 
 
 def agents_of(found: Iterable[Track]) -> int:
