@@ -220,7 +220,7 @@ def test_deadlines_that_must_move_far_do() -> None:
     core = finder.within(finder.everything)
     assert core is not None
     repairs = Repairs(asked, finder.everything, [core.constraints])
-    several = JointRepair(Context.of(mission), asked, repairs)
+    several = JointRepair(Context(mission), asked, repairs)
     assert several._gathered(core.constraints, ["extend_deadline"], 8) == []
     far = several._gathered(core.constraints, ["extend_deadline"], inf)
     assert [edit.kind for edit, _ in far] == ["extend_deadline", "extend_deadline"]

@@ -23,7 +23,7 @@ SWARM = {"size": 10, "at": {"q": 10}}
 
 
 def facts(mission: Mission) -> list[Fact]:
-    return list(facts_of(Context.of(mission)))
+    return list(facts_of(Context(mission)))
 
 
 def only(mission: Mission) -> Fact:

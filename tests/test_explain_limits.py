@@ -85,7 +85,7 @@ def test_ctrl_c_while_facts_are_looked_for(monkeypatch) -> None:
 
 
 def test_every_pause_of_the_facts_can_end_them() -> None:
-    whole = list(facts_of(Context.of(MISSION)))
+    whole = list(facts_of(Context(MISSION)))
     for most in range(100):
         left = [most]
 
@@ -96,7 +96,7 @@ def test_every_pause_of_the_facts_can_end_them() -> None:
 
         found = []
         try:
-            found.extend(facts_of(Context.of(MISSION, pause)))
+            found.extend(facts_of(Context(MISSION, pause)))
         except EnoughError:
             assert found == whole[: len(found)]
         else:

@@ -54,7 +54,7 @@ def test_whoever_cannot_go_on_is_a_fact_of_its_own() -> None:
 
 def test_a_short_mission_may_end_where_nobody_can_wait() -> None:
     assert tsplan.plan(mission(CHAIN, "F[0,3] R")).status == "optimal"
-    assert not list(facts_of(Context.of(mission(CHAIN, "F[0,3] R"))))
+    assert not list(facts_of(Context(mission(CHAIN, "F[0,3] R"))))
 
 
 def test_staying_where_nobody_can_wait_is_a_fact_unless_others_take_turns() -> None:

@@ -191,7 +191,7 @@ class Repairs:
 
     def _factual(self, changed: Mission) -> bool:
         """Whether a fact forbids every plan of a changed mission."""
-        return next(facts_of(Context.of(changed, self.oracle.pause)), None) is not None
+        return next(facts_of(Context(changed, self.oracle.pause)), None) is not None
 
 
 def applied(mission: Mission, steps: Sequence[Step]) -> Mission:

@@ -16,9 +16,6 @@ from tsplan.explanation.whynot.unconditional_demands import Demand, demands
 from tsplan.ts.reachability import shortest_durations, usable
 
 if TYPE_CHECKING:
-    import numpy as np
-    import numpy.typing as npt
-
     from tsplan.mission import Group, Mission
 
 
@@ -29,65 +26,6 @@ class Arrival(NamedTuple):
     robots: int
     entry: int
     start: str
-
-
-@dataclass(frozen=True)
-class Arrivals:
-    """Earliest arrivals on the map of one mission; what is computed is kept.
-
-    `pause` is called before what takes long, and raises where the work is to end.
-    """
-
-    mission: Mission
-    pause: Callable[[], None] = lambda: None
-    _known: dict[tuple[str, frozenset[str], str], npt.NDArray[np.float64]] = field(
-        default_factory=dict
-    )
-
-    def within(self, states: tuple[str, ...], capability: str | None) -> list[Arrival]:
-        """Everybody with a capability, those first that can be at the nearest state first."""
-        return sorted(
-            Arrival(min(self.between(group, start, s) for s in states), count, entry, start)
-            for entry, group in able(self.mission, capability)
-            for start, count in group.starts
-        )
-
-    def durations(self, group: Group, start: str) -> npt.NDArray[np.float64]:
-        """Fewest steps from a state to every state, for robots like those of a group."""
-        key = (group.class_name, group.capabilities, start)
-        if key not in self._known:
-            self.pause()
-            self._known[key] = shortest_durations(
-                self.mission.system,
-                [start],
-                class_name=group.class_name,
-                capabilities=group.capabilities,
-            )[0]
-        return self._known[key]
-
-    def between(self, group: Group, start: str, target: str) -> float:
-        """Fewest steps from one state to another, for robots like those of a group."""
-        return float(self.durations(group, start)[self._places[target]])
-
-    def way(self, group: Group, start: str, target: str) -> list[str]:
-        """The states of a quickest way; empty where there is none."""
-        distance = dict(zip(self._places, self.durations(group, start), strict=True))
-        if distance[target] == inf:
-            return []
-        into: dict[str, list[tuple[str, int]]] = {}
-        for edge, duration in usable(self.mission.system, group.class_name, group.capabilities):
-            if not edge.is_wait:
-                into.setdefault(edge.target, []).append((edge.source, duration))
-        states = [target]
-        while states[-1] != start:
-            before = into[states[-1]]
-            here = distance[states[-1]]
-            states.append(next(s for s, duration in before if distance[s] + duration == here))
-        return states[::-1]
-
-    @cached_property
-    def _places(self) -> Mapping[str, int]:
-        return {name: number for number, name in enumerate(self.mission.system.states)}
 
 
 def able(mission: Mission, capability: str | None) -> Iterator[tuple[int, Group]]:
@@ -110,20 +48,21 @@ def latest_of(arrivals: list[Arrival], amount: int) -> float:
 
 @dataclass(frozen=True)
 class Context:
-    """One mission as the finders see it.
+    """One mission as the finders see it; what is computed is kept.
 
     `pause` is called between parts of the work, and raises where that is to end.
     """
 
     mission: Mission
-    wording: Wording
-    arrivals: Arrivals
-    pause: Callable[[], None]
+    pause: Callable[[], None] = lambda: None
+    _distances: dict[tuple[str, frozenset[str], str], Mapping[str, float]] = field(
+        default_factory=dict
+    )
 
-    @classmethod
-    def of(cls, mission: Mission, pause: Callable[[], None] = lambda: None) -> Context:
-        """The context of a mission."""
-        return cls(mission, Wording(mission), Arrivals(mission, pause), pause)
+    @cached_property
+    def wording(self) -> Wording:
+        """Words and places for the parts of the mission."""
+        return Wording(self.mission)
 
     @cached_property
     def all_demands(self) -> tuple[Demand, ...]:
@@ -140,11 +79,49 @@ class Context:
         """The upper bounds among the demands."""
         return tuple(item for item in self.all_demands if item.upper)
 
+    def distances(self, group: Group, start: str) -> Mapping[str, float]:
+        """Fewest steps from a state to every state, for robots like those of a group."""
+        key = (group.class_name, group.capabilities, start)
+        if key not in self._distances:
+            self.pause()
+            (row,) = shortest_durations(
+                self.mission.system,
+                [start],
+                class_name=group.class_name,
+                capabilities=group.capabilities,
+            ).tolist()
+            self._distances[key] = dict(zip(self.mission.system.states, row, strict=True))
+        return self._distances[key]
+
+    def way(self, group: Group, start: str, target: str) -> list[str]:
+        """The states of a quickest way; empty where there is none."""
+        distance = self.distances(group, start)
+        if distance[target] == inf:
+            return []
+        into: dict[str, list[tuple[str, int]]] = {}
+        for edge, duration in usable(self.mission.system, group.class_name, group.capabilities):
+            if not edge.is_wait:
+                into.setdefault(edge.target, []).append((edge.source, duration))
+        states = [target]
+        while states[-1] != start:
+            before = into[states[-1]]
+            here = distance[states[-1]]
+            states.append(next(s for s, duration in before if distance[s] + duration == here))
+        return states[::-1]
+
+    def arrivals(self, states: tuple[str, ...], capability: str | None) -> list[Arrival]:
+        """Everybody with a capability, those first that can be at the nearest state first."""
+        return sorted(
+            Arrival(min(self.distances(group, start)[s] for s in states), count, entry, start)
+            for entry, group in able(self.mission, capability)
+            for start, count in group.starts
+        )
+
     def places(self, need: Demand) -> list[tuple[str, list[Arrival]]]:
         """The states at which a need must be met, or one for all of them, and who comes there."""
         together = need.reach == "together"
         sites = [need.states] if together else [(state,) for state in need.states]
-        return [(site[0], self.arrivals.within(site, need.capability)) for site in sites]
+        return [(site[0], self.arrivals(site, need.capability)) for site in sites]
 
     def ready(self, need: Demand) -> float:
         """The earliest step at which a need can begin to be met, by travel times alone."""

@@ -94,7 +94,7 @@ class _Run:
     def __post_init__(self) -> None:
         self.clock = Clock(self.limit, lambda: self._stopped)
         self.oracle = Oracle(self.mission, self.clock, self.solver, stop=self.stop)
-        self.context = Context.of(self.mission, self.oracle.pause)
+        self.context = Context(self.mission, self.oracle.pause)
 
     def stop(self) -> None:
         """Ask no more questions."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
-from math import ceil, inf
+from math import ceil
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
@@ -206,9 +206,7 @@ def _quicker_edges(
     targets = list(dict.fromkeys(_states_of(mission, conflict)))
     for origin in [*(state for state, _ in group.starts), *targets]:
         for target in targets:
-            if context.arrivals.between(group, origin, target) < inf:
-                way = context.arrivals.way(group, origin, target)
-                pairs.update(dict.fromkeys(pairwise(way)))
+            pairs.update(dict.fromkeys(pairwise(context.way(group, origin, target))))
     for pair in list(pairs)[:MOST_EDGES]:
         number = Number("edge", pair)
         longest = number.get(mission)

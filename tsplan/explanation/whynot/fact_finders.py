@@ -1,8 +1,8 @@
 """What forbids every plan and can be seen without a solver.
 
 Each finder looks at what the formula asks for in any case (`demands`) and at when robots can be
-where on their own (`Arrivals`). What it reports is a proof: any team that did better would break
-the arithmetic it quotes.
+where on their own (`Context.arrivals`). What it reports is a proof: any team that did better would
+break the arithmetic it quotes.
 """
 
 from __future__ import annotations
@@ -85,9 +85,9 @@ def _too_late(context: Context, need: Demand, state: str, arrivals: list[Arrival
         return f"{text}: there is no way for class {group.class_name} from '{missing.start}'"
     target = state
     if need.reach == "together":
-        distance = {s: context.arrivals.between(group, missing.start, s) for s in need.states}
+        distance = {s: context.distances(group, missing.start)[s] for s in need.states}
         target = min(need.states, key=lambda name: distance[name])
-    way = context.arrivals.way(group, missing.start, target)
+    way = context.way(group, missing.start, target)
     which = "next" if inside else "first"
     return (
         f"{text}: the {which} is one of class {group.class_name} from '{missing.start}', at step "
@@ -170,7 +170,7 @@ def _back(context: Context, group: Group, state: str) -> float:
     """Fewest steps of a way from a state back to it, for robots like those of a group."""
     moves = usable(context.mission.system, group.class_name, group.capabilities)
     ways = (
-        duration + context.arrivals.between(group, edge.target, state)
+        duration + context.distances(group, edge.target)[state]
         for edge, duration in moves
         if edge.source == state and not edge.is_wait
     )

@@ -133,7 +133,7 @@ def _too_late(context: Context, one: Demand, two: Demand) -> str | None:
 def _between(context: Context, one: Demand, two: Demand) -> float:
     """Fewest steps from a state of one need to a state of the other, for anybody able."""
     ways = (
-        context.arrivals.between(group, source, target)
+        context.distances(group, source)[target]
         for _, group in able(context.mission, one.capability)
         for source in one.states
         for target in two.states
