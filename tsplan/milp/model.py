@@ -265,11 +265,12 @@ class Block:
 
 def joined_terms(terms: Sequence[Terms]) -> tuple[Ints, Ints, Floats]:
     """All entries of some terms: rows' numbers, columns and factors, each as one array."""
-    sizes = (np.size(term[1] if np.ndim(term[1]) else term[0]) for term in terms)
-    blocks = [
-        tuple(np.full(n, part) for part in term) for n, term in zip(sizes, terms, strict=True)
-    ]
-    index, columns, factors = _stacked(blocks, np.int64, np.int64, np.float64)
+    sizes = [np.size(term[1] if np.ndim(term[1]) else term[0]) for term in terms]
+    index, columns = np.empty((2, sum(sizes)), dtype=np.int64)
+    factors, end = np.empty(sum(sizes)), 0
+    for size, term in zip(sizes, terms, strict=True):
+        begin, end = end, end + size
+        index[begin:end], columns[begin:end], factors[begin:end] = term
     return index, columns, factors
 
 
