@@ -27,7 +27,8 @@ import families
 import numpy as np
 
 import tsplan
-from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.assemble import tight
+from tsplan.encode.preparation import prepare
 from tsplan.encode.switches import Switch
 from tsplan.plans.plan import Plan
 from tsplan.run.events import Bound, Event, Incumbent

@@ -18,7 +18,8 @@ from tsplan.encode import (
 from tsplan.encode import (
     until_release as switching,
 )
-from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.assemble import tight
+from tsplan.encode.preparation import prepare
 from tsplan.milp.model import Size
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem

@@ -12,10 +12,11 @@ from tsplan import Mission, plan
 from tsplan.clock import Clock, Halted
 from tsplan.encode import memory as ceiling
 from tsplan.encode import shortcuts
-from tsplan.encode.assemble import prepare, reference, tight
+from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Setting
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.encode.memory import Watch, free_memory
+from tsplan.encode.preparation import prepare
 from tsplan.encode.shortcuts import Kept
 from tsplan.milp.model import Draft
 from tsplan.mission import Group

@@ -10,8 +10,9 @@ import tsplan
 from tests.seeds import seed_blocks
 from tests.test_encode_agree import answer
 from tsplan import Mission
-from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.assemble import tight
 from tsplan.encode.model_objectives import Travel
+from tsplan.encode.preparation import prepare
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem

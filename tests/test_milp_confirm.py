@@ -14,8 +14,9 @@ from scipy import sparse
 
 import tsplan
 from tsplan.clock import Clock
-from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.assemble import tight
 from tsplan.encode.model_objectives import Travel
+from tsplan.encode.preparation import prepare
 from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs

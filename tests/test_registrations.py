@@ -22,8 +22,8 @@ import pytest
 
 import tsplan
 from tsplan import logic
-from tsplan.encode.assemble import prepare
 from tsplan.encode.atom_encoders import Atoms
+from tsplan.encode.preparation import prepare
 from tsplan.explanation import explain
 from tsplan.logic import Formula, walk
 from tsplan.mission import Mission, mission_from_text

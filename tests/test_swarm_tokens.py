@@ -11,9 +11,10 @@ import tsplan
 from tests.joint_plans import best
 from tsplan import Mission
 from tsplan.clock import Clock
-from tsplan.encode.assemble import prepare, tight
+from tsplan.encode.assemble import tight
 from tsplan.encode.groups.token_flow import tokens
 from tsplan.encode.model_objectives import Splits
+from tsplan.encode.preparation import prepare
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import solver

@@ -8,13 +8,10 @@ from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.clock import Clock
-from tsplan.encode.agent_classes import AgentClass, MapArrays, agent_classes, map_arrays
 from tsplan.encode.capacity_rows import capacity_rows
 from tsplan.encode.demand_rows import DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
-from tsplan.encode.expressions import Constraint
 from tsplan.encode.flow_network import ClassColumns, Network, flow
 from tsplan.encode.groups.group_rows import (
     counted,
@@ -23,122 +20,18 @@ from tsplan.encode.groups.group_rows import (
     size_rows,
     swarms_of,
 )
-from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.memory import Watch
-from tsplan.encode.model_objectives import ModelObjective, model_objective
-from tsplan.encode.own_constraints import constraint_rows, states_of, terms_of
+from tsplan.encode.model_objectives import objectives_of
+from tsplan.encode.own_constraints import constraint_rows
 from tsplan.encode.precedence import legs_of, route_rows
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
-from tsplan.encode.switches import ALL_SWITCHES, Switch
+from tsplan.encode.switches import Switch
 from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
-from tsplan.logic import Count, Formula, capabilities, positive, simplify, walk
 from tsplan.milp.model import Draft, Ints
-from tsplan.mission import Mission
 
 Sited: TypeAlias = tuple[SiteColumns, Family]
 """A family of demands at one site, and its columns."""
-
-
-def objectives_of(mission: Mission) -> tuple[ModelObjective, ...]:
-    """The objectives of a mission in their order, but for those that say what is to hold."""
-    found = map(model_objective, mission.objective)
-    return tuple(objective for objective in found if objective is not None)
-
-
-def prepare(
-    mission: Mission,
-    constraints: Sequence[Constraint] = (),
-    switches: frozenset[Switch] = ALL_SWITCHES,
-    goal: Formula | None = None,
-    *,
-    clock: Clock | None = None,
-) -> Setting:
-    """Sort the team into classes and reduce their graphs.
-
-    `goal` is a positive formula in place of the mission's own goal. Raises Halted when the clock is
-    over before that is done.
-    """
-    clock = clock or Clock()
-    system = mission.system
-    arrays = map_arrays(system)
-    plain = None
-    if goal is None and mission.swarm is not None and mission.swarm.margin:
-        plain = simplify(positive(mission.counted))
-    goal = mission.goal if goal is None else goal
-    named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
-    classes = agent_classes(
-        system,
-        mission.team,
-        {name for name in named if name is not None},
-        bounds={} if mission.swarm is None else mission.swarm.each,
-        priced=any(objective.priced for objective in objectives_of(mission)),
-    )
-    interests = [
-        _interest(mission, goal, item.graph.capabilities, arrays, constraints) for item in classes
-    ]
-    setting = Setting(
-        mission=mission,
-        goal=goal,
-        horizon=mission.horizon,
-        classes=classes,
-        reduced=tuple(whole(item.graph) for item in classes),
-        arrays=arrays,
-        constraints=tuple(constraints),
-        switches=switches,
-        clock=clock,
-        plain=plain,
-    )
-    if Switch.REDUCTION not in switches:
-        return setting
-    if not all(objective.reducible(setting) for objective in objectives_of(mission)):
-        return setting
-    reduced = _reduced(classes, interests, mission.horizon, clock)
-    if reduced is None:
-        return setting
-    limited = any(interest.limited.any() for interest in interests)
-    return replace(setting, reduced=reduced, monotone=not limited and not arrays.group_capacity)
-
-
-def _reduced(
-    classes: Sequence[AgentClass], interests: Sequence[Interest], horizon: int, clock: Clock
-) -> tuple[Reduced, ...] | None:
-    """Reductions of all classes, or None where that of one would not be exact.
-
-    Where groups split and merge matters to swarms, so these keep the whole map.
-    """
-    found = []
-    for item, interest in zip(classes, interests, strict=True):
-        swarm = item.bounds is not None
-        reduction = whole(item.graph) if swarm else reduce(item.graph, interest, horizon, clock)
-        if reduction is None:
-            return None
-        found.append(reduction)
-    return tuple(found)
-
-
-def _interest(
-    mission: Mission,
-    goal: Formula,
-    able: frozenset[str],
-    arrays: MapArrays,
-    constraints: Sequence[Constraint],
-) -> Interest:
-    """Which states the problem counts agents with these capabilities at, and which it limits."""
-    relevant = np.zeros(len(arrays.names), dtype=np.bool_)
-    limited = np.zeros(len(arrays.names), dtype=np.bool_)
-    for node in walk(goal):
-        if isinstance(node, Count) and (node.capability is None or node.capability in able):
-            states = arrays.states_with(mission.system, node.label)
-            relevant[states] = True
-            limited[states] |= node.relation == "<="
-    for state, _ in arrays.capacity:
-        relevant[state] = limited[state] = True
-    for term in terms_of(constraints):
-        if term.capability is None or term.capability in able:
-            states = states_of(term, mission.system, arrays)
-            relevant[states] = limited[states] = True
-    return Interest(relevant, limited)
 
 
 def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:

@@ -13,6 +13,11 @@ import numpy as np
 from tsplan.milp.model import Bools
 
 
+def is_counted(capability: str | None, ability: frozenset[str]) -> bool:
+    """Whether agents with these capabilities are counted somewhere."""
+    return capability is None or capability in ability
+
+
 def counted_nodes(capability: str | None, abilities: Sequence[frozenset[str]], nodes: int) -> Bools:
     """Whether agents of each class are counted at each node, as an array (classes, nodes).
 
@@ -21,5 +26,5 @@ def counted_nodes(capability: str | None, abilities: Sequence[frozenset[str]], n
     >>> counted_nodes("lift", [frozenset({"lift"}), frozenset()], 2).tolist()
     [[True, True], [False, False]]
     """
-    able = [capability is None or capability in ability for ability in abilities]
+    able = [is_counted(capability, ability) for ability in abilities]
     return np.repeat(np.array(able, dtype=np.bool_).reshape(-1, 1), nodes, axis=1)

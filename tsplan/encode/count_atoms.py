@@ -14,9 +14,10 @@ import numpy as np
 
 from tsplan.encode.agent_classes import MapArrays
 from tsplan.encode.atom_encoders import AtomEncoder, Atoms, Bound, Requirement, Site, Slack
+from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.flow_network import Network
-from tsplan.logic import Count, Formula
-from tsplan.milp.model import Floats
+from tsplan.logic import Count, Formula, walk
+from tsplan.milp.model import Bools, Floats
 from tsplan.ts import TransitionSystem
 
 
@@ -73,3 +74,15 @@ def atoms_over(
     """The encoders of all classes of atoms over the flows of a network."""
     made = {kind: make(network, system, arrays, level) for kind, make in ENCODERS.items()}
     return Atoms(made, network.horizon)
+
+
+def watched_states(
+    formula: Formula, ability: frozenset[str], system: TransitionSystem, arrays: MapArrays
+) -> tuple[Bools, Bools]:
+    """States at which a formula wants agents with these capabilities, and those where it limits."""
+    wanted, limited = (np.zeros(len(arrays.names), dtype=np.bool_) for _ in range(2))
+    for node in walk(formula):
+        if isinstance(node, Count) and is_counted(node.capability, ability):
+            states = arrays.states_with(system, node.label)
+            (limited if node.relation == "<=" else wanted)[states] = True
+    return wanted, limited

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -237,30 +238,46 @@ def laid_out(
     )
 
 
-def _conserve(columns: ClassColumns, horizon: int, draft: Draft) -> None:
-    """At every (state, step) before the horizon, agents that leave are those that came."""
+class Balance(NamedTuple):
+    """At every state and step before the horizon: what leaves, less what has come.
+
+    There are `total` rows; `row_of` plus a step is that of a state. `rows`, `columns` and `values`
+    are their entries.
+    """
+
+    total: int
+    row_of: Ints
+    rows: Ints
+    columns: Ints
+    values: Floats
+
+
+def balance(columns: ClassColumns, horizon: int) -> Balance:
+    """The balance of one class."""
     graph = columns.graph
     spans = np.maximum(horizon - columns.arrival, 0)
     row_of = np.cumsum(spans) - spans - columns.arrival
     edge, step, column = columns.unrolled()
     end = step + graph.duration[edge]
     inside = end < horizon
-    rows = np.concatenate(
-        [row_of[graph.tail[edge]] + step, (row_of[graph.head[edge]] + end)[inside]]
-    )
-    values = np.concatenate([np.ones(len(column)), np.full(int(inside.sum()), -1.0)])
-    supply = np.zeros(int(spans.sum()))
-    begun = np.flatnonzero(graph.start)
-    if horizon > 0:
-        supply[row_of[begun]] = graph.start[begun]
-    draft.rows(
-        rows,
+    leaving, coming = row_of[graph.tail[edge]] + step, (row_of[graph.head[edge]] + end)[inside]
+    return Balance(
+        int(spans.sum()),
+        row_of,
+        np.concatenate([leaving, coming]),
         np.concatenate([column, column[inside]]),
-        values,
-        lower=supply,
-        upper=supply,
-        kind="flow",
+        np.concatenate([np.ones(len(leaving)), -np.ones(len(coming))]),
     )
+
+
+def _conserve(columns: ClassColumns, horizon: int, draft: Draft) -> None:
+    """At every (state, step) before the horizon, agents that leave are those that came."""
+    kept = balance(columns, horizon)
+    supply = np.zeros(kept.total)
+    begun = np.flatnonzero(columns.graph.start)
+    if horizon > 0:
+        supply[kept.row_of[begun]] = columns.graph.start[begun]
+    draft.rows(kept.rows, kept.columns, kept.values, lower=supply, upper=supply, kind="flow")
 
 
 def _grouped(keys: Ints, count: int) -> tuple[Ints, Ints]:

@@ -25,6 +25,7 @@ from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
+from tsplan.mission import Mission
 from tsplan.mission.objectives import OBJECTIVES
 
 
@@ -320,6 +321,12 @@ for _each in (
 def model_objective(name: str) -> ModelObjective | None:
     """The objective of a name; None for those that say what is to hold."""
     return _OBJECTIVES.get(name)
+
+
+def objectives_of(mission: Mission) -> tuple[ModelObjective, ...]:
+    """The objectives of a mission in their order, but for those that say what is to hold."""
+    found = map(model_objective, mission.objective)
+    return tuple(objective for objective in found if objective is not None)
 
 
 def _priced(encoded: Encoded, price: Callable[[ClassColumns], Floats | Ints]) -> Floats:

@@ -14,11 +14,11 @@ from fractions import Fraction
 from functools import partial
 
 from tsplan.clock import Clock
-from tsplan.encode.assemble import prepare
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.expressions import Constraint
 from tsplan.encode.model_objectives import Availability
 from tsplan.encode.partial.partial_model import Wish, demand_of, everything, wish_of
+from tsplan.encode.preparation import prepare
 from tsplan.encode.read_back import counts_of
 from tsplan.encode.switches import Switch
 from tsplan.errors import Finding, MissionError

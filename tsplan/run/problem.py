@@ -9,10 +9,11 @@ from reprlib import repr as clipped
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from tsplan.clock import Clock
-from tsplan.encode.assemble import objectives_of, prepare, reference, tight
+from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
-from tsplan.encode.model_objectives import OwnSum
+from tsplan.encode.model_objectives import OwnSum, objectives_of
+from tsplan.encode.preparation import prepare
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.errors import Finding, MissionError, nearest
 from tsplan.milp.model import Model

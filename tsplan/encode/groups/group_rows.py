@@ -14,6 +14,7 @@ import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.atom_encoders import Bound
+from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.demand_rows import DemandRows
 from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.encode.groups.group_demands import (
@@ -55,8 +56,7 @@ class Swarm:
 
     def counts(self, bound: Bound) -> bool:
         """Whether a bound is about the agents of this swarm."""
-        able = self.places.entered.graph.capabilities
-        return bound.capability is None or bound.capability in able
+        return is_counted(bound.capability, self.places.entered.graph.capabilities)
 
 
 def swarms_of(

@@ -21,8 +21,9 @@ from typing import NamedTuple
 import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
+from tsplan.encode.count_atoms import watched_states
 from tsplan.encode.encoded import Setting
-from tsplan.encode.flow_network import ClassColumns, ClassGraph, Network, laid_out
+from tsplan.encode.flow_network import ClassColumns, ClassGraph, Network, balance, laid_out
 from tsplan.encode.groups.group_demands import (
     group_network,
     most_groups,
@@ -34,8 +35,7 @@ from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.memory import Watch
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.witness import WitnessEncoder
-from tsplan.logic import Count, walk
-from tsplan.milp.model import INFINITY, Bools, Draft, Floats, Ints, Model
+from tsplan.milp.model import INFINITY, Draft, Floats, Ints, Model
 
 _SOME = 1e-6
 
@@ -136,43 +136,29 @@ def _robots(setting: Setting) -> Network:
 
 
 def _shortened(setting: Setting, item: AgentClass) -> Reduced:
-    """The quickest ways between some states; upper bounds on counts are not looked at."""
-    relevant = _relevant(setting, item)
-    interest = Interest(relevant, np.zeros_like(relevant))
+    """The quickest ways between the states at which the formula wants agents of a swarm.
+
+    Upper bounds on counts are not looked at.
+    """
+    system, able = setting.mission.system, item.graph.capabilities
+    wanted, _ = watched_states(setting.goal, able, system, setting.arrays)
+    interest = Interest(wanted, np.zeros_like(wanted))
     return reduce(item.graph, interest, setting.horizon, setting.clock) or whole(item.graph)
-
-
-def _relevant(setting: Setting, item: AgentClass) -> Bools:
-    """The states at which the formula wants agents of a swarm."""
-    relevant = np.zeros(len(setting.arrays.names), dtype=np.bool_)
-    for node in walk(setting.goal):
-        if not isinstance(node, Count) or node.relation == "<=":
-            continue
-        if node.capability is None or node.capability in item.graph.capabilities:
-            states = setting.arrays.states_with(setting.mission.system, node.label)
-            relevant[states] = True
-    return relevant
 
 
 def _flow(columns: ClassColumns, horizon: int, draft: Draft) -> Ints:
     """Tokens that leave a state have come or begin there; columns of those added to the starts."""
-    graph = columns.graph
-    spans = np.maximum(horizon - columns.arrival, 0)
-    row_of = np.cumsum(spans) - spans - columns.arrival
-    edge, step, column = columns.unrolled()
-    end = step + graph.duration[edge]
-    inside = end < horizon
-    starts = np.flatnonzero(graph.start)
+    starts = np.flatnonzero(columns.graph.start)
     added = draft.columns(len(starts), upper=INFINITY, integer=True)
     if horizon == 0:
         return added
-    begun = np.zeros(int(spans.sum()))
-    begun[row_of[starts]] = 1.0
-    leaving, coming = row_of[graph.tail[edge]] + step, (row_of[graph.head[edge]] + end)[inside]
+    kept = balance(columns, horizon)
+    begun = np.zeros(kept.total)
+    begun[kept.row_of[starts]] = 1.0
     draft.rows(
-        np.concatenate([leaving, coming, row_of[starts]]),
-        np.concatenate([column, column[inside], added]),
-        np.concatenate([np.ones(len(column)), -np.ones(len(coming) + len(starts))]),
+        np.concatenate([kept.rows, kept.row_of[starts]]),
+        np.concatenate([kept.columns, added]),
+        np.concatenate([kept.values, -np.ones(len(starts))]),
         lower=-INFINITY,
         upper=begun,
         kind="tokens",

@@ -1,0 +1,99 @@
+"""From a mission to what every encoding starts from: classes of agents on maps of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from tsplan.clock import Clock
+from tsplan.encode.agent_classes import AgentClass, agent_classes, map_arrays
+from tsplan.encode.capability_mask import is_counted
+from tsplan.encode.count_atoms import watched_states
+from tsplan.encode.encoded import Setting
+from tsplan.encode.expressions import Constraint
+from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
+from tsplan.encode.model_objectives import objectives_of
+from tsplan.encode.own_constraints import states_of, terms_of
+from tsplan.encode.switches import ALL_SWITCHES, Switch
+from tsplan.logic import Formula, capabilities, positive, simplify
+from tsplan.mission import Mission
+
+
+def prepare(
+    mission: Mission,
+    constraints: Sequence[Constraint] = (),
+    switches: frozenset[Switch] = ALL_SWITCHES,
+    goal: Formula | None = None,
+    *,
+    clock: Clock | None = None,
+) -> Setting:
+    """Sort the team into classes and reduce their graphs.
+
+    `goal` is a positive formula in place of the mission's own goal. Raises Halted when the clock is
+    over before that is done.
+    """
+    plain = None
+    if goal is None and mission.swarm is not None and mission.swarm.margin:
+        plain = simplify(positive(mission.counted))
+    goal = mission.goal if goal is None else goal
+    classes = _classes(mission, goal, constraints)
+    setting = Setting(
+        mission=mission,
+        goal=goal,
+        horizon=mission.horizon,
+        classes=classes,
+        reduced=tuple(whole(item.graph) for item in classes),
+        arrays=map_arrays(mission.system),
+        constraints=tuple(constraints),
+        switches=switches,
+        clock=clock or Clock(),
+        plain=plain,
+    )
+    return _on_reduced_maps(setting) if Switch.REDUCTION in switches else setting
+
+
+def _classes(
+    mission: Mission, goal: Formula, constraints: Sequence[Constraint]
+) -> tuple[AgentClass, ...]:
+    """The classes that the problem tells apart."""
+    named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
+    return agent_classes(
+        mission.system,
+        mission.team,
+        {name for name in named if name is not None},
+        bounds={} if mission.swarm is None else mission.swarm.each,
+        priced=any(objective.priced for objective in objectives_of(mission)),
+    )
+
+
+def _on_reduced_maps(setting: Setting) -> Setting:
+    """The setting on reduced maps, or as it is where these would not be exact."""
+    if not all(objective.reducible(setting) for objective in objectives_of(setting.mission)):
+        return setting
+    interests = [_interest(setting, item.graph.capabilities) for item in setting.classes]
+    reduced: list[Reduced] = []
+    for item, interest in zip(setting.classes, interests, strict=True):
+        if item.bounds is not None:  # where groups split and merge is seen on the whole map
+            reduced.append(whole(item.graph))
+            continue
+        short = reduce(item.graph, interest, setting.horizon, setting.clock)
+        if short is None:
+            return setting
+        reduced.append(short)
+    limited = any(interest.limited.any() for interest in interests)
+    monotone = not limited and not setting.arrays.group_capacity
+    return replace(setting, reduced=tuple(reduced), monotone=monotone)
+
+
+def _interest(setting: Setting, ability: frozenset[str]) -> Interest:
+    """Which states the problem counts agents with these capabilities at, and which it limits."""
+    system, arrays = setting.mission.system, setting.arrays
+    wanted, limited = watched_states(setting.goal, ability, system, arrays)
+    for state, _ in arrays.capacity:
+        limited[state] = True
+    for term in terms_of(setting.constraints):
+        if is_counted(term.capability, ability):
+            limited[states_of(term, system, arrays)] = True
+    return Interest(np.logical_or(wanted, limited), limited)
