@@ -107,20 +107,34 @@ def _pursued(stages: Stages, choice: Choice, known: Point) -> Outcome:
         known=known.values[known.encoded.flows] if stages.tight else None,
     )
     outcome = rest.run()
+    point = outcome.point or known
     others = outcome.reached[1:] if implied else outcome.reached
+    told = tuple(_of_all_plans(rest.setting, item, point) for item in others)
+    proven = settled.proven and outcome.proven and told == others
+    why = _why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible)
     return Outcome(
-        point=outcome.point or known,
-        reached=(
-            choice.objective,
-            *(others or (ObjectiveValue(name, None, None) for name in names)),
-        ),
-        proven=settled.proven and outcome.proven,
-        infeasible=False,
-        stopped_by=_why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible),
+        point=point,
+        reached=(choice.objective, *(told or (ObjectiveValue(name, None, None) for name in names))),
+        proven=proven,
+        stopped_by=why if proven else why or StoppedBy.PRECISION,
         size=outcome.size,
         levels=settled.levels,
         notes=outcome.notes,
     )
+
+
+def _of_all_plans(setting: Setting, reached: ObjectiveValue, point: Point) -> ObjectiveValue:
+    """A value without its bound where the plan refutes it.
+
+    Availability is bounded for the parts that were chosen to hold. A plan in which other parts
+    hold as well may have more to spare at what holds best, and then nothing is known of all plans.
+    """
+    mission = setting.mission
+    if not mission.partial or reached.name != "availability" or reached.bound is None:
+        return reached
+    tree = mission.tree(mission.formula)
+    spare = shares(tree, counts_of(setting, tree, point))[tree][0].spare
+    return replace(reached, bound=None) if spare > reached.bound else reached
 
 
 def _why_open(
