@@ -1,0 +1,1 @@
+"""Signals: trajectories of linear systems that satisfy a formula over real numbers."""

@@ -1,0 +1,117 @@
+"""Linear systems in discrete time, and signals that move freely between bounds.
+
+`x(k+1) = A x(k) + B u(k) + D`, with bounds on every signal and control at every step, a range for
+where the signals begin, and limits that are linear but for absolute values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import numpy as np
+
+from tsplan.milp.model import Floats
+
+Range = tuple[float, float]
+Terms = tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True)
+class Limit:
+    """At every step `sum of the terms + sum of factor * |terms| <= bound`.
+
+    The factors of absolute values are positive, so the limit is one of a convex set. Where it
+    names a control, it holds at the steps at which there is one.
+
+    >>> print(Limit((), ((1.0, (("u1", 1.0),)), (1.0, (("u2", 1.0),))), 1.0))
+    |u1| + |u2| <= 1
+    """
+
+    terms: Terms
+    absolute: tuple[tuple[float, Terms], ...]
+    bound: float
+
+    def __str__(self) -> str:
+        parts = [_summed(self.terms)] if self.terms else []
+        parts += [
+            ("" if factor == 1 else f"{factor:.15g}*") + f"|{_summed(terms)}|"
+            for factor, terms in self.absolute
+        ]
+        return f"{' + '.join(parts) or '0'} <= {self.bound:.15g}"
+
+
+def _summed(terms: Terms) -> str:
+    text = ""
+    for name, factor in terms:
+        sign = ("-" if factor < 0 else "") if not text else (" - " if factor < 0 else " + ")
+        size = abs(factor)
+        text += sign + (name if size == 1 else f"{size:.15g}*{name}")
+    return text
+
+
+@dataclass(frozen=True)
+class Dynamics:
+    """`x(k+1) = a x(k) + b u(k) + d`: matrices by rows, in the order of signals and controls."""
+
+    a: tuple[tuple[float, ...], ...]
+    b: tuple[tuple[float, ...], ...]
+    d: tuple[float, ...]
+
+    @property
+    def arrays(self) -> tuple[Floats, Floats, Floats]:
+        """The three as arrays (n, n), (n, m) and (n,)."""
+        count = len(self.a)
+        b = np.array(self.b, dtype=np.float64).reshape(count, -1)
+        return np.array(self.a, dtype=np.float64), b, np.array(self.d, dtype=np.float64)
+
+
+@dataclass(frozen=True)
+class System:
+    """Signals with bounds, controls with bounds, and how the signals go on.
+
+    `signals` and `controls` give the least and greatest value of each, infinite for none, in the
+    order of the rows and columns of the dynamics. `initial` has the range in which a signal begins,
+    for those whose beginning is not free. Without dynamics signals move freely. `outputs` names
+    linear expressions over signals and controls, each with a constant.
+    """
+
+    signals: Mapping[str, Range] = field(hash=False)
+    controls: Mapping[str, Range] = field(default_factory=dict, hash=False)
+    dynamics: Dynamics | None = None
+    initial: Mapping[str, Range] = field(default_factory=dict, hash=False)
+    limits: tuple[Limit, ...] = ()
+    outputs: Mapping[str, tuple[Terms, float]] = field(default_factory=dict, hash=False)
+
+    def __post_init__(self) -> None:
+        for name in ("signals", "controls", "initial", "outputs"):
+            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All signals, then all controls."""
+        return (*self.signals, *self.controls)
+
+    def begins(self, name: str) -> Range:
+        """The range in which a signal begins."""
+        low, high = self.signals[name]
+        first, last = self.initial.get(name, (low, high))
+        return max(low, first), min(high, last)
+
+    def simulated(self, start: Sequence[float], controls: Floats) -> Floats:
+        """The signals (n, T+1) from a start by controls (m, T), step by step in floats.
+
+        Raises ValueError for a system without dynamics.
+
+        >>> cart = System({"p": (0, 9)}, {"u": (-1, 1)}, Dynamics(((1,),), ((1,),), (0,)))
+        >>> cart.simulated([2.0], np.array([[1.0, -0.5]])).tolist()
+        [[2.0, 3.0, 2.5]]
+        """
+        if self.dynamics is None:
+            raise ValueError("signals without dynamics cannot be simulated")
+        a, b, d = self.dynamics.arrays
+        states = [np.asarray(start, dtype=np.float64)]
+        for control in controls.T:
+            states.append(a @ states[-1] + b @ control + d)
+        return np.array(states).T
