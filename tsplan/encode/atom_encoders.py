@@ -7,7 +7,7 @@ added to the bounds' amounts; where it is a column, `Slack` is compared with it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple, Protocol, TypeAlias
@@ -32,24 +32,28 @@ class Bound:
 
 @dataclass(frozen=True, slots=True)
 class Requirement:
-    """Bounds that must all hold, or of which one must."""
+    """Bounds that must all hold, or of which one must, in the form of the atom's class."""
 
-    bounds: tuple[Bound, ...]
+    bounds: tuple[Any, ...]
     every: bool
 
     @property
     def visit(self) -> Bound | None:
         """The one bound, where it is enough that a single agent comes by."""
         (first, *others) = self.bounds
-        single = self.every and not others and not first.upper and first.amount == 1
-        return first if single else None
+        if not self.every or others or not isinstance(first, Bound):
+            return None
+        return first if not first.upper and first.amount == 1 else None
 
 
 class Slack(NamedTuple):
-    """By how much a bound holds: `factor * sum of the columns + constant`, from `low` to `high`."""
+    """By how much a bound holds: the columns times `factor`, and `constant`: `low` to `high`.
+
+    There is one factor for all columns, or one for each.
+    """
 
     columns: Ints
-    factor: float
+    factor: float | Floats
     constant: float
     low: float
     high: float
@@ -58,13 +62,20 @@ class Slack(NamedTuple):
 class AtomEncoder(Protocol):
     """Encodes the atoms of one class."""
 
+    @property
+    def grain(self) -> float:
+        """The least distance of two different slacks: 1 where they are whole, 0 of real numbers."""
+
     def requirement(self, atom: Any) -> Requirement:
         """The bounds an atom means."""
 
-    def best(self, bound: Bound) -> Floats:
+    def best(self, bound: Any) -> Floats:
         """By how much a bound holds at best, at every step."""
 
-    def slack(self, bound: Bound, step: int) -> Slack:
+    def worst(self, bound: Any) -> Floats | None:
+        """By how much it holds in any case, at every step; None where that is not known."""
+
+    def slack(self, bound: Any, step: int) -> Slack:
         """By how much a bound holds at a step."""
 
 
@@ -74,6 +85,7 @@ class Atoms:
 
     encoders: Mapping[type[Formula], AtomEncoder]
     horizon: int
+    joint: Callable[[Formula, Atoms], float] | None = None  # the most a conjunction can hold by
 
     @cached_property
     def _read(self) -> dict[Formula, tuple[AtomEncoder, Requirement]]:
@@ -95,4 +107,11 @@ class Atoms:
         """By how much an atom holds at best, at every step."""
         encoder, needed = self.of(atom)
         values = np.array([encoder.best(bound) for bound in needed.bounds])
+        return np.asarray(values.min(axis=0) if needed.every else values.max(axis=0))
+
+    def worst(self, atom: Formula) -> Floats:
+        """By how much an atom holds in any case, at every step."""
+        encoder, needed = self.of(atom)
+        known = [encoder.worst(bound) for bound in needed.bounds]
+        values = np.array([np.full(self.horizon + 1, -np.inf) if v is None else v for v in known])
         return np.asarray(values.min(axis=0) if needed.every else values.max(axis=0))

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import ClassVar
 
 import numpy as np
 
@@ -30,6 +31,7 @@ class CountEncoder:
     arrays: MapArrays
     level: int = 0
     _most: dict[tuple[Site, str | None], Floats] = field(default_factory=dict)
+    grain: ClassVar[float] = 1.0
 
     def requirement(self, atom: Count) -> Requirement:
         """The bounds an atom means."""
@@ -51,6 +53,9 @@ class CountEncoder:
             states = np.array(bound.states, dtype=np.int64)
             self._most[site] = self.network.most(states, bound.capability).astype(np.float64)
         return self._most[site] - bound.amount
+
+    def worst(self, bound: Bound) -> None:
+        """Nothing is known: agents may stay away from anywhere."""
 
     def slack(self, bound: Bound, step: int) -> Slack:
         """The agents there beyond a bound, or those that it leaves room for."""

@@ -6,22 +6,27 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from tsplan.encode.atom_encoders import Bound
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.selection import Relay, Selection, SelectionColumns
 from tsplan.encode.step_runs import Span, by_column, joined, steps_of
 from tsplan.logic import Formula
 from tsplan.milp.model import Ints
 
+_MANY = 3  # strides; of fewer steps none is left out
+
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """`bound` must hold at the steps `first .. last` where `selection` is 1."""
+    """`bound` must hold at the steps `first .. last` where `selection` is 1.
 
-    bound: Bound
+    It is in the form that the encoder of its atom gives it.
+    """
+
+    bound: Any
     first: int
     last: int
     selection: Selection
@@ -57,7 +62,7 @@ class Witnesses:
     @cached_property
     def stepwise(self) -> list[Demand]:
         """What is demanded step by step, exclusive selections added up."""
-        asked: dict[Bound, list[Span]] = defaultdict(list)
+        asked: dict[Any, list[Span]] = defaultdict(list)
         for need in self.demands:
             asked[need.bound].append(Span(need.first, need.last, need.selection))
         return [
@@ -70,15 +75,22 @@ class Witnesses:
 class Asker:
     """Gathers what is required of each formula, under the selections of one set of choices."""
 
-    def __init__(self, choices: SelectionColumns, optimistic: OptimisticBound) -> None:
+    def __init__(
+        self, choices: SelectionColumns, optimistic: OptimisticBound, stride: int = 1
+    ) -> None:
         self._requests: dict[Formula, list[Span]] = defaultdict(list)
+        self._stride = stride
         self.choices = choices
         self.optimistic = optimistic
 
     def ask(self, node: Formula, span: Span) -> None:
-        """Require a formula at all steps of a span; what cannot hold refutes the selection."""
+        """Require a formula at all steps of a span; what cannot hold refutes the selection.
+
+        What holds in any case is not asked for.
+        """
         if self.optimistic.possible_throughout(node, span.first, span.last):
-            self._requests[node].append(span)
+            for first, last in self.optimistic.uncertain(node, span.first, span.last):
+                self._requests[node].append(Span(first, last, span.selection))
         else:
             self.choices.refute(span.selection, "impossible")
 
@@ -92,9 +104,15 @@ class Asker:
         return joined(self._requests.pop(node, []))
 
     def times(self, node: Formula, runs: Iterable[tuple[int, int]]) -> list[int]:
-        """The steps of several runs at which a formula may hold, in order, each once."""
+        """The steps of several runs at which a formula may hold, in order, each once.
+
+        With a stride only every so many of them, and the last, where they are many.
+        """
         steps = steps_of((first, last) for first, last in runs if first <= last).tolist()
-        return [step for step in steps if self.optimistic.possible(node, step)]
+        able = [step for step in steps if self.optimistic.possible(node, step)]
+        if self._stride > 1 and len(able) > _MANY * self._stride:
+            return [step for step in able if step % self._stride == 0 or step == able[-1]]
+        return able
 
     def options(self, selection: Selection, steps: Sequence[int], kind: str) -> list[Selection]:
         """One selection per option, by the steps they begin; a single one needs no column."""

@@ -2,7 +2,8 @@
 
 The full map, integer flows, one binary for every (sub-formula, step), tied to it in both
 directions. `rho` is the availability asked for: the binary of an atom `f >= m` is 1 exactly when
-`f - m >= rho`, that of `f <= m` when `m - f >= rho`. Every M is the least that the bounds of the
+`f - m >= rho`, that of `f <= m` when `m - f >= rho`. Of real numbers it may be both where they are
+equal. Every M is the least that the bounds of the
 row allow. The tight encoding is judged against this one.
 """
 
@@ -10,10 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import singledispatchmethod
+from typing import Any
 
 import numpy as np
 
-from tsplan.encode.atom_encoders import AtomEncoder, Atoms, Bound
+from tsplan.encode.atom_encoders import AtomEncoder, Atoms
 from tsplan.logic import Always, And, Constant, Eventually, Formula, Or, Release, Until, walk
 from tsplan.milp.model import Draft
 
@@ -21,12 +23,12 @@ from tsplan.milp.model import Draft
 class ReferenceEncoder:
     """One 0/1 column for every (node, step) of a formula in positive normal form."""
 
-    def __init__(self, draft: Draft, atoms: Atoms, rho: tuple[int, int, int]) -> None:
+    def __init__(self, draft: Draft, atoms: Atoms, rho: tuple[int, float, float]) -> None:
         self._draft = draft
         self._atoms = atoms
         self._rho, self._rho_low, self._rho_high = rho
         self._columns: dict[tuple[Formula, int], int] = {}
-        self._bounds: dict[tuple[Bound, int], int] = {}
+        self._bounds: dict[tuple[Any, int], int] = {}
 
     def encode(self, root: Formula) -> None:
         """Require the root at step 0."""
@@ -86,19 +88,20 @@ class ReferenceEncoder:
         window = range(node.low, node.high + 1)
         return [[*left[:late], self._columns[node.right, step + late]] for late in window]
 
-    def _bound(self, encoder: AtomEncoder, bound: Bound, step: int) -> int:
+    def _bound(self, encoder: AtomEncoder, bound: Any, step: int) -> int:
         """1 exactly when the bound holds with `rho` to spare, by two rows with derived M."""
         if (bound, step) in self._bounds:
             return self._bounds[bound, step]
         column = int(self._draft.columns(1, upper=1.0, integer=True)[0])
         self._bounds[bound, step] = column
         members, factor, constant, low, high = encoder.slack(bound, step)
-        # the column is 1 exactly when slack - rho >= 0, that is: when it is not -1 or less
+        # the column is 1 exactly when slack - rho >= 0, that is: when it is not -grain or less
+        grain = encoder.grain
         spare = (0, members, factor), (0, self._rho, -1.0)
-        down, up = min(low - self._rho_high, 0.0), max(high - self._rho_low + 1.0, 0.0)
+        down, up = min(low - self._rho_high, 0.0), max(high - self._rho_low + grain, 0.0)
         self._draft.sums(*spare, (0, column, down), lower=down - constant, kind="atom")
         self._draft.sums(
-            *spare, (0, column, -up), lower=-np.inf, upper=-1.0 - constant, kind="atom"
+            *spare, (0, column, -up), lower=-np.inf, upper=-grain - constant, kind="atom"
         )
         return column
 

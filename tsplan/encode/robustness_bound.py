@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from tsplan.encode.atom_encoders import Atoms
-from tsplan.logic import Formula, walk
+from tsplan.encode.step_runs import union
+from tsplan.logic import And, Formula, walk
 from tsplan.logic.evaluation import Reading, value
 from tsplan.logic.traces import CountTrace
 from tsplan.milp.model import Floats, Ints
@@ -29,13 +30,18 @@ class OptimisticBound:
             {None: true.reshape(1, -1)}, {}
         )  # of no places: atoms are not read there
         reading = Reading(trace, true, -true, {}, np.negative)
-        for node in walk(root):
-            if node in atoms:
-                self._values[node] = atoms.best(node)
-            else:
+        certain: dict[Formula, Floats] = {}
+        for values, read in ((self._values, atoms.best), (certain, atoms.worst)):
+            for node in walk(root):
+                if node in atoms:
+                    values[node] = read(node)
+                    continue
                 past = np.full(getattr(node, "high", 0), -np.inf)  # past the end nothing holds
-                below = [np.concatenate([self._values[child], past]) for child in node.children]
-                self._values[node] = value(node, tuple(below), reading)
+                below = [np.concatenate([values[child], past]) for child in node.children]
+                values[node] = value(node, tuple(below), reading)
+                if isinstance(node, And) and atoms.joint is not None:
+                    values[node] = np.minimum(values[node], atoms.joint(node, atoms))
+        self._open = {n: np.flatnonzero(v < 0) for n, v in certain.items() if (v >= 0).any()}
 
     def best(self, node: Formula, step: int) -> float:
         """Upper bound on the robustness of `node` at `step`, relative to the wanted level."""
@@ -49,6 +55,14 @@ class OptimisticBound:
     def possible_throughout(self, node: Formula, first: int, last: int) -> bool:
         """Whether `possible` at all of the steps `first .. last`."""
         return self.first_impossible(node, first) > last
+
+    def uncertain(self, node: Formula, first: int, last: int) -> list[tuple[int, int]]:
+        """The runs of steps in `first .. last` at which it is not sure that `node` holds."""
+        if node not in self._open:
+            return [(first, last)]
+        steps = self._open[node]
+        within = steps[np.searchsorted(steps, first) : np.searchsorted(steps, last, side="right")]
+        return union((step, step) for step in within.tolist())
 
     def first_impossible(self, node: Formula, step: int) -> int:
         """The first step from `step` on at which `node` is not `possible`; past the end if none."""

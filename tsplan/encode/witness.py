@@ -12,6 +12,9 @@ from this step to that, under this selection, at least (at most) so many agents 
   of them (`SelectionColumns.relay`): eventualities in a row have a column for each step, not for
   each pair.
 * F of one agent somewhere needs no witness: the agent is there at the window's beginning or comes.
+* A *blocked* encoding chooses between plain options (predicates, or predicates throughout) once
+  for every block of steps, and lets eventualities begin at every so many steps only. That leaves
+  plans out too.
 * F required at several steps under one selection (F under G) shares its witnesses between the
   windows instead: each window holds at least one. A *chained* encoding asks for the fewest
   witnesses that can cover the windows, one choice each, in order and close enough together. That
@@ -20,6 +23,7 @@ from this step to that, under this selection, at least (at most) so many agents 
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import singledispatchmethod
@@ -55,11 +59,13 @@ _CHAINS = 8  # chains of one eventuality; for more parents its witnesses are sha
 
 @dataclass(frozen=True)
 class WitnessRules:
-    """How eventualities are encoded: see this module's text for each."""
+    """How choices are encoded: see this module's text for each."""
 
     share: bool = True
     chain: bool = False
     visits: bool = False
+    block: int = 1
+    stride: int = 1
 
 
 class WitnessEncoder(Asker):
@@ -68,7 +74,7 @@ class WitnessEncoder(Asker):
     def __init__(
         self, draft: Draft, optimistic: OptimisticBound, rules: WitnessRules = WitnessRules()
     ) -> None:
-        super().__init__(SelectionColumns(draft), optimistic)
+        super().__init__(SelectionColumns(draft), optimistic, rules.stride)
         self._rules = rules
         self._atoms = optimistic.atoms
         self.result = Witnesses(self.choices)
@@ -123,11 +129,16 @@ class WitnessEncoder(Asker):
 
     @_pass_on.register
     def _(self, node: Or, spans: list[Span]) -> None:
+        asked: dict[tuple[int, Selection], list[int]] = defaultdict(list)
+        length = self._rules.block if all(map(_plain, node.children)) else 1
         for step, selection in self.choices.by_step(spans):
-            able = [child for child in node.children if self.optimistic.possible(child, step)]
-            options = self.options(selection, [step] * len(able), "or")
+            asked[step // length, selection].append(step)
+        for (_, selection), steps in asked.items():
+            able = [c for c in node.children if any(self.optimistic.possible(c, s) for s in steps)]
+            options = self.options(selection, [steps[0]] * len(able), "or")
             for child, option in zip(able, options, strict=True):
-                self.ask(child, Span(step, step, option))
+                for step in steps:
+                    self.ask(child, Span(step, step, option))
 
     @_pass_on.register
     def _(self, node: Eventually, spans: list[Span]) -> None:
@@ -203,3 +214,8 @@ class WitnessEncoder(Asker):
     @_pass_on.register
     def _(self, node: Release, spans: list[Span]) -> None:
         release(self, node, spans)
+
+
+def _plain(node: Formula) -> bool:
+    """Whether a formula is a predicate, or one throughout: nothing is chosen below it."""
+    return not (node.child if isinstance(node, Always) else node).children

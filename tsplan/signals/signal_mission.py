@@ -9,8 +9,8 @@ from typing import Literal, TypeAlias
 from tsplan.logic import Formula
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.signals.aims import Aim
-from tsplan.signals.region import Region
 from tsplan.signals.linear_system import System
+from tsplan.signals.region import Region
 
 Weighting: TypeAlias = Literal["product", "normalised"]
 
