@@ -52,7 +52,8 @@ WHOLE = Share(Fraction(1), inf)
 def tree_of(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     """The tree whose fraction is meant: positive, without tasks, limits and release.
 
-    `p R[a,b] q` becomes: q throughout, or p before a, or from a on q until both.
+    `p R[a,b] q` becomes: q throughout, or p before a, or from a on q until both. Weights of its
+    steps say how much q counts at each, so they go to "throughout".
 
     >>> from tsplan.logic import parse
     >>> print(tree_of(parse("!(a && sum(b) = 2)")))
@@ -76,7 +77,7 @@ def _without_release(node: Formula, below: tuple[Formula, ...]) -> Formula:
         return node.over(below)
     left, right = below
     low, high = node.low, node.high
-    options: list[Formula] = [nodes.Always(low, high, right)]
+    options: list[Formula] = [nodes.Always(low, high, right, node.weights)]
     if low:
         options.append(nodes.Eventually(0, low - 1, left))
     if high > low:

@@ -9,6 +9,7 @@ from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Task
 from tsplan.logic.nodes import Formula
 from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted
+from tsplan.logic.weight_values import Weights
 
 _SIGNS: Mapping[type[Formula], str] = MappingProxyType(
     {
@@ -36,6 +37,11 @@ def _(node: nodes.Not) -> Layout:
 def _(node: nodes.And | nodes.Or) -> Layout:
     sign, binding = (" && ", Binding.AND) if isinstance(node, nodes.And) else (" || ", Binding.OR)
     parts: list[Part] = []
+    if node.weights is not None:
+        for child in node.children:
+            parts += (", ", Operand(child, Binding.LOOSE))
+        opened = f"{sign.strip()}{_weights(node.weights)} ("
+        return Layout(Binding.UNARY, (opened, *parts[1:], ")"))
     for child in node.children:
         parts += (sign, Operand(child, Binding(binding + 1)))
     return Layout(binding, tuple(parts[1:]))
@@ -43,14 +49,14 @@ def _(node: nodes.And | nodes.Or) -> Layout:
 
 @layout.register
 def _(node: nodes.Implies | nodes.Iff | nodes.Until | nodes.Release) -> Layout:
-    interval = f"[{node.low},{node.high}]" if isinstance(node, nodes.Switch) else ""
+    interval = _interval(node) if isinstance(node, nodes.Switch) else ""
     left, right = (Operand(child, Binding.UNARY) for child in node.children)
     return Layout(Binding.LOOSE, (left, f" {_SIGNS[type(node)]}{interval} ", right))
 
 
 @layout.register
 def _(node: nodes.Eventually | nodes.Always) -> Layout:
-    sign = f"{_SIGNS[type(node)]}[{node.low},{node.high}] "
+    sign = f"{_SIGNS[type(node)]}{_interval(node)} "
     return Layout(Binding.UNARY, (sign, Operand(node.child, Binding.UNARY)))
 
 
@@ -85,6 +91,19 @@ def _(node: Task) -> Layout:
 @layout.register
 def _(node: Limit) -> Layout:
     return _atom(f"L({quoted(node.label)},{_pairs(node.needs)})")
+
+
+def _interval(node: nodes.Window | nodes.Switch) -> str:
+    return f"[{node.low},{node.high}]{_weights(node.weights)}"
+
+
+def _weights(weights: Weights) -> str:
+    """One number where all are the same, else all of them."""
+    if not weights:
+        return ""
+    if len(set(weights)) == 1:
+        return f"^{number_text(weights[0])}"
+    return f"^[{', '.join(map(number_text, weights))}]"
 
 
 def _atom(text: str) -> Layout:

@@ -19,6 +19,7 @@ from tsplan import display
 from tsplan.logic.interning import Interned
 from tsplan.logic.text import text_of
 from tsplan.logic.traversal import packed, unpacked
+from tsplan.logic.weight_values import Weight, Weights, weights_for
 
 _SHOWN = 200  # characters of a formula that `repr` shows at most
 
@@ -28,7 +29,8 @@ class Formula(display.Displayed, metaclass=Interned):
 
     Formulas are combined with `&` (and), `|` (or), `~` (not), `>>` (implies) and the methods
     `eventually`, `always`, `until`, `release` and `iff`. `str` prints a text that parses back to
-    the same formula.
+    the same formula. Weights, of the parts of an `And` or `Or` or of the steps of a window, say how
+    much each of them counts; see `tsplan.logic.weight_values`.
 
     >>> from tsplan.logic import parse
     >>> print(parse("depot").until(parse("field"), 0, 5) & ~parse("fire").always(0, 9))
@@ -85,21 +87,23 @@ class Formula(display.Displayed, metaclass=Interned):
         """Both hold or neither does."""
         return Iff(self, other)
 
-    def eventually(self, low: int, high: int) -> Eventually:
-        """The formula holds at some step `low .. high` from now."""
-        return Eventually(low, high, self)
+    def eventually(self, low: int, high: int, weights: Weight | None = None) -> Eventually:
+        """The formula holds at some step `low .. high` from now; weights are those of the steps."""
+        return Eventually(low, high, self, cast("Weights", weights))
 
-    def always(self, low: int, high: int) -> Always:
+    def always(self, low: int, high: int, weights: Weight | None = None) -> Always:
         """The formula holds at every step `low .. high` from now."""
-        return Always(low, high, self)
+        return Always(low, high, self, cast("Weights", weights))
 
-    def until(self, other: Formula, low: int, high: int) -> Until:
+    def until(self, other: Formula, low: int, high: int, weights: Weight | None = None) -> Until:
         """The other holds at some step `low .. high` from now, this one at every step before."""
-        return Until(low, high, self, other)
+        return Until(low, high, self, other, cast("Weights", weights))
 
-    def release(self, other: Formula, low: int, high: int) -> Release:
+    def release(
+        self, other: Formula, low: int, high: int, weights: Weight | None = None
+    ) -> Release:
         """The dual of until: the other holds at `low .. high`, up to where this has held before."""
-        return Release(low, high, self, other)
+        return Release(low, high, self, other, cast("Weights", weights))
 
     def __bool__(self) -> bool:
         raise TypeError("a formula is neither true nor false by itself; use &, |, ~ to combine it")
@@ -139,6 +143,15 @@ def _interval(low: object, high: object) -> None:
         raise ValueError(f"the interval [{low},{high}] is empty or begins before now")
 
 
+def _weigh(node: Several | _Timed, indices: range, what: str) -> None:
+    """Bring the weights of a node into one form."""
+    object.__setattr__(node, "weights", weights_for(node.weights, indices, what))
+
+
+def _given(weights: Weights) -> tuple[Any, ...]:
+    return () if weights is None else (weights,)
+
+
 class _OfOne(Formula):
     __slots__ = ()
     child: Formula
@@ -176,9 +189,10 @@ class Not(_OfOne):
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Several(Formula):
-    """Two or more sub-formulas, grouped as the text groups them."""
+    """Two or more sub-formulas, grouped as the text groups them, with a weight each or none."""
 
     children: tuple[Formula, ...] = field()
+    weights: Weights = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "children", tuple(_formula(child) for child in self.children))
@@ -187,11 +201,12 @@ class Several(Formula):
                 f"'{type(self).__name__}' joins two or more formulas; "
                 "use conjunction() or disjunction() for any number of them"
             )
+        _weigh(self, range(len(self.children)), "part")
 
     @property
     def parameters(self) -> tuple[Any, ...]:
-        """Nothing but sub-formulas."""
-        return ()
+        """The weights, if there are any."""
+        return _given(self.weights)
 
     @classmethod
     def assembled(cls, parameters: Iterable[Any], children: Iterable[Formula]) -> Formula:
@@ -227,18 +242,40 @@ class Iff(Pair):
     """Both sides hold or neither does."""
 
 
+class _Timed(Formula):
+    """What looks at the steps `low .. high` from now, both included, with a weight each or none."""
+
+    __slots__ = ()
+    low: int
+    high: int
+    weights: Weights
+
+    def __post_init__(self) -> None:
+        """Refuse operands that are no formulas, and what is no interval or weight."""
+        _interval(self.low, self.high)
+        Formula.__post_init__(self)
+        _weigh(self, range(self.low, self.high + 1), "step")
+
+    @property
+    def parameters(self) -> tuple[Any, ...]:
+        """The ends of the window, and the weights of its steps if there are any."""
+        return self.low, self.high, *_given(self.weights)
+
+    @classmethod
+    def assembled(cls, parameters: Iterable[Any], children: Iterable[Formula]) -> Formula:
+        """A node of this class from the ends of its window, its weights if any, and its parts."""
+        low, high, *weights = parameters
+        return cls(low, high, *children, *weights)  # type: ignore[call-arg]  # those of dataclasses
+
+
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
-class Window(_OfOne):
+class Window(_Timed, _OfOne):
     """One sub-formula over the steps `low .. high` from now, both included."""
 
     low: int
     high: int
     child: Formula
-
-    def __post_init__(self) -> None:
-        """Refuse operands that are no formulas, and what is no interval."""
-        _interval(self.low, self.high)
-        Formula.__post_init__(self)
+    weights: Weights = None
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -252,18 +289,14 @@ class Always(Window):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
-class Switch(_OfTwo):
+class Switch(_Timed, _OfTwo):
     """A left and a right sub-formula and the window in which they change over."""
 
     low: int
     high: int
     left: Formula
     right: Formula
-
-    def __post_init__(self) -> None:
-        """Refuse operands that are no formulas, and what is no interval."""
-        _interval(self.low, self.high)
-        Formula.__post_init__(self)
+    weights: Weights = None
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -279,7 +312,7 @@ class Release(Switch):
 DUAL: Mapping[type[Formula], type[Formula]] = MappingProxyType(
     {And: Or, Or: And, Eventually: Always, Always: Eventually, Until: Release, Release: Until}
 )
-"""The operator that a negation turns another one into, over negated operands."""
+"""The operator that a negation turns another one into, over negated operands; weights stay."""
 
 TRUE = Constant(True)
 FALSE = Constant(False)

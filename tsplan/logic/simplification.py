@@ -18,7 +18,8 @@ def simplify(formula: Formula) -> Formula:
     """An equal formula without needless constants, repetitions, negations and windows.
 
     Nested `and` and nested `or` become flat. Robustness stays the same at every step; the horizon
-    may shrink where a constant swallows a window.
+    may shrink where a constant swallows a window. What has weights stays as it is over simplified
+    parts: what they weigh would be another thing.
 
     >>> from tsplan.logic import parse
     >>> print(simplify(parse("F[1,2] F[0,3] a && (b && true) && !!b")))
@@ -46,7 +47,7 @@ def _(_node: nodes.Not, below: Below) -> Formula:
 
 @simpler.register
 def _(node: nodes.And | nodes.Or, below: Below) -> Formula:
-    return _joined(type(node), below)
+    return node.over(below) if node.weights else _joined(type(node), below)
 
 
 @simpler.register
@@ -69,12 +70,16 @@ def _(node: nodes.Iff, below: Below) -> Formula:
 
 @simpler.register
 def _(node: nodes.Eventually | nodes.Always, below: Below) -> Formula:
+    if node.weights:
+        return node.over(below)
     return _window(type(node), node.low, node.high, below[0])
 
 
 @simpler.register
 def _(node: nodes.Until | nodes.Release, below: Below) -> Formula:
     """Rules of until; release has the same with constants and windows exchanged."""
+    if node.weights:
+        return node.over(below)
     left, right = below
     low, high = node.low, node.high
     until = isinstance(node, nodes.Until)
@@ -108,7 +113,9 @@ def _joined(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Formu
 
 def _flat(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Iterator[Formula]:
     """Each part once, in order; parts of the same kind are replaced by their own parts."""
-    inner = (part.children if isinstance(part, kind) else (part,) for part in parts)
+    inner = (
+        part.children if isinstance(part, kind) and not part.weights else (part,) for part in parts
+    )
     yield from dict.fromkeys(part for group in inner for part in group)
 
 
@@ -118,6 +125,6 @@ def _window(
     """A window over a constant is the constant; a window over a like window is one window."""
     if isinstance(child, nodes.Constant) or high == 0:
         return child
-    if isinstance(child, kind):
+    if isinstance(child, kind) and not child.weights:
         return kind(low + child.low, high + child.high, child.child)
     return kind(low, high, child)

@@ -80,7 +80,7 @@ def operator_text(formula: Any, longest: int = 60) -> str:
     if not formula.children:
         return text_of(formula, longest)
     parts = layout(formula).parts
-    signs = dict.fromkeys(part.strip() for part in parts if not isinstance(part, Operand))
+    signs = dict.fromkeys(part.strip(" (),") for part in parts if not isinstance(part, Operand))
     return " ".join(sign for sign in signs if sign)
 
 
