@@ -191,14 +191,14 @@ def test_memory_that_runs_out_in_process_leaves_the_best_plan(folder, monkeypatc
 
 
 def test_events_and_plans_never_carry_what_is_infinite(folder):
-    from tsplan.run.run import MissionRun  # noqa: PLC0415 - loads a solver
+    from tsplan.run.mission_run import MissionRun  # noqa: PLC0415 - loads a solver
 
     heard = []
     mission = tsplan.load_mission("mission.yaml")
     run = MissionRun(tsplan.Problem(mission), tsplan.SolverChoice(), heard.append)
-    run._tell("travel", None, float("inf"), float("-inf"))
-    run._tell("travel", None, float("nan"), 3.0)
-    run._tell("travel", None, 4.0, float("inf"))
+    run.tell("travel", None, float("inf"), float("-inf"))
+    run.tell("travel", None, float("nan"), 3.0)
+    run.tell("travel", None, 4.0, float("inf"))
     assert [type(event) for event in heard] == [Stage, Bound, Bound]
     assert [(e.objective, e.bound) for e in heard[1:]] == [(None, 3.0), (4.0, None)]
 

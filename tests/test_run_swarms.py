@@ -14,7 +14,7 @@ from tsplan.errors import SolverError, TsplanError
 from tsplan.mission import Mission
 from tsplan.plans.decomposition import paths_of
 from tsplan.plans.plan import ObjectiveValue
-from tsplan.run import paths, run
+from tsplan.run import mission_run, paths
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.search.lexicographic import Outcome
 from tsplan.stopping import StoppedBy
@@ -61,7 +61,7 @@ def answers(monkeypatch, told=(), **changes):
         return {"moves": moves, "agents": made}
 
     monkeypatch.setattr(tsplan.Problem, "solve", solve)
-    monkeypatch.setattr(run, "ways_of", ways)
+    monkeypatch.setattr(mission_run, "ways_of", ways)
     return answer
 
 

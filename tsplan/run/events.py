@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.exact import Gapped
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-
-    from tsplan.plans.plan import Plan
 
 FINISHING = "paths and check"
 """The name of the last stage: the search is over, and its plan is made ready."""
@@ -34,9 +32,9 @@ class _News(Gapped):
 
 @dataclass(frozen=True, slots=True)
 class Incumbent(_News):
-    """A better plan was found. Calling `plan` makes its paths, which costs time for large teams."""
+    """A better plan was found. Calling `plan` makes it, which costs time for large teams."""
 
-    plan: Callable[[], Plan] | None = field(default=None, compare=False)
+    plan: Callable[[], Any] | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

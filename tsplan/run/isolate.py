@@ -11,7 +11,8 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Protocol
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Protocol
 
 from tsplan.errors import SolverError
 from tsplan.plans.plan import MissionRef, Plan, Status
@@ -20,7 +21,6 @@ from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
 
 if TYPE_CHECKING:
     from tsplan.milp.solver_choice import SolverChoice
-    from tsplan.mission import Mission
     from tsplan.process.interrupt import Requests
 
 _EVERY = 0.1  # seconds between bounds that are passed on
@@ -41,19 +41,21 @@ class Audience(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """What is asked of the planner."""
+    """What is asked of a planner: the function `planner` of a module, which makes a `kind`."""
 
-    mission: Mission
+    mission: Any
     choice: SolverChoice
     encoding: str = "tight"
     without: tuple[str, ...] = ()
+    planner: tuple[str, str] = ("tsplan.run.planner", "plan")
+    kind: type[Any] = Plan
 
 
 @dataclass(frozen=True, slots=True)
 class _HandedOver:
     """The best plan so far, on its way from the child."""
 
-    plan: Plan
+    plan: Any
 
 
 @dataclass(eq=False)
@@ -62,9 +64,9 @@ class Planning:
 
     audience: Audience
     requests: Requests
-    _best: Plan | None = field(default=None, init=False)
+    _best: Any = field(default=None, init=False)
 
-    def plan(self, order: Order) -> Plan:
+    def plan(self, order: Order) -> Any:
         """The plan, or the best one known of where the search had to be given up.
 
         Raises what the planner raises, and CrashError after two crashes without a plan.
@@ -78,7 +80,7 @@ class Planning:
             self.audience.note(f"{crash}; trying once more with one thread and another seed")
             return self._second(_otherwise(order, time.perf_counter() - began), crash)
 
-    def _second(self, order: Order, crash: CrashError) -> Plan:
+    def _second(self, order: Order, crash: CrashError) -> Any:
         seed = order.choice.seed
         note = f"first try: {crash}; this is the second, with one thread and seed {seed}"
         try:
@@ -89,7 +91,7 @@ class Planning:
             plan = self._given_up(order, error)
         return replace(plan, notes=(*plan.notes, note))
 
-    def _tried(self, order: Order) -> Plan:
+    def _tried(self, order: Order) -> Any:
         leash = Leash(order.choice.time_limit)
 
         def hear(news: Event | _HandedOver) -> None:
@@ -103,7 +105,7 @@ class Planning:
         with self.requests.passed_to(leash.ask):
             return run_guarded(_job, order, hear, leash)
 
-    def _given_up(self, order: Order, error: BaseException) -> Plan:
+    def _given_up(self, order: Order, error: BaseException) -> Any:
         """The best plan that was handed over, or that there is none, with the true reason."""
         why = reason_of(error, asked=self.requests.asked > 0)
         words = "interrupted" if isinstance(error, KeyboardInterrupt) else str(error)
@@ -113,7 +115,7 @@ class Planning:
         if best is None:
             mission = order.mission
             ref = MissionRef(mission.name, mission.digest)
-            best = Plan(Status.NO_PLAN_FOUND, ref, mission.horizon, stopped_by=why)
+            best = order.kind(Status.NO_PLAN_FOUND, ref, mission.horizon, stopped_by=why)
         return replace(best, stopped_by=why, notes=(*best.notes, words))
 
 
@@ -127,13 +129,12 @@ def _otherwise(order: Order, spent: float) -> Order:
     )
 
 
-def _job(order: Order, send: Callable[[object], object]) -> Plan:
+def _job(order: Order, send: Callable[[object], object]) -> Any:
     """The child's part."""
-    from tsplan.run.planner import plan  # noqa: PLC0415  (loads the solver, in the child alone)
-
+    module, name = order.planner  # it loads the solver, in the child alone
     mission, choice = order.mission, order.choice
     many = mission.size * mission.horizon > _MANY
-    return plan(
+    return getattr(import_module(module), name)(
         mission,
         solver=choice.name,
         time_limit=choice.time_limit,
@@ -159,7 +160,7 @@ class Forward:
         self._began = time.monotonic()
         self._last = -_EVERY
         self._spent = 0.0
-        self._made: Callable[[], Plan] | None = None
+        self._made: Callable[[], Any] | None = None
 
     def __call__(self, event: Event) -> None:
         """Take an event in and send on what is worth it."""

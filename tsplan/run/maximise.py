@@ -23,10 +23,10 @@ from tsplan.milp.target import Target
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.search.clique_cuts import with_clique_cuts
 from tsplan.search.effort import Effort
-from tsplan.search.lexicographic import Tell
+from tsplan.search.lexicographic import Found, Tell
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.scaling import aim_at, below, by_depth, chunks
-from tsplan.search.search import Found, Search
+from tsplan.search.search import Search
 from tsplan.stopping import StoppedBy
 
 _PART = 0.8  # of the time limit that settling may take
@@ -55,7 +55,7 @@ class Settling:
     setting: Setting
     effort: Effort
     clock: Clock
-    tell: Tell
+    tell: Tell[Point]
     name: str
     worth: Callable[[Point], float]
     _point: Point | None = field(default=None, init=False)

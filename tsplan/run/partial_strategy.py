@@ -30,7 +30,8 @@ from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences, sati
 from tsplan.mission import Mission
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.run.maximise import Settled, Settling
-from tsplan.search.lexicographic import Outcome, Stages
+from tsplan.search.lexicographic import Outcome
+from tsplan.search.stages import Stages
 from tsplan.stopping import StoppedBy
 
 FIRST = frozenset({"satisfaction", "preferences"})
@@ -73,7 +74,7 @@ class Choice:
     objective: ObjectiveValue
 
 
-def plan_soft(stages: Stages) -> Outcome:
+def plan_soft(stages: Stages) -> Outcome[Point]:
     """All objectives of a mission that is met as far as possible; `stages` are those of it all."""
     mission = stages.setting.mission
     first = first_of(mission)
@@ -93,7 +94,7 @@ def plan_soft(stages: Stages) -> Outcome:
     return _pursued(stages, choice, settled.point)
 
 
-def _pursued(stages: Stages, choice: Choice, known: Point) -> Outcome:
+def _pursued(stages: Stages, choice: Choice, known: Point) -> Outcome[Point]:
     """The other objectives of plans for what is to hold, one of which is known."""
     mission, settled = stages.setting.mission, choice.settled
     names = tuple(objective.name for objective in stages.objectives)
@@ -158,7 +159,7 @@ def _trial(clock: Clock) -> Clock:
     return clock.within(_TRIAL if left is None else min(_TRIAL, _TRIED * left))
 
 
-def _whole(stages: Stages, settling: Settling) -> Outcome:
+def _whole(stages: Stages, settling: Settling) -> Outcome[Point]:
     """A quick try for a plan that satisfies everything; it may be refuted, or stay open."""
     refuse_if_too_large(stages.setting.mission)
     stages.tell(settling.name, None, None, None)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+from tsplan.run.mission_run import MissionRun
 from tsplan.run.problem import Problem, Tuning
-from tsplan.run.run import Listener, MissionRun
+from tsplan.run.run import Listener
 
 
 def plan(
@@ -36,4 +37,4 @@ def plan(
     choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Problem) else Problem(mission, tuning)
-    return MissionRun(problem, choice, on_event).plan()
+    return MissionRun(problem, choice, on_event).result()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from tsplan.clock import Clock
 from tsplan.encode.assemble import reference, tight
-from tsplan.encode.encoded import Encoded, Setting
+from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.model_objectives import OwnSum, objectives_of
 from tsplan.encode.preparation import prepare
@@ -22,7 +22,8 @@ from tsplan.mission import Mission
 from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
 from tsplan.search.effort import Effort
-from tsplan.search.lexicographic import Outcome, Stages, Tell
+from tsplan.search.lexicographic import Outcome, Tell
+from tsplan.search.stages import Stages
 
 if TYPE_CHECKING:
     from tsplan.plans.plan import Plan
@@ -196,7 +197,7 @@ class Problem:
         """The model as the solver's own object, for example a `gurobipy.Model`."""
         return solver_named(solver).native(self.model)
 
-    def solve(self, effort: Effort, clock: Clock, tell: Tell) -> Outcome:
+    def solve(self, effort: Effort, clock: Clock, tell: Tell[Point]) -> Outcome[Point]:
         """Run all objectives; `tell` hears of stages, points and bounds."""
         setting = replace(self.prepared(clock), clock=clock)
         own = (OwnSum(self.own),) if self._objective.terms else ()

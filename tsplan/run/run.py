@@ -1,37 +1,19 @@
-"""One planning run: time, events, Ctrl-C, paths, the independent check, bookkeeping."""
+"""One run, whatever is planned: time, events, Ctrl-C, and what is kept where it ends early."""
 
 from __future__ import annotations
 
-import gc
 import time
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
-from dataclasses import replace
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import Generic, TypeVar
 
-from tsplan.checking.plan_check import certify
 from tsplan.clock import Clock, Halted
-from tsplan.encode.encoded import Point
-from tsplan.errors import SolverError
-from tsplan.exact import digits
 from tsplan.milp.solver import solver as solver_named
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
-from tsplan.mission import Mission
-from tsplan.plans.plan import (
-    MissionRef,
-    ModelSize,
-    ObjectiveValue,
-    Plan,
-    SolverUse,
-    Status,
-    Timings,
-)
-from tsplan.plans.satisfaction import Depth, Satisfaction
+from tsplan.plans.plan import SolverUse, Timings
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
-from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
-from tsplan.run.own_terms import worth
-from tsplan.run.paths import ways_of
-from tsplan.run.problem import Problem
+from tsplan.run.events import Bound, Event, Incumbent, Stage
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
 from tsplan.stopping import StoppedBy, true_reason
@@ -39,45 +21,66 @@ from tsplan.words import known
 
 Listener = Callable[[Event], "bool | None"]
 
+PointT = TypeVar("PointT")
+ResultT = TypeVar("ResultT")
 
-class MissionRun:
-    """One planning run for a problem."""
 
-    def __init__(self, problem: Problem, choice: SolverChoice, listener: Listener | None) -> None:
-        self._problem = problem
-        self._mission = problem.mission
-        self._choice = choice.over(self._mission.solver).over(DEFAULT_CHOICE)
+class Run(ABC, Generic[PointT, ResultT]):
+    """Searches for the best point of a problem and makes a result of it, in a time.
+
+    Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out, the
+    best point known is made use of, with that as the reason.
+    """
+
+    def __init__(self, choice: SolverChoice, listener: Listener | None) -> None:
+        self.choice = choice.over(DEFAULT_CHOICE)
         self._listener = listener
         self._stopped: float | None = None  # seconds after which it was asked to stop
-        self._newest: Point | None = None
-        self._clock = Clock(self._choice.time_limit, lambda: self._stopped is not None)
-        self._seconds = {"reduce": 0.0, "build": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
+        self._newest: PointT | None = None
+        self.clock = Clock(self.choice.time_limit, lambda: self._stopped is not None)
+        self.seconds = {"reduce": 0.0, "build": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
 
-    def plan(self) -> Plan:
-        """Run all stages and certify what they found.
+    @abstractmethod
+    def prepared(self) -> None:
+        """What is done before the first model is made."""
 
-        Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out,
-        the best plan known is certified, with that as the reason.
-        """
+    @abstractmethod
+    def solved(self, effort: Effort) -> Outcome[PointT]:
+        """Run all objectives, telling of it by `tell`."""
+
+    @abstractmethod
+    def provisional(self, found: PointT) -> ResultT:
+        """The verified result of something found on the way."""
+
+    @abstractmethod
+    def finished(self, outcome: Outcome[PointT], used: SolverUse) -> ResultT:
+        """The verified result of what was found."""
+
+    def result(self) -> ResultT:
+        """Run all stages and certify what they found."""
         with on_interrupt(self._stop), hushed_alone():
-            return self._planned()
+            solver = solver_named(self.choice.name or "")
+            version = solver.availability().version or ""
+            used = SolverUse(solver.name, version, self.choice.numbers)
+            return self.finished(self._searched(Effort(solver, self.choice)), used)
 
-    def _planned(self) -> Plan:
-        solver = solver_named(self._choice.name or "")
-        version = solver.availability().version or ""
-        used = SolverUse(solver.name, version, self._choice.numbers)
-        result = self._searched(Effort(solver, self._choice))
-        with _uncollected():
-            return self._finished(result, used)
+    def reason(self, outcome: Outcome[PointT]) -> StoppedBy | None:
+        """What truly ended the search."""
+        return true_reason(outcome.stopped_by, self._stopped, self.clock.limit)
 
-    def _searched(self, effort: Effort) -> Outcome:
+    @property
+    def timings(self) -> Timings:
+        """The seconds of each stage so far."""
+        return Timings(**self.seconds, total=self.clock.elapsed)
+
+    def _searched(self, effort: Effort) -> Outcome[PointT]:
         """What the search finds; where it was halted, the last that was heard of."""
         began = time.perf_counter()
         try:
-            self._problem.prepared(self._clock)
-            self._seconds["reduce"] = time.perf_counter() - began
+            self.prepared()
+            self.seconds["reduce"] = time.perf_counter() - began
             began = time.perf_counter()
-            return self._problem.solve(effort, self._clock, self._tell)
+            return self.solved(effort)
         except Halted as halted:
             words = (halted.words,) if halted.words else ()
             return Outcome(self._newest, stopped_by=halted.reason, notes=words)
@@ -85,123 +88,29 @@ class MissionRun:
             # what was being built is gone with the error, so there is room again
             return Outcome(self._newest, stopped_by=StoppedBy.MEMORY)
         finally:
-            built = self._seconds["build"] = self._clock.spent.get("build", 0.0)
-            self._seconds["solve"] = time.perf_counter() - began - built
+            built = self.seconds["build"] = self.clock.spent.get("build", 0.0)
+            self.seconds["solve"] = time.perf_counter() - began - built
 
     def _stop(self) -> None:
         if self._stopped is None:
-            self._stopped = self._clock.elapsed
+            self._stopped = self.clock.elapsed
 
-    def _tell(
-        self, stage: str, found: Point | None, value: float | None, bound: float | None
+    def tell(
+        self, stage: str, found: PointT | None, value: float | None, bound: float | None
     ) -> None:
         """The gate through which all news pass: what is infinite is not known out there."""
         if found is not None:
             self._newest = found
         if self._listener is None:
             return
-        elapsed = self._clock.elapsed
+        elapsed = self.clock.elapsed
         value, bound = known(value), known(bound)
         event: Event
         if found is not None:
-            event = Incumbent(stage, value, bound, elapsed, lambda: self._provisional(found))
+            event = Incumbent(stage, value, bound, elapsed, lambda: self.provisional(found))
         elif value is None and bound is None:
             event = Stage(stage, elapsed)
         else:
             event = Bound(stage, value, bound, elapsed)
         if audible(self._listener)(event):
             self._stop()
-
-    def _provisional(self, found: Point) -> Plan:
-        """The verified plan of something found on the way."""
-        mission = self._mission
-        made = Plan(
-            status=Status.FEASIBLE,
-            stopped_by=StoppedBy.INTERRUPT,
-            mission=MissionRef(mission.name, mission.digest),
-            horizon=mission.horizon,
-            objective=self._open(),
-            **ways_of(self._problem.setting, found, self._choice.seed),
-        )
-        return certify(mission, made)
-
-    def _open(self) -> tuple[ObjectiveValue, ...]:
-        """The objectives of the mission, nothing known of them: the check fills their values in."""
-        mission = self._mission
-        return tuple(ObjectiveValue(name, None, None) for name in mission.objective)
-
-    def _finished(self, outcome: Outcome, used: SolverUse) -> Plan:
-        mission, point = self._mission, outcome.point
-        if point is not None:
-            self._tell(FINISHING, None, None, None)
-        began = time.perf_counter()
-        seed = self._choice.seed
-        ways = {} if point is None else ways_of(self._problem.setting, point, seed)
-        self._seconds["extract"] = time.perf_counter() - began
-        # values are those that the check measures on the paths
-        reached = [replace(item, value=None, bound=known(item.bound)) for item in outcome.reached]
-        if point is not None and not reached:
-            reached = list(self._open())
-        size = ModelSize(
-            *outcome.size, states=len(mission.system.states), edges=len(mission.system.edges)
-        )
-        made = Plan(
-            status=outcome.status,
-            stopped_by=true_reason(outcome.stopped_by, self._stopped, self._clock.limit),
-            mission=MissionRef(mission.name, mission.digest),
-            horizon=mission.horizon,
-            objective=tuple(item for item in reached if item.name != "own"),
-            satisfaction=None if point is None else claimed_depths(mission, outcome.levels),
-            notes=outcome.notes,
-            solver=used,
-            size=size,
-            **ways,
-        )
-        own = next((item for item in reached if item.name == "own"), None)
-        return self._certified(made, own)
-
-    def _certified(self, made: Plan, own: ObjectiveValue | None) -> Plan:
-        """The plan after the independent check, with the seconds of each stage."""
-        began = time.perf_counter()
-        checked = made
-        if made.has_paths:
-            checked = self._with_own(certify(self._mission, made), own)
-        self._seconds["verify"] = time.perf_counter() - began
-        return replace(checked, timings=Timings(**self._seconds, total=self._clock.elapsed))
-
-    def _with_own(self, plan: Plan, reached: ObjectiveValue | None) -> Plan:
-        """The plan after the check of the user's own constraints, and what the own sum comes to."""
-        if broken := self._problem.broken(plan):
-            raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
-        own = self._problem.own
-        if not own.expression.terms:
-            return plan
-        value = own.expression.constant
-        value += worth(own.expression.terms, plan, self._mission.system)
-        bound = None if reached is None else reached.bound
-        what = "own objective, maximised:" if own.maximised else "own objective"
-        note = f"{what} {digits(value)} (bound {'open' if bound is None else digits(bound)})"
-        return replace(plan, notes=(note, *plan.notes))
-
-
-def claimed_depths(mission: Mission, levels: Iterable[ObjectiveValue]) -> Satisfaction | None:
-    """What is proven about the depths of a formula; the check fills in what holds."""
-    if not mission.partial:
-        return None
-    depths = (
-        Depth(int(level.name), 0, None if level.bound is None else round(level.bound))
-        for level in levels
-    )
-    return Satisfaction(mission.satisfaction, depths=tuple(depths))
-
-
-@contextmanager
-def _uncollected() -> Iterator[None]:
-    """Without the garbage collector: of millions of paths that stay it would search all, often."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()

@@ -22,8 +22,9 @@ from tsplan.milp.confirmation import tried
 from tsplan.milp.model import Floats, Model
 from tsplan.search.effort import Effort
 from tsplan.search.guided_restriction import guided
+from tsplan.search.lexicographic import Found
 from tsplan.search.question import Kept, Question, start_in
-from tsplan.search.search import Found, Search
+from tsplan.search.search import Search
 
 _COUNTING = 5.0  # seconds for agents to be counted into groups
 _EVENING = 10.0  # seconds for each step of sharing agents evenly

@@ -1,57 +1,62 @@
 """Objectives one after the other: the first matters most, and what is reached is kept.
 
-Objectives that are linear in the columns are minimised as they stand. Those by levels are found by
-bisection between the best plan known and a free bound; each question is whether any plan reaches a
-level. The moves of every point are what its values are told by.
+This is the order of the work, whatever is planned: some point is found first, then each objective
+is settled among those points that lose nothing of the ones before. A stage that is halted, or
+whose solver fails, leaves the best point known and the bounds proven so far.
 """
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import TypeAlias, TypeVar
-
-import numpy as np
+from typing import Generic, Protocol, TypeAlias, TypeVar
 
 from tsplan.clock import Clock, Halted
-from tsplan.encode.assemble import reference, tight
-from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.model_objectives import (
-    Availability,
-    LevelObjective,
-    ModelObjective,
-    Splits,
-    Travel,
-)
-from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats
-from tsplan.milp.target import CLOSED
 from tsplan.plans.plan import ObjectiveValue, Status
-from tsplan.search.chained_witnesses import chain_model, first_flows
-from tsplan.search.effort import Effort
-from tsplan.search.group_search import GroupSearch
-from tsplan.search.question import FIRST_PLAN, Kept, Question, start_in
-from tsplan.search.search import Found, Search
 from tsplan.stopping import StoppedBy
 
-Tell: TypeAlias = Callable[[str, "Point | None", "float | None", "float | None"], None]
-"""Hears of a stage, a point, the value of the best plan and a bound, in the objective's unit."""
 
+class _Named(Protocol):
+    @property
+    def name(self) -> str: ...
+
+
+PointT = TypeVar("PointT")
+AimT = TypeVar("AimT", bound=_Named)
 GivenT = TypeVar("GivenT")
-_CHAIN_SECONDS = 15.0
+
+Tell: TypeAlias = Callable[[str, "PointT | None", "float | None", "float | None"], None]
+"""Hears of a stage, a point, the value of the best plan and a bound, in the objective's unit."""
 
 
 @dataclass(frozen=True, eq=False)
-class Outcome:
+class Found:
+    """The best point known, a true lower bound, and whether the search was carried to its end.
+
+    `objective` and `bound` are values of the target. `proven` without values means that there is
+    no point, with values that none is better; a search that was `stopped_by` a gap is not.
+    """
+
+    values: Floats | None
+    objective: float | None
+    bound: float
+    proven: bool
+    stopped_by: StoppedBy | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome(Generic[PointT]):
     """How a search ended: the best point, what is proven of each objective, the model's size.
 
     `size` counts columns, integer columns, rows and nonzeros; `levels` has what an objective
     consists of that is settled in steps.
     """
 
-    point: Point | None = None
+    point: PointT | None = None
     reached: tuple[ObjectiveValue, ...] = ()
     proven: bool = False
     infeasible: bool = False
@@ -68,230 +73,89 @@ class Outcome:
         return Status.INFEASIBLE if self.infeasible else Status.NO_PLAN_FOUND
 
 
-@dataclass(eq=False)
-class Stages:
-    """Runs the objectives of a problem in order; `known` are the flows of a plan that is known."""
+class Lexicographic(ABC, Generic[PointT, AimT]):
+    """Settles objectives in order; a kind of problem says how each of them is.
 
-    setting: Setting
-    objectives: tuple[ModelObjective, ...]
-    effort: Effort
+    `point` is the best one known, `size` that of the model of all points.
+    """
+
+    objectives: tuple[AimT, ...]
     clock: Clock
-    tell: Tell
-    tight: bool = True
-    known: Floats | None = None
-    point: Point | None = field(default=None, init=False)
-    _kept: Kept = field(default=Kept(), init=False)
-    _made: Encoded | None = field(default=None, init=False)
-    _stopped: StoppedBy | None = field(default=None, init=False)
-    _notes: list[str] = field(default_factory=list, init=False)
 
-    def __post_init__(self) -> None:
-        self.setting = replace(self.setting, clock=self.clock)
+    def __init__(self, clock: Clock) -> None:
+        self.clock = clock
+        self.point: PointT | None = None
+        self.size = (0, 0, 0, 0)
+        self._stopped: StoppedBy | None = None
+        self._notes: list[str] = []
 
-    def run(self) -> Outcome:
-        """All stages until the time is up; the best plan known is kept throughout."""
-        opening = self.objectives[0] if self.objectives and self.objectives[0].opens else None
-        found = self._guarded(FIRST_PLAN, lambda: self._open(opening))
+    @abstractmethod
+    def opened(self, opening: AimT | None) -> Found:
+        """Any point; by way of the first objective where that may find one."""
+
+    @abstractmethod
+    def settled(self, objective: AimT, done: Found | None) -> float | None:
+        """Settle one objective and keep what it reached; its bound. It may be `done` already."""
+
+    @abstractmethod
+    def worth(self, objective: AimT, point: PointT) -> float:
+        """What a point is worth in an objective's own unit."""
+
+    @property
+    def opening(self) -> AimT | None:
+        """The first objective, where some point is found by settling it at once."""
+        return None
+
+    def finished(self, point: PointT) -> PointT:
+        """The point with what is left to decide at the end."""
+        return point
+
+    def run(self) -> Outcome[PointT]:
+        """All stages until the time is up; the best point known is kept throughout."""
+        opening = self.opening
+        found = self.guarded("first plan", lambda: self.opened(opening))
         if self.point is None:
             return self._outcome((), infeasible=found is not None and found.proven)
         reached = []
         for number, objective in enumerate(self.objectives):
             done = found if number == 0 and opening is not None else None
-            bound = self._guarded(objective.name, partial(self._stage, objective, done))
+            bound = self.guarded(objective.name, partial(self.settled, objective, done))
             reached.append(ObjectiveValue(objective.name, None, bound))
         return self._outcome(tuple(reached), infeasible=False)
 
-    def _outcome(self, reached: tuple[ObjectiveValue, ...], *, infeasible: bool) -> Outcome:
+    def _outcome(self, reached: tuple[ObjectiveValue, ...], *, infeasible: bool) -> Outcome[PointT]:
         point = self.point
         if point is not None:
-            if point.encoded.swarms:
-                point = self.point = self._guarded("sizes", partial(self._evened, point)) or point
+            point = self.point = self.guarded("sizes", partial(self.finished, point)) or point
             reached = tuple(
-                replace(item, value=objective.worth(self.setting, point))
+                replace(item, value=self.worth(objective, point))
                 for item, objective in zip(reached, self.objectives, strict=True)
             )
         proven = point is not None and all(item.proven for item in reached)
         stopped = None
         if not proven and not infeasible:
             stopped = self._stopped or self.clock.stopped_by or StoppedBy.PRECISION
-        size = (0, 0, 0, 0)
-        if self._made is not None:
-            made = self._made.model.size
-            size = made.columns, made.integers, made.rows, made.nonzeros
         notes = tuple(self._notes)
-        return Outcome(point, reached, proven, infeasible, stopped, size, notes=notes)
+        return Outcome(point, reached, proven, infeasible, stopped, self.size, notes=notes)
 
-    def _guarded(self, name: str, stage: Callable[[], GivenT]) -> GivenT | None:
-        """One stage; where it is halted or the solver fails, the plan that is known is kept."""
+    def guarded(self, name: str, stage: Callable[[], GivenT]) -> GivenT | None:
+        """One stage; where it is halted or the solver fails, the point that is known is kept."""
         try:
             return stage()
         except Halted as halted:
-            self._stopped = self._stopped or halted.reason
+            self.stopping(halted.reason)
             self._notes += [halted.words] if halted.words else []
         except SolverError as error:
             if self.point is None:
                 raise
             self._notes.append(f"{name} is not proven: {error}")
-            self._stopped = self._stopped or StoppedBy.PRECISION
+            self.stopping(StoppedBy.PRECISION)
         return None
 
-    # --- stages --------------------------------------------------------------------------------
+    def stopping(self, reason: StoppedBy | None) -> None:
+        """Remember why something was not settled; the first reason counts."""
+        self._stopped = self._stopped or reason
 
-    def _open(self, opening: ModelObjective | None) -> Found:
-        """Any plan; a first objective that may find one is minimised to its end at once."""
-        if opening is not None:
-            return self._ask(Question(opening, self._kept, opening))
-        return self._ask(Question(self._guide, self._kept, None, first=True))
-
-    @property
-    def _guide(self) -> ModelObjective:
-        """What leads to a plan where any will do."""
-        return Travel() if self.setting.mission.swarm is None else Splits()
-
-    def _stage(self, objective: ModelObjective, done: Found | None) -> float | None:
-        """Settle one objective and keep what it reached; its bound."""
-        if isinstance(objective, LevelObjective):
-            ideal = objective.ideal(self.setting)
-            if np.isinf(ideal):  # whatever the agents do
-                return ideal
-            if objective.by_levels(tight=self.tight):
-                return self._by_levels(objective, ideal)
-        found = done or self._ask(Question(objective, self._kept, objective))
-        assert self.point is not None
-        target = objective.target(self.setting, objective.extended(self.point.encoded))
-        if not target.step:
-            self._notes.append(f"{objective.name} is told apart to {CLOSED:.0e} of its size")
-        value = objective.minimised(self.setting, self.point)
-        self._kept = self._kept.and_also(objective, value)
-        self._stopped = self._stopped or found.stopped_by
-        bound = value if found.proven else min(found.bound, value)
-        return target.own(bound) if np.isfinite(bound) else None
-
-    def _by_levels(self, objective: LevelObjective, bound: float) -> float:
-        """Bisect between the value of the plan that is known and a bound."""
-        assert self.point is not None
-        value = objective.worth(self.setting, self.point)
-        sign = 1 if objective.rises else -1
-        while sign * (bound - value) > 0 and not self.clock.over:
-            probe = value + sign * ((abs(bound - value) + 1) // 2)
-            kept = self._kept.and_also(objective, probe)
-            question = Question(self._guide, kept, objective, first=True, bound=bound)
-            found = self._guarded(objective.name, partial(self._ask, question))
-            if found is not None and found.values is not None:
-                value = objective.worth(self.setting, self.point)
-            elif found is not None and found.proven:
-                bound = probe - sign
-            else:
-                self._stopped = self._stopped or (found.stopped_by if found else None)
-                break
-            self.tell(objective.name, None, value, bound)
-        self._kept = self._kept.and_also(objective, value)
-        return sign * max(sign * bound, sign * value)
-
-    # --- questions -----------------------------------------------------------------------------
-
-    def _ask(self, question: Question) -> Found:
-        """The answer to one question: by the places of groups alone if these settle it."""
-        self.tell(question.stage, None, None, None)
-        encoded = self._encoded(question.kept.level if self.tight else 0)
-        bound = -np.inf
-        if encoded.occupied is not None:
-            found = self._groups(encoded).answer(question)
-            if found.values is not None or found.proven or self.clock.over:
-                return found
-            bound = found.bound
-        return self._by_agents(question, encoded, bound)
-
-    def _by_agents(self, question: Question, whole: Encoded, bound: float) -> Found:
-        """Search the whole model."""
-        with self.clock.timed("build"):
-            narrow = question.kept.narrowed(self.setting, whole)
-            encoded = question.objective.extended(narrow)
-        target = question.objective.target(self.setting, encoded)
-        columns = whole.model.size.columns
-
-        def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
-            point = None if values is None else Point(whole, values[:columns], self.tight)
-            self._hear(question, point, question.shown(target, bound))
-
-        search = Search(encoded, target, self._effort(whole), self.clock, report)
-        search.know(bound)
-        if (
-            whole.shared
-            and Switch.CHAINS in self.effort.switches
-            and self.tight
-            and not whole.swarms
-        ):
-            chained = partial(self._chained, question.kept, encoded)
-            search.scout, search.rescue = (chained, None) if self.point is None else (None, chained)
-        if self.known is not None and self.point is None:
-            search.scout = lambda: self.known
-        start = None if question.first else start_in(encoded, self.point)
-        return search.minimise(start, first=question.first)
-
-    def _hear(self, question: Question, point: Point | None, bound: float | None) -> None:
-        """Keep a point, and tell of it and of a bound in the own unit of what is told."""
-        if point is not None:
-            self.point = point
-        value = None
-        if self.point is not None and question.told is not None:
-            value = question.told.worth(self.setting, self.point)
-        if point is not None or bound is not None:
-            self.tell(question.stage, point, value, bound)
-
-    def _effort(self, encoded: Encoded) -> Effort:
-        """How a whole model is searched.
-
-        A tree on the witnesses leaves open where groups go: that is the solver's part.
-        """
-        switches = self.effort.switches if self.tight else frozenset()
-        return replace(
-            self.effort, switches=switches - {Switch.TREE} if encoded.swarms else switches
-        )
-
-    def _groups(self, encoded: Encoded) -> GroupSearch:
-        return GroupSearch(
-            self.setting, encoded, self.effort, self.clock, self._hear, lambda: self.point
-        )
-
-    def _evened(self, point: Point) -> Point:
-        """The point with its shares settled, in the model of all that was reached."""
-        whole = self._encoded(self._kept.level if self.tight else 0)
-        if whole is not point.encoded:
-            target = Travel().target(self.setting, whole)
-            search = Search(whole, target, self.effort, self.clock, lambda *_: None)
-            values = search.adopt(point.values[point.encoded.flows])
-            if values is None:
-                return point
-            point = Point(whole, values, self.tight)
-        return self._groups(whole).evened(point, self._kept)
-
-    def _chained(self, kept: Kept, encoded: Encoded) -> Floats | None:
-        """Flows of a plan found by way of the chained restriction, in a part of the time."""
-        try:
-            with self.clock.timed("build"):
-                restricted = chain_model(self.setting, encoded.level)
-        except Halted:  # the search hears of that by itself
-            return None
-        upper = restricted.model.upper.copy()
-        upper[restricted.flows] = encoded.model.upper[encoded.flows]
-        model = restricted.model.with_bounds(restricted.model.lower, upper)
-        restricted = kept.narrowed(self.setting, replace(restricted, model=model))
-        left = self.clock.left
-        budget = _CHAIN_SECONDS if left is None else min(_CHAIN_SECONDS, left / 2)
-        target = Travel().target(self.setting, restricted)
-        return first_flows(restricted, target, self.effort, self.clock.within(budget))
-
-    # --- models --------------------------------------------------------------------------------
-
-    def _encoded(self, level: int) -> Encoded:
-        """The model of all plans at an availability; the last one is kept."""
-        if self._made is None or self._made.level != level:
-            self._made = None
-            with self.clock.timed("build"):
-                self._made = tight(self.setting, level) if self.tight else self._reference(level)
-        return self._made
-
-    def _reference(self, level: int) -> Encoded:
-        most = max(Availability().ideal(self.setting), 0.0)
-        return reference(self.setting, (level, level if np.isinf(most) else int(most)))
+    def noted(self, words: str) -> None:
+        """Tell something to the reader of the plan."""
+        self._notes.append(words)

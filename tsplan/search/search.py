@@ -9,7 +9,7 @@ agents; a bound of the relaxation is a bound of the problem.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
 from tsplan.search.dive import Earliest, Picker, dive, largest
 from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Found
 from tsplan.search.rounding import Rounding
 from tsplan.stopping import StoppedBy
 
@@ -40,21 +41,6 @@ _FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many,
 _TURNS = 1.0  # seconds after which the tree searches alone
 _SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
 _FORGIVEN = 1e-6  # by which a point may violate a row of numbers that are not whole
-
-
-@dataclass(frozen=True, eq=False)
-class Found:
-    """The best point known, a true lower bound, and whether the search was carried to its end.
-
-    `objective` and `bound` are values of the target. `proven` without values means that there is
-    no point, with values that none is better; a search that was `stopped_by` a gap is not.
-    """
-
-    values: Floats | None
-    objective: float | None
-    bound: float
-    proven: bool
-    stopped_by: StoppedBy | None = None
 
 
 Reporter = Callable[[Floats | None, float | None, float | None], None]

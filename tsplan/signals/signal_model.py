@@ -19,6 +19,7 @@ from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.witness import WitnessEncoder, WitnessRules
 from tsplan.logic import Formula, Linear
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints, Model
+from tsplan.milp.model import Terms as Entries
 from tsplan.signals.linear_system import Limit, System, Terms
 from tsplan.signals.predicate_rows import PredicateRows
 from tsplan.signals.predicates import LinearEncoder, jointly
@@ -163,7 +164,7 @@ class _Making:
         of = [limit.terms, *(terms for _, terms in limit.absolute)]
         last = self._last(name for terms in of for name, _ in terms)
         every = np.arange(last)
-        parts = [self._sum(limit.terms, last)]
+        parts: list[Entries] = [self._sum(limit.terms, last)]
         for factor, terms in limit.absolute:
             size = self._draft.columns(last)
             self._sized(size, terms, last)

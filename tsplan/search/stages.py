@@ -1,0 +1,228 @@
+"""The stages of planning teams and swarms: how each objective is settled.
+
+Objectives that are linear in the columns are minimised as they stand. Those by levels are found by
+bisection between the best plan known and a free bound; each question is whether any plan reaches a
+level. The moves of every point are what its values are told by.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+import numpy as np
+
+from tsplan.clock import Clock, Halted
+from tsplan.encode.assemble import reference, tight
+from tsplan.encode.encoded import Encoded, Point, Setting
+from tsplan.encode.model_objectives import (
+    Availability,
+    LevelObjective,
+    ModelObjective,
+    Splits,
+    Travel,
+)
+from tsplan.encode.switches import Switch
+from tsplan.milp.model import Floats
+from tsplan.milp.target import CLOSED
+from tsplan.search.chained_witnesses import chain_model, first_flows
+from tsplan.search.effort import Effort
+from tsplan.search.group_search import GroupSearch
+from tsplan.search.lexicographic import Found, Lexicographic, Tell
+from tsplan.search.question import Kept, Question, start_in
+from tsplan.search.search import Search
+
+_CHAIN_SECONDS = 15.0
+
+
+@dataclass(eq=False)
+class Stages(Lexicographic[Point, ModelObjective]):
+    """Runs the objectives of a problem in order; `known` are the flows of a plan that is known."""
+
+    setting: Setting
+    objectives: tuple[ModelObjective, ...]
+    effort: Effort
+    clock: Clock
+    tell: Tell[Point]
+    tight: bool = True
+    known: Floats | None = None
+    _kept: Kept = field(default=Kept(), init=False)
+    _made: Encoded | None = field(default=None, init=False)
+
+    def __post_init__(self) -> None:
+        super().__init__(self.clock)
+        self.setting = replace(self.setting, clock=self.clock)
+
+    # --- stages --------------------------------------------------------------------------------
+
+    @property
+    def opening(self) -> ModelObjective | None:
+        """The first objective, where a plan may be looked for by minimising it."""
+        return self.objectives[0] if self.objectives and self.objectives[0].opens else None
+
+    def opened(self, opening: ModelObjective | None) -> Found:
+        """Any plan; a first objective that may find one is minimised to its end at once."""
+        if opening is not None:
+            return self._ask(Question(opening, self._kept, opening))
+        return self._ask(Question(self._guide, self._kept, None, first=True))
+
+    @property
+    def _guide(self) -> ModelObjective:
+        """What leads to a plan where any will do."""
+        return Travel() if self.setting.mission.swarm is None else Splits()
+
+    def worth(self, objective: ModelObjective, point: Point) -> float:
+        """What the plan of a point is worth."""
+        return objective.worth(self.setting, point)
+
+    def settled(self, objective: ModelObjective, done: Found | None) -> float | None:
+        """Settle one objective and keep what it reached; its bound."""
+        if isinstance(objective, LevelObjective):
+            ideal = objective.ideal(self.setting)
+            if np.isinf(ideal):  # whatever the agents do
+                return ideal
+            if objective.by_levels(tight=self.tight):
+                return self._by_levels(objective, ideal)
+        found = done or self._ask(Question(objective, self._kept, objective))
+        assert self.point is not None
+        target = objective.target(self.setting, objective.extended(self.point.encoded))
+        if not target.step:
+            self.noted(f"{objective.name} is told apart to {CLOSED:.0e} of its size")
+        value = objective.minimised(self.setting, self.point)
+        self._kept = self._kept.and_also(objective, value)
+        self.stopping(found.stopped_by)
+        bound = value if found.proven else min(found.bound, value)
+        return target.own(bound) if np.isfinite(bound) else None
+
+    def _by_levels(self, objective: LevelObjective, bound: float) -> float:
+        """Bisect between the value of the plan that is known and a bound."""
+        assert self.point is not None
+        value = objective.worth(self.setting, self.point)
+        sign = 1 if objective.rises else -1
+        while sign * (bound - value) > 0 and not self.clock.over:
+            probe = value + sign * ((abs(bound - value) + 1) // 2)
+            kept = self._kept.and_also(objective, probe)
+            question = Question(self._guide, kept, objective, first=True, bound=bound)
+            found = self.guarded(objective.name, partial(self._ask, question))
+            if found is not None and found.values is not None:
+                value = objective.worth(self.setting, self.point)
+            elif found is not None and found.proven:
+                bound = probe - sign
+            else:
+                self.stopping(found.stopped_by if found else None)
+                break
+            self.tell(objective.name, None, value, bound)
+        self._kept = self._kept.and_also(objective, value)
+        return sign * max(sign * bound, sign * value)
+
+    # --- questions -----------------------------------------------------------------------------
+
+    def _ask(self, question: Question) -> Found:
+        """The answer to one question: by the places of groups alone if these settle it."""
+        self.tell(question.stage, None, None, None)
+        encoded = self._encoded(question.kept.level if self.tight else 0)
+        bound = -np.inf
+        if encoded.occupied is not None:
+            found = self._groups(encoded).answer(question)
+            if found.values is not None or found.proven or self.clock.over:
+                return found
+            bound = found.bound
+        return self._by_agents(question, encoded, bound)
+
+    def _by_agents(self, question: Question, whole: Encoded, bound: float) -> Found:
+        """Search the whole model."""
+        with self.clock.timed("build"):
+            narrow = question.kept.narrowed(self.setting, whole)
+            encoded = question.objective.extended(narrow)
+        target = question.objective.target(self.setting, encoded)
+        columns = whole.model.size.columns
+
+        def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
+            point = None if values is None else Point(whole, values[:columns], self.tight)
+            self._hear(question, point, question.shown(target, bound))
+
+        search = Search(encoded, target, self._effort(whole), self.clock, report)
+        search.know(bound)
+        if (
+            whole.shared
+            and Switch.CHAINS in self.effort.switches
+            and self.tight
+            and not whole.swarms
+        ):
+            chained = partial(self._chained, question.kept, encoded)
+            search.scout, search.rescue = (chained, None) if self.point is None else (None, chained)
+        if self.known is not None and self.point is None:
+            search.scout = lambda: self.known
+        start = None if question.first else start_in(encoded, self.point)
+        return search.minimise(start, first=question.first)
+
+    def _hear(self, question: Question, point: Point | None, bound: float | None) -> None:
+        """Keep a point, and tell of it and of a bound in the own unit of what is told."""
+        if point is not None:
+            self.point = point
+        value = None
+        if self.point is not None and question.told is not None:
+            value = question.told.worth(self.setting, self.point)
+        if point is not None or bound is not None:
+            self.tell(question.stage, point, value, bound)
+
+    def _effort(self, encoded: Encoded) -> Effort:
+        """How a whole model is searched.
+
+        A tree on the witnesses leaves open where groups go: that is the solver's part.
+        """
+        switches = self.effort.switches if self.tight else frozenset()
+        return replace(
+            self.effort, switches=switches - {Switch.TREE} if encoded.swarms else switches
+        )
+
+    def _groups(self, encoded: Encoded) -> GroupSearch:
+        return GroupSearch(
+            self.setting, encoded, self.effort, self.clock, self._hear, lambda: self.point
+        )
+
+    def finished(self, point: Point) -> Point:
+        """The point with the shares of groups settled, in the model of all that was reached."""
+        if not point.encoded.swarms:
+            return point
+        whole = self._encoded(self._kept.level if self.tight else 0)
+        if whole is not point.encoded:
+            target = Travel().target(self.setting, whole)
+            search = Search(whole, target, self.effort, self.clock, lambda *_: None)
+            values = search.adopt(point.values[point.encoded.flows])
+            if values is None:
+                return point
+            point = Point(whole, values, self.tight)
+        return self._groups(whole).evened(point, self._kept)
+
+    def _chained(self, kept: Kept, encoded: Encoded) -> Floats | None:
+        """Flows of a plan found by way of the chained restriction, in a part of the time."""
+        try:
+            with self.clock.timed("build"):
+                restricted = chain_model(self.setting, encoded.level)
+        except Halted:  # the search hears of that by itself
+            return None
+        upper = restricted.model.upper.copy()
+        upper[restricted.flows] = encoded.model.upper[encoded.flows]
+        model = restricted.model.with_bounds(restricted.model.lower, upper)
+        restricted = kept.narrowed(self.setting, replace(restricted, model=model))
+        left = self.clock.left
+        budget = _CHAIN_SECONDS if left is None else min(_CHAIN_SECONDS, left / 2)
+        target = Travel().target(self.setting, restricted)
+        return first_flows(restricted, target, self.effort, self.clock.within(budget))
+
+    # --- models --------------------------------------------------------------------------------
+
+    def _encoded(self, level: int) -> Encoded:
+        """The model of all plans at an availability; the last one is kept."""
+        if self._made is None or self._made.level != level:
+            self._made = None
+            with self.clock.timed("build"):
+                self._made = tight(self.setting, level) if self.tight else self._reference(level)
+            made = self._made.model.size
+            self.size = made.columns, made.integers, made.rows, made.nonzeros
+        return self._made
+
+    def _reference(self, level: int) -> Encoded:
+        most = max(Availability().ideal(self.setting), 0.0)
+        return reference(self.setting, (level, level if np.isinf(most) else int(most)))
