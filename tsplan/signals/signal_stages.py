@@ -1,0 +1,262 @@
+"""The stages of synthesis: a first trajectory by restrictions, then one objective after the other.
+
+Robustness has a bound that costs nothing: that of a formula whose parts are judged each on its own
+(`SignalSetting.ideal`). Often it is reached, so it is asked for first, in models that leave most
+choices out: one for blocks of steps, finer and finer. A trajectory of such a model is one of the
+whole, and where it reaches the bound it is proven to be the best without a search. Where none does,
+the whole model is maximised, from the best of what was found.
+
+Source of the restrictions: none; of moving blocks of controls: R. Cagienard et al., "Move blocking
+strategies in receding horizon control", J. Process Control 17 (2007).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from tsplan.clock import Clock
+from tsplan.encode.witness import WitnessRules
+from tsplan.errors import SolverError
+from tsplan.milp.confirmation import confirmed, tried
+from tsplan.milp.model import Floats, Model
+from tsplan.milp.solution import Progress, Status
+from tsplan.milp.target import Target
+from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Found, Lexicographic, Tell
+from tsplan.signals.signal_model import (
+    SignalModel,
+    SignalSetting,
+    reference_model,
+    signal_model,
+)
+from tsplan.signals.signal_objectives import SignalObjective, SignalPoint
+
+CLOSE = 1e-6
+"""Robustness this close to a bound counts as that: what solvers forgive a row."""
+
+_BLOCKS = (16, 8, 4, 2)  # steps for which a choice stays, in restrictions
+_FINE = 4  # such steps from which on a restriction is maximised rather than asked for the bound
+_STRIDE = 2  # steps between those at which eventualities are looked for there
+_TWICE = 2  # blocks that a horizon must hold at least
+_FEW = 30  # choices up to which the whole model is solved at once
+_SHARE = 0.2  # of the time left that one restriction may take
+_RESTRICTED = 10.0  # seconds that it may take where there is more
+
+
+@dataclass(eq=False)
+class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
+    """Runs the objectives of a problem over signals in order.
+
+    `least` is the robustness that a trajectory must have; `tight` is False for the reference
+    encoding, which is searched as a whole.
+    """
+
+    setting: SignalSetting
+    objectives: tuple[SignalObjective, ...]
+    effort: Effort
+    clock: Clock
+    tell: Tell[SignalPoint]
+    least: float = 0.0
+    tight: bool = True
+    _kept: list[tuple[SignalObjective, float]] = field(default_factory=list, init=False)
+    _stage: str = field(default="first plan", init=False)
+    _told: SignalObjective | None = field(default=None, init=False)
+    _model: tuple[int, SignalModel] | None = field(default=None, init=False)
+
+    def __post_init__(self) -> None:
+        super().__init__(self.clock)
+        self.setting = replace(self.setting, clock=self.clock)
+        self._ideal = self.setting.ideal
+
+    # --- stages --------------------------------------------------------------------------------
+
+    def opened(self, opening: SignalObjective | None) -> Found:
+        """Some trajectory; one of the greatest robustness where that comes first."""
+        self._begin("first plan", None)
+        if self._ideal < self.least - CLOSE or self.setting.reach.empty:
+            return Found(None, None, np.inf, proven=True)
+        made = self._whole()
+        if made.refuted:
+            return Found(None, None, np.inf, proven=True)
+        first = self.objectives[0] if self.objectives else None
+        if self.tight and made.model.size.integers > _FEW:
+            self._restricted(first)
+        if self.point is not None:
+            return Found(self.point.values, None, -np.inf, proven=False)
+        return self._ask(made, None, first=True)
+
+    def settled(self, objective: SignalObjective, done: Found | None) -> float | None:
+        """Optimise one objective and keep what it reached; its bound."""
+        self._begin(objective.name, objective)
+        bound = self._ideal if objective.plain_robustness else None
+        if not self._closed(objective, bound):
+            made = self._whole()
+            self._polish(made, objective)
+            found = self._ask(made, objective)
+            self.stopping(found.stopped_by)
+            told = objective.target(self.setting, made).own(found.bound)
+            if np.isfinite(told):
+                bound = told if bound is None else min(bound, told)
+        assert self.point is not None
+        value = objective.worth(self.setting, self.point)
+        if self._closed(objective, bound):
+            bound = value
+        self._kept.append((objective, value))
+        return bound
+
+    def worth(self, objective: SignalObjective, point: SignalPoint) -> float:
+        """What a trajectory is worth; what was reached is kept within what rows forgive."""
+        value = objective.worth(self.setting, point)
+        for kept, reached in self._kept:
+            if kept is objective and abs(value - reached) <= _TWICE * objective.close(reached):
+                return reached
+        return value
+
+    def _begin(self, stage: str, told: SignalObjective | None) -> None:
+        self._stage, self._told = stage, told
+        self.tell(stage, None, None, None)
+
+    def _closed(self, objective: SignalObjective, bound: float | None) -> bool:
+        """Whether the best trajectory known reaches a bound."""
+        if bound is None or self.point is None or not np.isfinite(bound):
+            return False
+        value = objective.worth(self.setting, self.point)
+        return objective.sign * (value - bound) <= _TWICE * objective.close(bound)
+
+    # --- restrictions --------------------------------------------------------------------------
+
+    def _restricted(self, first: SignalObjective | None) -> None:
+        """Find trajectories in models with fewer choices, until one reaches the bound."""
+        robust = first is not None and first.plain_robustness and np.isfinite(self._ideal)
+        level = max(self._ideal - CLOSE, self.least) if robust else self.least
+        able = [block for block in _BLOCKS if _TWICE * block <= self.setting.reach.horizon]
+        asked: list[tuple[int, SignalObjective | None]] = [(block, None) for block in able]
+        if first is not None:
+            asked += [(block, first) for block in able if block <= _FINE]
+        for block, objective in asked:
+            if objective is None and self.point is not None:
+                continue
+            most = level if objective is None else max(level, self._ideal)
+            least = level if objective is None else self.least
+            made = self._made(WitnessRules(block=block, stride=_STRIDE), (least, most))
+            self._try(made, objective)
+            if self.clock.over or (
+                robust and first is not None and self._closed(first, self._ideal)
+            ):
+                return
+
+    def _try(self, made: SignalModel, objective: SignalObjective | None) -> None:
+        """Take in what is found in a restriction; it proves nothing."""
+        left = self.clock.left
+        clock = self.clock.within(_RESTRICTED if left is None else min(_RESTRICTED, _SHARE * left))
+        if made.refuted:
+            return
+        model, target = self._asked(made, objective)
+        options = self.effort.options(clock, target, self._start(made))
+        options = replace(options, first=objective is None)
+        values = tried(self.effort.solver, model, options, self._watch)
+        if values is not None:
+            self._hear(SignalPoint(made, values))
+            if self.objectives:
+                self._polish(self._whole(), self.objectives[0])
+
+    # --- questions -----------------------------------------------------------------------------
+
+    def _ask(
+        self, made: SignalModel, objective: SignalObjective | None, *, first: bool = False
+    ) -> Found:
+        """The solver's answer about a whole model."""
+        model, target = self._asked(made, objective)
+        options = self.effort.options(self.clock, target, self._start(made))
+        options = replace(options, first=first)
+        solution = confirmed(self.effort.solver, model, options, self._watch)
+        if solution.status is Status.INFEASIBLE and self.point is not None:
+            raise SolverError("the solver calls a model infeasible of which a point is known")
+        if solution.values is not None:
+            self._hear(SignalPoint(made, solution.values))
+        bound = -np.inf if solution.bound is None else solution.bound
+        proven = solution.status in (Status.OPTIMAL, Status.INFEASIBLE)
+        return Found(solution.values, solution.objective, bound, proven, solution.stopped_by)
+
+    def _asked(self, made: SignalModel, objective: SignalObjective | None) -> tuple[Model, Target]:
+        """The model of a question and what is minimised in it."""
+        if objective is None:
+            return made.model, Target(np.zeros(made.model.size.columns), step=0.0)
+        target = objective.target(self.setting, made)
+        return made.model.with_objective(target.vector), target
+
+    def _watch(self, progress: Progress) -> bool:
+        """Tell of a bound while a solver runs."""
+        if self._told is not None and progress.bound is not None and self.point is not None:
+            value = self._told.worth(self.setting, self.point)
+            self.tell(self._stage, None, value, self._told.sign * progress.bound)
+        return self.clock.stop()
+
+    def _hear(self, point: SignalPoint) -> None:
+        """Keep a point that is no worse in the objective at hand, and tell of it."""
+        told = self._told or (self.objectives[0] if self.objectives else None)
+        if told is None:
+            self.point = point
+            self.tell(self._stage, point, None, None)
+            return
+        value = told.worth(self.setting, point)
+        if self.point is not None and told.sign * value > told.sign * told.worth(
+            self.setting, self.point
+        ):
+            return
+        self.point = point
+        self.tell(self._stage, point, value if self._told else None, None)
+
+    # --- points of other models ------------------------------------------------------------------
+
+    def _start(self, made: SignalModel) -> Floats | None:
+        """The trajectory that is known as a point of a model; None where it is none of it."""
+        point = self.point
+        if point is None or point.made is made:
+            return None if point is None else point.values
+        lower, upper = made.model.lower.copy(), made.model.upper.copy()
+        columns = made.columns.ravel()
+        values = np.clip(point.rows.ravel(), lower[columns], upper[columns])
+        lower[columns] = upper[columns] = values
+        return self._solved(made.model.with_bounds(lower, upper))
+
+    def _polish(self, made: SignalModel, objective: SignalObjective) -> None:
+        """The best trajectory of the choices that are made: a linear program."""
+        start = self._start(made)
+        if start is None:
+            return
+        chosen = np.flatnonzero(made.model.integer)
+        fixed = replace(made, model=made.model.with_fixed(chosen, start[chosen]))
+        values = self._solved(self._asked(fixed, objective)[0])
+        if values is not None:
+            self._hear(SignalPoint(made, values))
+
+    def _solved(self, model: Model) -> Floats | None:
+        options = replace(self.effort.limited(self.clock), first=not model.objective.any())
+        return tried(self.effort.solver, model, options)
+
+    # --- models ----------------------------------------------------------------------------------
+
+    def _whole(self) -> SignalModel:
+        """The model of all trajectories that lose nothing of what was reached; it is kept."""
+        if self._model is None or self._model[0] != len(self._kept):
+            robust = [value for objective, value in self._kept if objective.plain_robustness]
+            least = max([self.least, *(value - CLOSE * max(1.0, abs(value)) for value in robust)])
+            made = self._made(WitnessRules(), (least, max(self._ideal, least)))
+            for objective, value in self._kept:
+                if not objective.plain_robustness:
+                    target = objective.target(self.setting, made)
+                    kept = target.kept(made.model, objective.sign * value, f"kept {objective.name}")
+                    made = replace(made, model=kept)
+            self._model = len(self._kept), made
+            size = made.model.size
+            self.size = size.columns, size.integers, size.rows, size.nonzeros
+        return self._model[1]
+
+    def _made(self, rules: WitnessRules, level: tuple[float, float]) -> SignalModel:
+        with self.clock.timed("build"):
+            if not self.tight:
+                return reference_model(self.setting, level)
+            return signal_model(self.setting, level, rules)
