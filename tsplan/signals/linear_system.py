@@ -7,8 +7,9 @@ where the signals begin, and limits that are linear but for absolute values.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -87,6 +88,12 @@ class System:
     def __post_init__(self) -> None:
         for name in ("signals", "controls", "initial", "outputs"):
             object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
+
+    def __reduce__(self) -> tuple[type[System], tuple[Any, ...]]:
+        """Pickle with plain dicts, so that a system can be sent to another process."""
+        values = (getattr(self, item.name) for item in fields(self))
+        plain = (dict(value) if isinstance(value, Mapping) else value for value in values)
+        return System, tuple(plain)
 
     @property
     def names(self) -> tuple[str, ...]:

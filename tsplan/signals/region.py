@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from types import MappingProxyType
+from typing import Any
 
 from tsplan.logic import Formula, conjunction, disjunction, linear
 
@@ -42,6 +44,10 @@ class Region:
 
     def __hash__(self) -> int:
         return hash(tuple(self.axes.items()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle by the axes, as nothing can be set in a region."""
+        return partial(Region, **self.axes), ()
 
     def __repr__(self) -> str:
         return f"Region({', '.join(f'{name}={ends}' for name, ends in self.axes.items())})"
