@@ -267,5 +267,5 @@ def test_a_plan_called_optimal_needs_bounds_that_are_its_values(folder, name):
 @pytest.mark.parametrize("text", ["1" * 5000, "1" * 50])
 def test_numbers_of_many_digits_are_refused(folder, text):
     plan = (folder / "part.json").read_text().replace('"horizon": 6', f'"horizon": {text}')
-    with pytest.raises(PlanError, match="digits means nothing in a plan"):
+    with pytest.raises(PlanError, match="digits means nothing here"):
         tsplan.Plan.from_json(plan)

@@ -46,6 +46,9 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.protocol.simulation import simulate as simulate
     from tsplan.run.planner import plan as plan
     from tsplan.run.problem import Problem as Problem
+    from tsplan.signals.trajectory import Trajectory as Trajectory
+    from tsplan.signals.trajectory_file import load_trajectory as load_trajectory
+    from tsplan.signals.trajectory_file import save_trajectory as save_trajectory
     from tsplan.ts import Edge as Edge
     from tsplan.ts import State as State
     from tsplan.ts import TransitionSystem as TransitionSystem
@@ -79,6 +82,8 @@ _HOMES = {
     "checking.plan_check": ("check",),
     "protocol.margin_size": ("margin_for",),
     "protocol.simulation": ("Simulation", "simulate"),
+    "signals.trajectory": ("Trajectory",),
+    "signals.trajectory_file": ("load_trajectory", "save_trajectory"),
     "ts": ("Edge", "State", "TransitionSystem"),
     "ts.io.map_files": ("load_map",),
 }

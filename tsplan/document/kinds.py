@@ -40,8 +40,13 @@ _BEGINNINGS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     )
 )
 
-MISSION, MAP, PLAN = "a mission", "a map", "a plan"
+MISSION, MAP, PLAN, TRAJECTORY = "a mission", "a map", "a plan", "a trajectory"
 _KINDS_OF_MISSIONS = ("team", "swarm", "swarms")
+_MARKS = (
+    ("tsplan-mission", MISSION),
+    ("tsplan-plan", PLAN),
+    ("tsplan-trajectory", TRAJECTORY),
+)
 
 
 def kind_of_bytes(raw: bytes) -> str | None:
@@ -64,7 +69,7 @@ def kind_of_text(text: str) -> str | None:
 
 
 def kind_of_data(data: Any) -> str | None:
-    """What a document holds, by its keys: `MISSION`, `MAP`, `PLAN`, or words for something else.
+    """What a document holds, by its keys: `MISSION`, `MAP`, `PLAN`, `TRAJECTORY`, or other words.
 
     None where the keys do not tell.
 
@@ -74,7 +79,7 @@ def kind_of_data(data: Any) -> str | None:
     if not isinstance(data, Mapping):
         return None
     own = str(data.get("format", ""))
-    for mark, kind in (("tsplan-mission", MISSION), ("tsplan-plan", PLAN)):
+    for mark, kind in _MARKS:
         if own.startswith(mark):
             return kind
     for keys, kind in _KEYS:
@@ -100,6 +105,7 @@ _REMEDIES: Mapping[tuple[str, str], str] = {
     (MISSION, PLAN): "name the mission that was planned",
     (MAP, MISSION): "name the map that it uses, or write that map into a file of its own",
     (MAP, PLAN): "name the map of its mission",
+    (MISSION, TRAJECTORY): "name the mission that it was made for",
 }
 _GEOGRAPHIC = ("FeatureCollection", "Feature", "GeometryCollection", "Topology")
 _KEYS: tuple[tuple[frozenset[str], str], ...] = (

@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Protocol, Self
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
@@ -23,9 +23,18 @@ from tsplan.limits import MOST_STEPS
 from tsplan.parameters import known_name, name_list, step_within
 from tsplan.plans.agent_plans import AgentPlan, Bundle, agents_json, bundles
 from tsplan.plans.moves import Moves, shares
-from tsplan.plans.plan_text import FORMAT, read_plan
+from tsplan.plans.plan_text import PLANS, read_result
 from tsplan.plans.presence import Presence, of_bundles, of_groups, state_counts
-from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word, as_json, json_lines
+from tsplan.plans.records import (
+    OPTIONAL,
+    Finite,
+    Record,
+    Whole,
+    Word,
+    as_json,
+    json_document,
+    json_lines,
+)
 from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
 from tsplan.plans.subswarms import SubSwarm
 from tsplan.stopping import LIMITS, StoppedBy
@@ -55,7 +64,8 @@ _POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
     Status.NO_PLAN_FOUND: LIMITS,
     Status.ERROR: frozenset({None, *LIMITS}),
 }
-_WITH_PATHS = frozenset({Status.OPTIMAL, Status.FEASIBLE})
+FOUND = frozenset({Status.OPTIMAL, Status.FEASIBLE})
+"""What is known where there is a plan."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +132,44 @@ class Timings(Record):
             object.__setattr__(self, item.name, round(getattr(self, item.name), 6))
 
 
+class Outcome(Protocol):
+    """What a plan and a trajectory say of how they came about."""
+
+    @property
+    def status(self) -> Status:
+        """What is known."""
+
+    @property
+    def stopped_by(self) -> StoppedBy | None:
+        """What ended the search before that was all."""
+
+    @property
+    def verified(self) -> bool:
+        """Whether the independent check accepted it."""
+
+
+def contradictions(result: Outcome, noun: str, content: str, *, there: bool) -> list[Finding]:
+    """What cannot be together in a result: status, what stopped it, and whether anything is there.
+
+    Words that were given for the first two become what they mean; ValueError for other words.
+    """
+    object.__setattr__(result, "status", status := Status(result.status))
+    if result.stopped_by is not None:
+        object.__setattr__(result, "stopped_by", StoppedBy(result.stopped_by))
+    findings = []
+    if result.stopped_by not in (possible := _POSSIBLE[status]):
+        words = ", ".join(sorted(str(item) if item else "null" for item in possible))
+        what = f"status {status} contradicts stopped_by {result.stopped_by or 'null'}"
+        findings.append(Finding(what, f"possible: {words}"))
+    found = status in FOUND
+    if there != found:
+        shape = "needs" if found else "cannot hold"
+        findings.append(Finding(f"a {noun} of status {status} {shape} {content}"))
+    if result.verified and not found:
+        findings.append(Finding(f"a {noun} of status {status} cannot be verified"))
+    return findings
+
+
 def _entries(agents: object) -> object:
     """The agents of a file, which may leave out what they can do, and may have none."""
     if not isinstance(agents, list):
@@ -164,20 +212,8 @@ class Plan(Record, display.Displayed):
     notes: tuple[str, ...] = field(default=(), metadata=OPTIONAL)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "status", Status(self.status))
-        if self.stopped_by is not None:
-            object.__setattr__(self, "stopped_by", StoppedBy(self.stopped_by))
-        findings = []
-        if self.stopped_by not in (possible := _POSSIBLE[self.status]):
-            words = ", ".join(sorted(str(item) if item else "null" for item in possible))
-            what = f"status {self.status} contradicts stopped_by {self.stopped_by or 'null'}"
-            findings.append(Finding(what, f"possible: {words}"))
-        if bool(self.agents or self.moves) != self.has_paths:
-            shape = "needs the agents' paths" if self.has_paths else "cannot hold agents' paths"
-            findings.append(Finding(f"a plan of status {self.status} {shape}"))
-        if self.verified and not self.has_paths:
-            findings.append(Finding(f"a plan of status {self.status} cannot be verified"))
-        if findings:
+        there = bool(self.agents or self.moves)
+        if findings := contradictions(self, "plan", "the agents' paths", there=there):
             raise PlanError(findings)
 
     @field_validator("groups")
@@ -205,7 +241,7 @@ class Plan(Record, display.Displayed):
     @property
     def has_paths(self) -> bool:
         """Whether there is a path for every agent, or the moves of every swarm."""
-        return self.status in _WITH_PATHS
+        return self.status in FOUND
 
     @cached_property
     def agent(self) -> Mapping[str, AgentPlan]:
@@ -341,23 +377,19 @@ class Plan(Record, display.Displayed):
 
     def to_json(self) -> str:
         """The plan as a `tsplan-plan/1` document: one key, agent, move and sub-swarm a line."""
-        first = {"format": FORMAT, "status": self.status, "stopped_by": self.stopped_by}
+        first = {"format": PLANS.mark, "status": self.status, "stopped_by": self.stopped_by}
         moves = (
             f"{as_json(swarm)}: {json_lines(map(as_json, moves))}"
             for swarm, moves in self.moves.items()
         )
         large = {
-            "moves": lambda: "{" + ",\n  ".join(moves) + "}",
+            "moves": lambda: json_lines(moves, "{}"),
             "groups": lambda: json_lines(map(as_json, self.groups)),
             "agents": lambda: agents_json(self.agents, self.bundles),
         }
-        lines = (
-            f"{as_json(key)}: {large[key]() if key in large else as_json(value)}"
-            for key, value in {**first, **self.data()}.items()
-        )
-        return "{" + ",\n ".join(lines) + "}\n"
+        return json_document({**first, **self.data()}, large)
 
     @classmethod
     def from_json(cls, text: str, source: str = "plan") -> Self:
         """Read a `tsplan-plan/1` document; raises PlanError with everything wrong with it."""
-        return read_plan(cls, text, source)
+        return read_result(cls, PLANS, text, source)

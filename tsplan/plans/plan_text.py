@@ -1,4 +1,4 @@
-"""From the text of a plan file to its data, and findings at their places in it."""
+"""From the text of a file of results to its data, and findings at their places in it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Hashable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, NoReturn, TypeVar, cast
 
@@ -19,29 +19,47 @@ from tsplan.limits import DIGITS
 from tsplan.words import nfc
 
 T = TypeVar("T")
-FORMAT = "tsplan-plan/1"
 _LOCATED = 2_000_000  # characters up to which a faulty file is read again for lines and columns
-_REMEDY = f'a plan has "format": "{FORMAT}"'
 
 
-def read_plan(kind: type[T], text: str, source: str) -> T:
-    """The plan in a text; raises PlanError with every finding for a text that is none.
+@dataclass(frozen=True, slots=True)
+class ResultFormat:
+    """A format of files of results: what one of them is called."""
+
+    noun: str
+
+    @property
+    def mark(self) -> str:
+        """What a file says of itself under the key `format`."""
+        return f"tsplan-{self.noun}/1"
+
+    def refusal(self, what: str, source: str) -> PlanError:
+        """That something else is in a file, in words."""
+        remedy = f'a {self.noun} has "format": "{self.mark}"'
+        return _refusal(f"this is no {self.noun}: {what}", remedy, source)
+
+
+PLANS, TRAJECTORIES = ResultFormat("plan"), ResultFormat("trajectory")
+
+
+def read_result(kind: type[T], form: ResultFormat, text: str, source: str) -> T:
+    """The plan or trajectory in a text; PlanError with every finding for a text that is none.
 
     Equal paths become one object, which makes grouping cheap.
     """
     text = text.removeprefix("\ufeff")
-    refuse_other(text, source)
-    data = _parsed(text, source)
+    refuse_other(text, form, source)
+    data = _parsed(text, form, source)
     if not isinstance(data, dict):
-        raise _refusal("this is no plan: it is no mapping of keys to values", _REMEDY, source)
-    if data.get("format") != FORMAT:
-        raise _refusal(f"this is no plan: {_other_format(data)}", _REMEDY, source)
+        raise form.refusal("it is no mapping of keys to values", source)
+    if data.get("format") != form.mark:
+        raise form.refusal(_other_format(data), source)
     del data["format"]
     try:
-        plan: T = _reader(cast("Hashable", kind)).validate_python(data, context={})
+        result: T = _reader(cast("Hashable", kind)).validate_python(data, context={})
     except ValidationError as error:
-        raise PlanError(_located(error, text, source)) from None
-    return plan
+        raise PlanError(_located(error, form, text, source)) from None
+    return result
 
 
 @cache
@@ -50,7 +68,7 @@ def _reader(kind: Any) -> TypeAdapter[Any]:
 
 
 def spelled(text: str) -> str:
-    """The text of a plan file with all names in the form in which names are compared.
+    """The text of a file of results with all names in the form in which names are compared.
 
     Escapes of characters beyond ASCII are written out: they may be parts of such a name.
     """
@@ -70,33 +88,33 @@ _BEYOND_ASCII = 0x80
 _SURROGATES = range(0xD800, 0xE000)
 
 
-def refuse_other(text: str, source: str) -> None:
+def refuse_other(text: str, form: ResultFormat, source: str) -> None:
     """Raise PlanError for the beginning of a file that is no JSON, named for what it is."""
     if text.lstrip()[:1] in ("{", "["):
         return
     kind = kind_of_text(text) or _yaml_kind(text)
     if kind is not None:
-        raise _refusal(f"this is no plan: it is {kind}", _REMEDY, source)
+        raise form.refusal(f"it is {kind}", source)
 
 
 def _yaml_kind(text: str) -> str | None:
     """What a text in YAML is by the keys at its beginning, if it is ours."""
-    keys = [line.partition(":")[0] for line in text[:_GLANCE].split("\n") if line[:1].isalpha()]
-    return kind_of_data(dict.fromkeys(keys))
+    pairs = (line.split(":", 1) for line in text[:_GLANCE].split("\n") if line[:1].isalpha())
+    return kind_of_data({pair[0]: pair[-1].strip() for pair in pairs})
 
 
 _GLANCE = 4096  # characters of a text that are looked at
 
 
 def _other_format(data: dict[str, Any]) -> str:
-    """What a file is that is not in the format of plans."""
+    """What a file is that is not in the format that is wanted."""
     given, kind = data.get("format"), kind_of_data(data)
     if given is not None:
         return f"its format is {given!r}"
     return "it names no format" if kind in (None, PLAN) else f"it is {kind}"
 
 
-def _parsed(text: str, source: str) -> Any:
+def _parsed(text: str, form: ResultFormat, source: str) -> Any:
     try:
         return json.loads(
             text, object_pairs_hook=_unrepeated, parse_constant=_not_json, parse_int=_whole
@@ -105,14 +123,14 @@ def _parsed(text: str, source: str) -> Any:
         place = Finding(f"this is not JSON: {error.msg}", "", source, error.lineno, error.colno)
         raise PlanError([place]) from None
     except RecursionError:
-        raise _refusal("the JSON is nested too deeply for a plan", "", source) from None
+        raise _refusal(f"the JSON is nested too deeply for a {form.noun}", "", source) from None
     except ValueError as error:
         raise _refusal(str(error), "correct the file", source) from None
 
 
 def _whole(text: str) -> int:
     if len(text) > DIGITS:
-        raise ValueError(f"a number of {len(text):,} digits means nothing in a plan")
+        raise ValueError(f"a number of {len(text):,} digits means nothing here")
     return int(text)
 
 
@@ -129,13 +147,13 @@ def _not_json(word: str) -> NoReturn:
     raise ValueError(f"{word} is not a JSON number")
 
 
-def _located(error: ValidationError, text: str, source: str) -> list[Finding]:
+def _located(error: ValidationError, form: ResultFormat, text: str, source: str) -> list[Finding]:
     """What is wrong with data, with lines and columns unless the file is very large."""
     document = _document(text, source) if len(text) <= _LOCATED else None
     findings = []
     for item in error.errors(include_url=False, include_input=False):
         cause = item.get("ctx", {}).get("error")
-        if isinstance(cause, InputError):  # of the plan as a whole, which has no place
+        if isinstance(cause, InputError):  # of the whole, which has no place
             findings += [replace(finding, source=source) for finding in cause.findings]
             continue
         path = item["loc"]
@@ -144,7 +162,7 @@ def _located(error: ValidationError, text: str, source: str) -> list[Finding]:
         message = str(item["msg"]).removeprefix("Value error, ")
         message = message[:1].lower() + message[1:]
         findings.append(
-            Finding(f"{where.lstrip('.') or 'plan'}: {message}", "", source, line, column)
+            Finding(f"{where.lstrip('.') or form.noun}: {message}", "", source, line, column)
         )
     return findings
 

@@ -18,13 +18,14 @@ from pydantic import ConfigDict, Field, PlainValidator, ValidationInfo, model_va
 from tsplan.limits import LARGEST
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
     from _typeshed import DataclassInstance
     from pydantic import ModelWrapValidatorHandler
 
-_NAMES = {"class_name": "class", "first": "from", "last": "to", "fraction": "exact"}
+_NAMES = {"class_name": "class", "first": "from", "last": "to"}
 _FRACTION = re.compile(r"[0-9]{1,4000}(/[0-9]{0,3999}[1-9][0-9]{0,3999})?")
+_WHOLE = 1e16  # from here on a float is shorter with its exponent
 _ROUNDING = 1e-9  # by which a fraction may differ from its float, of which some digits are written
 
 OPTIONAL: Mapping[str, bool] = {"optional": True}
@@ -70,17 +71,25 @@ class Record:
 
     def data(self) -> dict[str, Any]:
         """What a file has of the record, under the keys there."""
+        key: Any = self.__pydantic_config__["alias_generator"]
         return {
-            json_name(item.name): value
+            key(item.name): value
             for item in fields(cast("DataclassInstance", self))
-            if (value := getattr(self, item.name)) or "optional" not in item.metadata
+            if (value := getattr(self, item.name)) or value == 0 or "optional" not in item.metadata
         }
+
+
+def _portion_name(name: str) -> str:
+    return "exact" if name == "fraction" else json_name(name)
 
 
 class Portion(Record):
     """A record with a fraction, which a file has exactly, as a number and perhaps as a verdict."""
 
     __slots__ = ()
+    __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(
+        **{**Record.__pydantic_config__, "alias_generator": _portion_name}
+    )
 
     def repeated(self) -> dict[str, float | bool]:
         """What a file says once more for those who read it."""
@@ -123,9 +132,9 @@ def plain(value: Any) -> Any:
         return [plain(item) for item in value]
     if isinstance(value, Fraction):
         return plain(float(value))
-    if not isinstance(value, float):
-        return value
-    return None if not math.isfinite(value) else int(value) if value == int(value) else value
+    if isinstance(value, float) and value.is_integer() and abs(value) < _WHOLE:
+        return int(value)
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def as_json(value: Any) -> str:
@@ -133,9 +142,18 @@ def as_json(value: Any) -> str:
     return json.dumps(plain(value), ensure_ascii=False, allow_nan=False, default=str)
 
 
-def json_lines(values: Iterable[str]) -> str:
-    """A list in JSON with one of its values a line."""
-    return "[\n  " + ",\n  ".join(values) + "]"
+def json_lines(values: Iterable[str], ends: str = "[]") -> str:
+    """A list (or with the `ends` of one, an object) in JSON with one of its values a line."""
+    return f"{ends[0]}\n  " + ",\n  ".join(values) + ends[1]
+
+
+def json_document(entries: Mapping[str, Any], large: Mapping[str, Callable[[], str]]) -> str:
+    """A file of results: one key a line, but for those of which `large` writes every value."""
+    lines = (
+        f"{as_json(key)}: {large[key]() if key in large else as_json(value)}"
+        for key, value in entries.items()
+    )
+    return "{" + ",\n ".join(lines) + "}\n"
 
 
 def shared(value: Any, info: ValidationInfo) -> Any:

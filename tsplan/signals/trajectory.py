@@ -4,19 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated
+from math import isfinite
+from typing import Annotated, Self
 
 import numpy as np
 from pydantic import Field
 
+from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.limits import MOST_STEPS
 from tsplan.logic.traces import SignalTrace
 from tsplan.milp.model import Floats
-from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status, Timings
-from tsplan.plans.records import OPTIONAL, Finite, Record, Word
+from tsplan.plans.plan import (
+    MissionRef,
+    ModelSize,
+    ObjectiveValue,
+    SolverUse,
+    Status,
+    Timings,
+    contradictions,
+)
+from tsplan.plans.plan_text import TRAJECTORIES, read_result
+from tsplan.plans.records import (
+    OPTIONAL,
+    Finite,
+    Record,
+    Word,
+    as_json,
+    json_document,
+    json_lines,
+)
 from tsplan.stopping import StoppedBy
 
-Values = tuple[Finite, ...]
+Values = tuple[Annotated[float, Field(strict=True, allow_inf_nan=False)], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +55,9 @@ class Trajectory(Record):
     `robustness` is the formula's, weighted as the mission says, `agm` the arithmetic-geometric
     mean robustness (None where a signal of the formula has no bounds). Where the formula may hold
     in part, `fraction` is how much does and `preference` the same with weights.
+
+    Raises PlanError for a status that contradicts `stopped_by` or the presence of signals, and for
+    values that are not finite or not as many as there are steps.
     """
 
     status: Status
@@ -56,9 +78,39 @@ class Trajectory(Record):
     timings: Timings = field(default_factory=Timings)
     notes: tuple[str, ...] = field(default=(), metadata=OPTIONAL)
 
+    def __post_init__(self) -> None:
+        for kind in ("signals", "controls"):
+            plain = {name: tuple(map(float, row)) for name, row in getattr(self, kind).items()}
+            object.__setattr__(self, kind, plain)
+        there = self.has_signals
+        findings = contradictions(self, "trajectory", "signals", there=there)
+        lengths = (
+            ("signal", self.signals, self.horizon + 1),
+            ("control", self.controls, self.horizon),
+        )
+        for kind, rows, steps in lengths if there else ():
+            for name, row in rows.items():
+                if len(row) != steps:
+                    what = f"{kind} {name} has {len(row)} values and not {steps}"
+                    findings.append(Finding(what, f"the horizon is {self.horizon}"))
+                elif not all(map(isfinite, row)):
+                    step = next(step for step, value in enumerate(row) if not isfinite(value))
+                    findings.append(Finding(f"{kind} {name} is no finite number at step {step}"))
+        findings += [
+            Finding(f"'{name}' is both a signal and a control")
+            for name in self.signals
+            if name in self.controls
+        ]
+        if findings:
+            raise PlanError(findings)
+
     def __getitem__(self, name: str) -> Floats:
-        """The values of a signal (T+1,) or a control (T,); KeyError for other names."""
-        return np.array(self.signals[name] if name in self.signals else self.controls[name])
+        """The values of a signal (T+1,) or a control (T,); InputError for other names."""
+        for rows in (self.signals, self.controls):
+            if name in rows:
+                return np.array(rows[name])
+        known = (*self.signals, *self.controls)
+        raise InputError([Finding(f"there is no signal '{name}'", nearest(name, known))])
 
     @property
     def states(self) -> Floats:
@@ -78,3 +130,24 @@ class Trajectory(Record):
         held = {name: (*values, *values[-1:]) for name, values in self.controls.items() if values}
         arrays = {**self.signals, **held}
         return SignalTrace({name: np.array(values) for name, values in arrays.items()})
+
+    def to_json(self) -> str:
+        """The trajectory as a `tsplan-trajectory/1` document: one key, and one signal, a line."""
+        mark = TRAJECTORIES.mark
+        first = {"format": mark, "status": self.status, "stopped_by": self.stopped_by}
+
+        def rows(kind: Mapping[str, Values]) -> str:
+            lines = [f"{as_json(name)}: {as_json(row)}" for name, row in kind.items()]
+            return json_lines(lines, "{}") if lines else "{}"
+
+        large = {
+            "signals": lambda: rows(self.signals),
+            "controls": lambda: rows(self.controls),
+            "parts": lambda: json_lines(map(as_json, self.parts)),
+        }
+        return json_document({**first, **self.data()}, large)
+
+    @classmethod
+    def from_json(cls, text: str, source: str = "trajectory") -> Self:
+        """Read a `tsplan-trajectory/1` document; raises PlanError with everything wrong with it."""
+        return read_result(cls, TRAJECTORIES, text, source)
