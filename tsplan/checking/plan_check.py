@@ -8,10 +8,11 @@ cannot hide here.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from operator import eq
 from typing import TYPE_CHECKING
 
+from tsplan.checking.check_report import Report, findings_of, refuse
 from tsplan.checking.claimed_values import false_objectives, shown, unproven
 from tsplan.checking.crowding import crowded
 from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
@@ -19,7 +20,7 @@ from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
 from tsplan.checking.satisfaction_check import completed, false_claims
 from tsplan.checking.traffic import Traffic, read_traffic
-from tsplan.errors import Finding, SolverError
+from tsplan.errors import SolverError
 from tsplan.plans.plan import ObjectiveValue, Plan
 from tsplan.words import known
 
@@ -27,28 +28,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from tsplan.mission import Mission
-
-_SHOWN = 20  # findings of one kind that are listed before the rest is only counted
-
-
-@dataclass(frozen=True)
-class Report:
-    """What the check found.
-
-    `findings` is empty exactly if the plan is accepted. `availability` and `values` are computed
-    from the paths and moves; they are None when these themselves are wrong. `facts` says in words
-    what was found to hold.
-    """
-
-    findings: tuple[Finding, ...]
-    facts: tuple[str, ...]
-    availability: float | None = None
-    values: Mapping[str, float] | None = None
-
-    @property
-    def ok(self) -> bool:
-        """Whether the plan is accepted."""
-        return not self.findings
 
 
 def check(mission: Mission, plan: Plan) -> Report:
@@ -58,15 +37,15 @@ def check(mission: Mission, plan: Plan) -> Report:
     the counts, the formula and the objectives left out, because they would say nothing.
     """
     if not plan.has_paths:
-        return Report(_findings([f"a plan of status {plan.status} has no paths to check"]), ())
+        return Report(findings_of([f"a plan of status {plan.status} has no paths to check"]), ())
     traffic, problems = _judged(mission, plan)
     if traffic is None:
-        return Report(_findings(problems), ())
+        return Report(findings_of(problems), ())
     values = measured(traffic)
     problems += [*_false_claims(plan, traffic, values), *unproven(plan, values)]
     facts = () if problems else facts_of(plan, traffic, values)
     told = {name: float(value) for name, value in values.items()}
-    return Report(_findings(problems), facts, traffic.availability, told)
+    return Report(findings_of(problems), facts, traffic.availability, told)
 
 
 def certify(mission: Mission, plan: Plan) -> Plan:
@@ -83,9 +62,7 @@ def certify(mission: Mission, plan: Plan) -> Plan:
         values = measured(traffic)
         plan = _completed(plan, traffic, values)
         problems += _false_claims(plan, traffic, values)
-    if problems:
-        listed = "\n".join(str(finding) for finding in _findings(problems))
-        raise SolverError(f"the plan that was found does not stand up to the check:\n{listed}")
+    refuse(problems)
     return replace(plan, verified=True)
 
 
@@ -195,10 +172,3 @@ def _false_claims(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) ->
     if plan.availability != actual:
         problems.append(f"the plan claims availability {plan.availability} and has {actual}")
     return [*problems, *false_objectives(traffic.mission, plan, values)]
-
-
-def _findings(problems: list[str]) -> tuple[Finding, ...]:
-    """The first problems as findings, and how many more there are."""
-    rest = len(problems) - _SHOWN
-    listed = [*problems[:_SHOWN], *([f"and {rest} more"] if rest > 0 else [])]
-    return tuple(Finding(message, source="plan") for message in listed)

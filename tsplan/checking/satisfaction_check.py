@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,7 @@ from tsplan.plans.plan import Plan, Status
 from tsplan.plans.satisfaction import Depth, Node, PreferenceSatisfaction, Satisfaction
 
 if TYPE_CHECKING:
-    from tsplan.logic.traces import CountTrace
+    from tsplan.logic.traces import CountTrace, Trace
     from tsplan.mission import Mission
 
 MOST_LETTERS = 1000
@@ -43,13 +43,17 @@ def slack_of(mission: Mission, trace: CountTrace, availability: float) -> float:
 
     `availability` is that of the formula as a whole.
     """
-    if mission.partial:
-        tree = mission.tree(mission.formula)
-        return shares(tree, trace)[tree][0].spare
-    least = availability
-    for preference in mission.prefer:
-        tree = mission.tree(preference.formula)
-        if preference.partial:
+    whole = [(mission.tree(mission.formula), True)] if mission.partial else []
+    wishes = [(mission.tree(item.formula), item.partial) for item in mission.prefer]
+    return least_spare(whole or wishes, trace, math.inf if whole else availability)
+
+
+def least_spare(
+    trees: Iterable[tuple[Formula, bool]], trace: Trace, least: float = math.inf
+) -> float:
+    """The least robustness of what holds of trees, each of which counts in part or as a whole."""
+    for tree, partial in trees:
+        if partial:
             least = min(least, shares(tree, trace)[tree][0].spare)
         else:
             slack = float(robustness(tree, trace)[..., 0])
