@@ -1,0 +1,148 @@
+"""Whether signals and controls are those that a system allows, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from tsplan.milp.model import Bools, Floats
+from tsplan.signals.linear_system import Limit, Range, System, Terms
+from tsplan.signals.trajectory import Trajectory
+from tsplan.words import many
+
+TOLERANCE = 1e-6
+"""What may be amiss, as a share of the range of a value: ten times the 1e-7 by which solvers of
+linear programs let rows fail, so that rows may be scaled a little."""
+
+
+class Motion:
+    """A trajectory that has exactly the signals and controls of its system.
+
+    `values` has each of them as an array, (T+1,) and (T,). `scales` is the range of each: between
+    its bounds, and where these are infinite or one, the size of its values, at least 1.
+    """
+
+    def __init__(self, system: System, trajectory: Trajectory) -> None:
+        self.system, self.horizon = system, trajectory.horizon
+        self.values: Mapping[str, Floats] = {name: trajectory[name] for name in system.names}
+        ranges = {**system.signals, **system.controls}
+        self.scales = {name: _scale(ranges[name], row) for name, row in self.values.items()}
+
+    def width(self, terms: Terms) -> float:
+        """The range of a sum."""
+        return sum((abs(factor) * self.scales[name] for name, factor in terms), 0.0)
+
+    @property
+    def simulated(self) -> Mapping[str, Floats]:
+        """The signals that the controls lead to; those that move freely as they are."""
+        signals = self.system.signals
+        rows = np.array([self.values[name] for name in signals])
+        if self.system.dynamics is not None:
+            steered = [self.values[name] for name in self.system.controls]
+            controls = np.array(steered).reshape(len(steered), rows.shape[1] - 1)
+            with np.errstate(over="ignore", invalid="ignore"):  # whoever asks looks at that
+                rows = self.system.simulated(rows[:, 0].tolist(), controls)
+        return dict(zip(signals, rows, strict=True))
+
+
+def strangers(system: System, trajectory: Trajectory, horizon: int) -> Iterator[str]:
+    """Whether a trajectory is of another horizon, or has other signals or controls."""
+    if trajectory.horizon != horizon:
+        yield f"the trajectory ends at step {trajectory.horizon} and the mission at step {horizon}"
+    kinds = (
+        ("signal", trajectory.signals, system.signals),
+        ("control", trajectory.controls, system.controls),
+    )
+    for kind, given, wanted in kinds:
+        yield from (f"{kind} {name} has no values" for name in wanted if name not in given)
+        yield from (f"the system has no {kind} {name}" for name in given if name not in wanted)
+
+
+def settled(system: System, trajectory: Trajectory) -> Trajectory:
+    """The trajectory as it will be: its start and controls in their bounds, its signals simulated.
+
+    Signals without dynamics are brought into their bounds.
+    """
+    rows = {
+        name: np.clip(trajectory[name], *ends)
+        for name, ends in {**system.signals, **system.controls}.items()
+    }
+    for name in system.signals:
+        rows[name][0] = np.clip(rows[name][0], *system.begins(name))
+    signals, controls = (_plain(rows, names) for names in (system.signals, system.controls))
+    moved = replace(trajectory, signals=signals, controls=controls)
+    return led(Motion(system, moved), moved)
+
+
+def led(motion: Motion, trajectory: Trajectory) -> Trajectory:
+    """The trajectory with the signals that its start and controls lead to."""
+    return replace(trajectory, signals=_plain(motion.simulated, motion.system.signals))
+
+
+def _plain(rows: Mapping[str, Floats], names: Iterable[str]) -> dict[str, tuple[float, ...]]:
+    return {name: tuple((rows[name] + 0.0).tolist()) for name in names}
+
+
+def deviations(motion: Motion, other: Mapping[str, Floats], what: str) -> Iterator[str]:
+    """Signals that are not what others say, in words: where each first is not."""
+    for name, row in other.items():
+        far = np.abs(row - motion.values[name]) > TOLERANCE * motion.scales[name]
+        for step, words in _first(far):
+            own, led = motion.values[name][step], row[step]
+            yield f"at step {step} signal {name} is {_exact(own)}, {what} {_exact(led)}{words}"
+
+
+def broken(motion: Motion) -> Iterator[str]:
+    """Ranges, bounds and limits that are not kept, in words."""
+    system = motion.system
+    for kind, bounds in (("signal", system.signals), ("control", system.controls)):
+        for name, ends in bounds.items():
+            row, slack = motion.values[name], TOLERANCE * motion.scales[name]
+            for place, side, sign in ((0, "below", 1), (1, "above", -1)):
+                bound = np.full(len(row), float(ends[place]))
+                if kind == "signal":
+                    bound[0] = system.begins(name)[place]
+                for step, words in _first(sign * (bound - row) > slack):
+                    end = "start" if step == 0 and name in system.initial else "bound"
+                    what = f"{kind} {name} is {_exact(row[step])}"
+                    yield f"at step {step} {what}, {side} its {end} {_exact(bound[step])}{words}"
+    for limit in system.limits:
+        value, width = _left_side(motion, limit)
+        for step, words in _first(value - limit.bound > TOLERANCE * width):
+            what = f"at step {step} the left side of {limit} is"
+            yield f"{what} {_exact(value[step])}{words}"
+
+
+def _left_side(motion: Motion, limit: Limit) -> tuple[Floats, float]:
+    """What a limit bounds, at each step that it holds for, and the range of that."""
+    parts = [(1.0, limit.terms, False), *((factor, t, True) for factor, t in limit.absolute)]
+    names = {name for _, terms, _ in parts for name, _ in terms}
+    steps = min((len(motion.values[name]) for name in names), default=1)
+    total, width = np.zeros(steps), 0.0
+    for factor, terms, absolute in parts:
+        inner = sum(own * motion.values[name][:steps] for name, own in terms)
+        total += factor * (np.abs(inner) if absolute else inner)
+        width += factor * motion.width(terms)
+    return total, width
+
+
+def _first(far: Bools) -> Iterator[tuple[int, str]]:
+    """The first step at which something is amiss, and how many more there are."""
+    steps = np.flatnonzero(far)
+    if steps.size:
+        more = int(steps.size) - 1
+        yield int(steps[0]), f" (and at {many(more, 'more step')})" if more else ""
+
+
+def _scale(bounds: Range, row: Floats) -> float:
+    width = float(bounds[1]) - float(bounds[0])
+    if np.isfinite(width) and width > 0:
+        return width
+    return max(1.0, float(np.abs(row).max(initial=0.0)))
+
+
+def _exact(value: float) -> str:
+    """A number, in as many digits as tell it from a bound it is near."""
+    return f"{value:.10g}"
