@@ -33,6 +33,8 @@ class CountTerm:
     capability: str | None
     step: int
 
+    whole: ClassVar[bool] = True
+
     def __str__(self) -> str:
         able = "" if self.capability is None else f", {self.capability!r}"
         return f"count({self.place!r}{able}, step={self.step})"
@@ -185,15 +187,17 @@ class Expression:
 
 @dataclass(frozen=True, slots=True)
 class Constraint:
-    """`lower <= sum of the terms <= upper` in whole numbers; None bounds nothing.
+    """`lower <= sum of the terms <= upper`; None bounds nothing.
+
+    Of terms that are whole, all numbers are brought to whole ones; others stay as they are given.
 
     A constraint is neither true nor false before there is a plan: `bool`, and so `and`, `or`,
     `not` and `1 <= count <= 3`, raise MissionError.
     """
 
-    terms: tuple[tuple[CountTerm, int], ...]
-    lower: int | None
-    upper: int | None
+    terms: tuple[tuple[Any, Any], ...]
+    lower: Any
+    upper: Any
     name: str = "constraint"
 
     @staticmethod
@@ -205,6 +209,8 @@ class Constraint:
         strict: bool = False,
     ) -> Constraint:
         """`lower <= expression <= upper` (strictly: `<`) with the least whole coefficients."""
+        if any(not getattr(term, "whole", False) for term, _ in expression.terms):
+            return Constraint._of_reals(expression, lower, upper, strict=strict)
         scale = 1 / common_unit(factor for _, factor in expression.terms)
 
         def bound(value: Number | None) -> Fraction | None:
@@ -216,6 +222,16 @@ class Constraint:
         return Constraint(
             tuple((t, int(factor * scale)) for t, factor in expression.terms), least, most
         )
+
+    @staticmethod
+    def _of_reals(
+        expression: Expression, lower: Number | None, upper: Number | None, *, strict: bool
+    ) -> Constraint:
+        if strict:
+            _refused("'<' and '>' of real values cannot be told from '<=' and '>='", "use these")
+        constant = expression.constant
+        least, most = (None if b is None else Fraction(b) - constant for b in (lower, upper))
+        return Constraint(expression.terms, least, most)
 
     def holds(self, total: Fraction | int) -> bool:
         """Whether the terms may sum to this."""

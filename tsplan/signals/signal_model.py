@@ -6,8 +6,9 @@ then that of the robustness. A control has no column for the last step: the one 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,16 +17,25 @@ from tsplan.encode.atom_encoders import Atoms
 from tsplan.encode.memory import Watch
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
-from tsplan.encode.witness import WitnessEncoder, WitnessRules
+from tsplan.encode.selection import ALWAYS, SelectionColumns
+from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses, WitnessRules
 from tsplan.logic import Formula, Linear
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints, Model
 from tsplan.milp.model import Terms as Entries
 from tsplan.signals.linear_system import Limit, System, Terms
 from tsplan.signals.predicate_rows import PredicateRows
-from tsplan.signals.predicates import LinearEncoder, jointly
+from tsplan.signals.predicates import HalfSpace, LinearEncoder, jointly
 from tsplan.signals.reach import Reach
 
 _RULES = WitnessRules()
+
+
+class OwnRow(NamedTuple):
+    """A user's own row: factors of values of signals at steps, between two bounds."""
+
+    terms: tuple[tuple[str, int, float], ...]
+    low: float
+    high: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +50,7 @@ class SignalSetting:
     reach: Reach
     goal: Formula
     efforts: tuple[tuple[tuple[str, float], ...], ...] = ()
-    own: tuple[tuple[tuple[tuple[str, int, float], ...], float, float], ...] = ()
+    own: tuple[OwnRow, ...] = ()
     clock: Clock = field(default_factory=Clock)
 
     @property
@@ -92,6 +102,16 @@ def reference_model(setting: SignalSetting, level: tuple[float, float]) -> Signa
     return _Making(setting, level).reference()
 
 
+def chosen_model(
+    setting: SignalSetting, level: tuple[float, float], owed: Mapping[Formula, Iterable[int]]
+) -> SignalModel:
+    """The model in which predicates hold at the steps that are named for them: without choices.
+
+    Other formulas that something is named for are passed over.
+    """
+    return _Making(setting, level).chosen(owed)
+
+
 class _Making:
     """One model in the making."""
 
@@ -110,10 +130,25 @@ class _Making:
         atoms = self._setting.atoms(self._columns, *self._level)
         encoder = WitnessEncoder(self._draft, OptimisticBound(self._setting.goal, atoms), rules)
         witnesses = encoder.encode(self._setting.goal)
+        self._predicates(atoms, witnesses)
+        return replace(self._made(), refuted=witnesses.choices.refuted)
+
+    def chosen(self, owed: Mapping[Formula, Iterable[int]]) -> SignalModel:
+        self._dynamics()
+        atoms = self._setting.atoms(self._columns, *self._level)
+        demands = [
+            Demand(HalfSpace.of(node), step, step, ALWAYS)
+            for node, steps in owed.items()
+            if isinstance(node, Linear)
+            for step in steps
+        ]
+        self._predicates(atoms, Witnesses(SelectionColumns(self._draft), demands))
+        return self._made()
+
+    def _predicates(self, atoms: Atoms, witnesses: Witnesses) -> None:
         linear = atoms.encoders[Linear]
         assert isinstance(linear, LinearEncoder)
         PredicateRows(linear, self._rho).write(witnesses, self._draft)
-        return replace(self._made(), refuted=witnesses.choices.refuted)
 
     def reference(self) -> SignalModel:
         self._dynamics()
@@ -156,8 +191,8 @@ class _Making:
             )
         for limit in system.limits:
             self._limit(limit)
-        for terms, low, high in self._setting.own:
-            self._own(terms, low, high)
+        for row in self._setting.own:
+            self._own(row)
 
     def _limit(self, limit: Limit) -> None:
         """A limit at every step; one on controls at those at which there is one."""
@@ -171,12 +206,12 @@ class _Making:
             parts.append((every, size, factor))
         self._draft.sums(*parts, lower=-INFINITY, upper=limit.bound, count=last, kind="limit")
 
-    def _own(self, terms: tuple[tuple[str, int, float], ...], low: float, high: float) -> None:
+    def _own(self, row: OwnRow) -> None:
         """A user's own row."""
         place = self._place()
-        columns = [int(self._columns[place[name], step]) for name, step, _ in terms]
-        factors = [factor for _, _, factor in terms]
-        self._draft.sums((0, columns, factors), lower=low, upper=high, kind="own")
+        columns = [int(self._columns[place[name], step]) for name, step, _ in row.terms]
+        factors = [factor for _, _, factor in row.terms]
+        self._draft.sums((0, columns, factors), lower=row.low, upper=row.high, kind="own")
 
     def _effort(self, effort: tuple[tuple[str, float], ...]) -> tuple[Ints, Floats]:
         """Columns for the absolute values of signals and controls at every step they have."""

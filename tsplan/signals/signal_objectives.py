@@ -112,3 +112,33 @@ class SignalObjective:
     def close(self, value: float) -> float:
         """Values this close to another count as the same."""
         return _CLOSE * max(1.0, abs(value))
+
+
+@dataclass(frozen=True, eq=False)
+class OwnTerms:
+    """A user's own sum of values at steps, minimised."""
+
+    terms: tuple[tuple[str, int, float], ...]
+    constant: float = 0.0
+
+    name = "own"
+    sign = 1.0
+    plain_robustness = False
+
+    def target(self, setting: SignalSetting, made: SignalModel) -> Target:
+        """What is minimised in a model."""
+        vector = np.zeros(made.model.size.columns)
+        place = {one: row for row, one in enumerate(setting.system.names)}
+        for name, step, factor in self.terms:
+            vector[made.columns[place[name], step]] += factor
+        return Target(vector, constant=Fraction(self.constant), step=0.0)
+
+    def worth(self, setting: SignalSetting, point: SignalPoint) -> float:
+        """What a point is worth by its signals."""
+        place = {one: row for row, one in enumerate(setting.system.names)}
+        values = (factor * point.rows[place[name], step] for name, step, factor in self.terms)
+        return self.constant + float(sum(values))
+
+    def close(self, value: float) -> float:
+        """Values this close to another count as the same."""
+        return _CLOSE * max(1.0, abs(value))

@@ -13,12 +13,15 @@ strategies in receding horizon control", J. Process Control 17 (2007).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 import numpy as np
 
 from tsplan.clock import Clock
 from tsplan.encode.witness import WitnessRules
 from tsplan.errors import SolverError
+from tsplan.logic.evaluation import margins
+from tsplan.logic.obligations import START, obligations
 from tsplan.milp.confirmation import confirmed, tried
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Progress, Status
@@ -28,25 +31,30 @@ from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.signals.signal_model import (
     SignalModel,
     SignalSetting,
+    chosen_model,
     reference_model,
     signal_model,
 )
-from tsplan.signals.signal_objectives import SignalObjective, SignalPoint
+from tsplan.signals.signal_objectives import OwnTerms, SignalObjective, SignalPoint
+
+Objective: TypeAlias = SignalObjective | OwnTerms
 
 CLOSE = 1e-6
 """Robustness this close to a bound counts as that: what solvers forgive a row."""
 
+_KEPT = 1e-12  # of a robustness that is kept may get lost: what floats round
 _BLOCKS = (16, 8, 4, 2)  # steps for which a choice stays, in restrictions
 _FINE = 4  # such steps from which on a restriction is maximised rather than asked for the bound
 _STRIDE = 2  # steps between those at which eventualities are looked for there
 _TWICE = 2  # blocks that a horizon must hold at least
 _FEW = 30  # choices up to which the whole model is solved at once
+_FEWER = 0.75  # of the choices of the whole model that a restriction to be maximised may have
 _SHARE = 0.2  # of the time left that one restriction may take
 _RESTRICTED = 10.0  # seconds that it may take where there is more
 
 
 @dataclass(eq=False)
-class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
+class SignalStages(Lexicographic[SignalPoint, "Objective"]):
     """Runs the objectives of a problem over signals in order.
 
     `least` is the robustness that a trajectory must have; `tight` is False for the reference
@@ -54,15 +62,15 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     """
 
     setting: SignalSetting
-    objectives: tuple[SignalObjective, ...]
+    objectives: tuple[Objective, ...]
     effort: Effort
     clock: Clock
     tell: Tell[SignalPoint]
     least: float = 0.0
     tight: bool = True
-    _kept: list[tuple[SignalObjective, float]] = field(default_factory=list, init=False)
+    _kept: list[tuple[Objective, float]] = field(default_factory=list, init=False)
     _stage: str = field(default="first plan", init=False)
-    _told: SignalObjective | None = field(default=None, init=False)
+    _told: Objective | None = field(default=None, init=False)
     _model: tuple[int, SignalModel] | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
@@ -72,7 +80,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
 
     # --- stages --------------------------------------------------------------------------------
 
-    def opened(self, opening: SignalObjective | None) -> Found:
+    def opened(self, opening: Objective | None) -> Found:
         """Some trajectory; one of the greatest robustness where that comes first."""
         self._begin("first plan", None)
         if self._ideal < self.least - CLOSE or self.setting.reach.empty:
@@ -87,13 +95,13 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
             return Found(self.point.values, None, -np.inf, proven=False)
         return self._ask(made, None, first=True)
 
-    def settled(self, objective: SignalObjective, done: Found | None) -> float | None:
+    def settled(self, objective: Objective, done: Found | None) -> float | None:
         """Optimise one objective and keep what it reached; its bound."""
         self._begin(objective.name, objective)
         bound = self._ideal if objective.plain_robustness else None
         if not self._closed(objective, bound):
             made = self._whole()
-            self._polish(made, objective)
+            self._polish(objective)
             found = self._ask(made, objective)
             self.stopping(found.stopped_by)
             told = objective.target(self.setting, made).own(found.bound)
@@ -106,7 +114,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         self._kept.append((objective, value))
         return bound
 
-    def worth(self, objective: SignalObjective, point: SignalPoint) -> float:
+    def worth(self, objective: Objective, point: SignalPoint) -> float:
         """What a trajectory is worth; what was reached is kept within what rows forgive."""
         value = objective.worth(self.setting, point)
         for kept, reached in self._kept:
@@ -114,11 +122,11 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
                 return reached
         return value
 
-    def _begin(self, stage: str, told: SignalObjective | None) -> None:
+    def _begin(self, stage: str, told: Objective | None) -> None:
         self._stage, self._told = stage, told
         self.tell(stage, None, None, None)
 
-    def _closed(self, objective: SignalObjective, bound: float | None) -> bool:
+    def _closed(self, objective: Objective, bound: float | None) -> bool:
         """Whether the best trajectory known reaches a bound."""
         if bound is None or self.point is None or not np.isfinite(bound):
             return False
@@ -127,12 +135,12 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
 
     # --- restrictions --------------------------------------------------------------------------
 
-    def _restricted(self, first: SignalObjective | None) -> None:
+    def _restricted(self, first: Objective | None) -> None:
         """Find trajectories in models with fewer choices, until one reaches the bound."""
         robust = first is not None and first.plain_robustness and np.isfinite(self._ideal)
         level = max(self._ideal - CLOSE, self.least) if robust else self.least
         able = [block for block in _BLOCKS if _TWICE * block <= self.setting.reach.horizon]
-        asked: list[tuple[int, SignalObjective | None]] = [(block, None) for block in able]
+        asked: list[tuple[int, Objective | None]] = [(block, None) for block in able]
         if first is not None:
             asked += [(block, first) for block in able if block <= _FINE]
         for block, objective in asked:
@@ -141,13 +149,15 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
             most = level if objective is None else max(level, self._ideal)
             least = level if objective is None else self.least
             made = self._made(WitnessRules(block=block, stride=_STRIDE), (least, most))
+            if objective is not None and made.model.size.integers > _FEWER * self.size[1]:
+                continue  # the whole model is no harder
             self._try(made, objective)
             if self.clock.over or (
                 robust and first is not None and self._closed(first, self._ideal)
             ):
                 return
 
-    def _try(self, made: SignalModel, objective: SignalObjective | None) -> None:
+    def _try(self, made: SignalModel, objective: Objective | None) -> None:
         """Take in what is found in a restriction; it proves nothing."""
         left = self.clock.left
         clock = self.clock.within(_RESTRICTED if left is None else min(_RESTRICTED, _SHARE * left))
@@ -160,18 +170,21 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         if values is not None:
             self._hear(SignalPoint(made, values))
             if self.objectives:
-                self._polish(self._whole(), self.objectives[0])
+                self._polish(self.objectives[0])
 
     # --- questions -----------------------------------------------------------------------------
 
-    def _ask(
-        self, made: SignalModel, objective: SignalObjective | None, *, first: bool = False
-    ) -> Found:
+    def _ask(self, made: SignalModel, objective: Objective | None, *, first: bool = False) -> Found:
         """The solver's answer about a whole model."""
         model, target = self._asked(made, objective)
         options = self.effort.options(self.clock, target, self._start(made))
-        options = replace(options, first=first)
+        cutoff = None
+        if objective is not None and self.point is not None and options.start is None:
+            cutoff = target.cutoff(objective.sign * objective.worth(self.setting, self.point))
+        options = replace(options, first=first, cutoff=cutoff)
         solution = confirmed(self.effort.solver, model, options, self._watch)
+        if solution.status is Status.INFEASIBLE and cutoff is not None:
+            return Found(None, None, cutoff, proven=True)
         if solution.status is Status.INFEASIBLE and self.point is not None:
             raise SolverError("the solver calls a model infeasible of which a point is known")
         if solution.values is not None:
@@ -180,7 +193,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         proven = solution.status in (Status.OPTIMAL, Status.INFEASIBLE)
         return Found(solution.values, solution.objective, bound, proven, solution.stopped_by)
 
-    def _asked(self, made: SignalModel, objective: SignalObjective | None) -> tuple[Model, Target]:
+    def _asked(self, made: SignalModel, objective: Objective | None) -> tuple[Model, Target]:
         """The model of a question and what is minimised in it."""
         if objective is None:
             return made.model, Target(np.zeros(made.model.size.columns), step=0.0)
@@ -209,49 +222,52 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         self.point = point
         self.tell(self._stage, point, value if self._told else None, None)
 
-    # --- points of other models ------------------------------------------------------------------
+    # --- the choices that are made -----------------------------------------------------------
 
     def _start(self, made: SignalModel) -> Floats | None:
-        """The trajectory that is known as a point of a model; None where it is none of it."""
+        """The point that is known, where it is one of this model."""
         point = self.point
-        if point is None or point.made is made:
-            return None if point is None else point.values
-        lower, upper = made.model.lower.copy(), made.model.upper.copy()
-        columns = made.columns.ravel()
-        values = np.clip(point.rows.ravel(), lower[columns], upper[columns])
-        lower[columns] = upper[columns] = values
-        return self._solved(made.model.with_bounds(lower, upper))
+        return point.values if point is not None and point.made is made else None
 
-    def _polish(self, made: SignalModel, objective: SignalObjective) -> None:
+    def _polish(self, objective: Objective) -> None:
         """The best trajectory of the choices that are made: a linear program."""
-        start = self._start(made)
-        if start is None:
-            return
-        chosen = np.flatnonzero(made.model.integer)
-        fixed = replace(made, model=made.model.with_fixed(chosen, start[chosen]))
-        values = self._solved(self._asked(fixed, objective)[0])
-        if values is not None:
-            self._hear(SignalPoint(made, values))
-
-    def _solved(self, model: Model) -> Floats | None:
-        options = replace(self.effort.limited(self.clock), first=not model.objective.any())
-        return tried(self.effort.solver, model, options)
+        assert self.point is not None
+        values = margins(self.setting.goal, self.point.trace(self.setting.system))
+        own = float(values[self.setting.goal][0])
+        if own < 0:  # what is chosen is told by what is above the whole
+            values = {node: row - own for node, row in values.items()}
+        with self.clock.timed("build"):
+            owed = obligations(self.setting.goal, START, values)
+            steps = {node: found.steps.tolist() for (node, _), found in owed.items()}
+            made = self._narrowed(chosen_model(self.setting, self._level, steps))
+        options = self.effort.limited(self.clock)
+        found = tried(self.effort.solver, self._asked(made, objective)[0], options)
+        if found is not None:
+            self._hear(SignalPoint(made, found))
 
     # --- models ----------------------------------------------------------------------------------
+
+    @property
+    def _level(self) -> tuple[float, float]:
+        """From which robustness to which trajectories are looked for."""
+        robust = [value for objective, value in self._kept if objective.plain_robustness]
+        least = max([self.least, *(value - _KEPT * max(1.0, abs(value)) for value in robust)])
+        return least, max(self._ideal, least)
+
+    def _narrowed(self, made: SignalModel) -> SignalModel:
+        """The model of those trajectories that lose nothing of what was reached."""
+        for objective, value in self._kept:
+            if not objective.plain_robustness:
+                target = objective.target(self.setting, made)
+                kept = target.kept(made.model, objective.sign * value, f"kept {objective.name}")
+                made = replace(made, model=kept)
+        return made
 
     def _whole(self) -> SignalModel:
         """The model of all trajectories that lose nothing of what was reached; it is kept."""
         if self._model is None or self._model[0] != len(self._kept):
-            robust = [value for objective, value in self._kept if objective.plain_robustness]
-            least = max([self.least, *(value - CLOSE * max(1.0, abs(value)) for value in robust)])
-            made = self._made(WitnessRules(), (least, max(self._ideal, least)))
-            for objective, value in self._kept:
-                if not objective.plain_robustness:
-                    target = objective.target(self.setting, made)
-                    kept = target.kept(made.model, objective.sign * value, f"kept {objective.name}")
-                    made = replace(made, model=kept)
-            self._model = len(self._kept), made
-            size = made.model.size
+            self._model = len(self._kept), self._narrowed(self._made(WitnessRules(), self._level))
+            size = self._model[1].model.size
             self.size = size.columns, size.integers, size.rows, size.nonzeros
         return self._model[1]
 

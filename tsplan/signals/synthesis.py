@@ -1,0 +1,172 @@
+"""A mission over signals as an optimisation problem that can be looked at, extended and solved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from reprlib import repr as clipped
+from typing import Any, ClassVar
+
+from tsplan.clock import Clock
+from tsplan.encode.expressions import Constraint, Expression
+from tsplan.errors import Finding, MissionError
+from tsplan.logic import positive, simplify
+from tsplan.milp.model import INFINITY, Model
+from tsplan.milp.solver import solver as solver_named
+from tsplan.parameters import known_name, step_within
+from tsplan.run.problem import Tuning
+from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Outcome, Tell
+from tsplan.signals.reach import reach
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.signal_model import OwnRow, SignalModel, SignalSetting, signal_model
+from tsplan.signals.signal_objectives import OwnTerms, SignalObjective, SignalPoint, efforts_of
+from tsplan.signals.signal_stages import SignalStages
+from tsplan.signals.trajectory import Trajectory
+
+_SLACK = 1e-6  # by which an own constraint may be missed, relative to its bound: as rows are
+
+
+@dataclass(frozen=True, slots=True)
+class ValueTerm:
+    """The value of a signal or control at a step."""
+
+    name: str
+    step: int
+
+    whole: ClassVar[bool] = False
+
+    def __str__(self) -> str:
+        return f"value({self.name!r}, {self.step})"
+
+
+class Synthesis:
+    """A mission over signals with a user's own constraints and objective terms.
+
+    What an own constraint or objective cannot mean is a MissionError in the line that says it.
+
+    >>> import tsplan
+    >>> from tsplan.signals import Region, System
+    >>> goal = Region(x=(4, 6))
+    >>> mission = tsplan.SignalMission.of(
+    ...     formula=goal.inside().eventually(0, 5), system=System({"x": (0, 9)}),
+    ...     objective={"robustness": 1},
+    ... )
+    >>> problem = tsplan.Synthesis(mission)
+    >>> problem.add(sum(problem.value("x", step) for step in range(6)) <= 4.5)
+    >>> tsplan.synthesise(problem).robustness
+    0.5
+    """
+
+    def __init__(self, mission: SignalMission, tuning: Tuning | None = None) -> None:
+        self.mission = mission
+        self.tuning = tuning or Tuning()
+        self._constraints: list[Constraint] = []
+        self._objective = Expression()
+
+    def value(self, name: str, step: int) -> Expression:
+        """The value of a signal or control at a step, for own constraints and objectives.
+
+        Raises MissionError for names that the system does not have and for what is no step of it.
+        """
+        system = self.mission.system
+        places = (system.signals, system.controls)
+        name = known_name(name, places, "signal or control", MissionError)
+        last = self.mission.horizon - (name in system.controls)
+        term = ValueTerm(name, step_within(step, last, MissionError))
+        return Expression(((term, Fraction(1)),))
+
+    def add(self, constraint: Constraint, name: str = "constraint") -> None:
+        """Demand a linear constraint over values of every trajectory; MissionError for others."""
+        if not isinstance(constraint, Constraint):
+            remedy = "compare values: problem.add(problem.value('x', 3) <= 5)"
+            raise MissionError([Finding(f"{clipped(constraint)} is not a constraint", remedy)])
+        self._known(constraint.terms)
+        self._constraints.append(replace(constraint, name=name))
+
+    def minimise(self, expression: Expression) -> None:
+        """Add a linear term over values, minimised before the mission's own objectives."""
+        if not isinstance(expression, Expression) or not expression.terms:
+            remedy = "give a sum of values, such as 2 * problem.value('x', 3)"
+            raise MissionError([Finding(f"{clipped(expression)} is not an objective", remedy)])
+        self._known(expression.terms)
+        self._objective += expression
+
+    def maximise(self, expression: Expression) -> None:
+        """Add a linear term over values, maximised; it is taken off what is minimised."""
+        self.minimise(-expression)
+
+    def _known(self, terms: Any) -> None:
+        for term, _ in terms:
+            if not isinstance(term, ValueTerm):
+                remedy = "make it of problem.value(name, step)"
+                raise MissionError([Finding(f"'{term}' is no value of a signal", remedy)])
+            self.value(term.name, term.step)
+
+    def setting(self, *, satisfied: bool = True) -> SignalSetting:
+        """What every model is made of; with the factors of violated parts if not `satisfied`."""
+        mission = self.mission
+        goal = simplify(positive(mission.formula))
+        return SignalSetting(
+            reach(mission.system, mission.horizon),
+            goal,
+            efforts_of(mission.objective, mission.system),
+            tuple(_row(constraint) for constraint in self._constraints),
+        )
+
+    def encode(self, level: tuple[float, float] | None = None) -> SignalModel:
+        """The tight model of all trajectories with a robustness in `level`: 0 or more."""
+        setting = self.setting()
+        return signal_model(setting, level or (0.0, max(setting.ideal, 0.0)))
+
+    @property
+    def model(self) -> Model:
+        """The arrays of the model."""
+        return self.encode().model
+
+    def native(self, solver: str = "highs") -> Any:
+        """The model as the solver's own object, for example a `gurobipy.Model`."""
+        return solver_named(solver).native(self.model)
+
+    def broken(self, trajectory: Trajectory) -> tuple[str, ...]:
+        """The own constraints that a trajectory does not keep, in words."""
+        found = []
+        for constraint in self._constraints:
+            total = sum(
+                float(factor) * float(trajectory[term.name][term.step])
+                for term, factor in constraint.terms
+            )
+            low, high = _ends(constraint)
+            if not low - _slack(low) <= total <= high + _slack(high):
+                found.append(f"'{constraint.name}' asks for {constraint}, and it comes to {total}")
+        return tuple(found)
+
+    @property
+    def objectives(self) -> tuple[SignalObjective | OwnTerms, ...]:
+        """The own objective, if there is one, and those of the mission."""
+        terms = tuple((t.name, t.step, float(factor)) for t, factor in self._objective.terms)
+        own = (OwnTerms(terms, float(self._objective.constant)),) if terms else ()
+        return (*own, *map(SignalObjective, self.mission.objective))
+
+    def solve(
+        self, effort: Effort, clock: Clock, tell: Tell[SignalPoint], least: float = 0.0
+    ) -> Outcome[SignalPoint]:
+        """Run all objectives over trajectories of a robustness of at least `least`."""
+        tight = self.tuning.encoding == "tight"
+        return SignalStages(
+            self.setting(), self.objectives, effort, clock, tell, least, tight
+        ).run()
+
+
+def _row(constraint: Constraint) -> OwnRow:
+    terms = tuple((term.name, term.step, float(factor)) for term, factor in constraint.terms)
+    return OwnRow(terms, *_ends(constraint))
+
+
+def _ends(constraint: Constraint) -> tuple[float, float]:
+    low = -INFINITY if constraint.lower is None else float(constraint.lower)
+    return low, INFINITY if constraint.upper is None else float(constraint.upper)
+
+
+def _slack(bound: float) -> float:
+    return _SLACK * max(1.0, abs(bound)) if abs(bound) < INFINITY else 0.0

@@ -1,0 +1,136 @@
+"""Synthesis: the trajectory of a system that satisfies a formula, checked before it is shown."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from tsplan.errors import SolverError
+from tsplan.logic import Linear, walk
+from tsplan.logic.evaluation import holds
+from tsplan.milp.solver_choice import SolverChoice
+from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
+from tsplan.run.events import FINISHING
+from tsplan.run.problem import Tuning
+from tsplan.run.run import Listener, Run
+from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Outcome
+from tsplan.signals.motion_check import settled
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.signal_objectives import SignalPoint
+from tsplan.signals.synthesis import Synthesis
+from tsplan.signals.trajectory import Trajectory
+from tsplan.signals.trajectory_check import certify
+from tsplan.stopping import StoppedBy
+from tsplan.words import known
+
+_MARGIN = 1e-5
+"""Of the range of a predicate: the robustness that is asked for where none does not satisfy, be it
+that a comparison is strict or that a solver forgave too much. Ten times what solvers forgive."""
+
+
+class SynthesisRun(Run[SignalPoint, Trajectory]):
+    """One run of synthesis."""
+
+    def __init__(self, problem: Synthesis, choice: SolverChoice, listener: Listener | None) -> None:
+        self._problem = problem
+        self._mission = problem.mission
+        super().__init__(choice.over(self._mission.solver), listener)
+
+    def prepared(self) -> None:
+        """Nothing is done before the first model is made."""
+
+    def solved(self, effort: Effort) -> Outcome[SignalPoint]:
+        """Run all objectives; once more with a margin where the formula holds by none."""
+        outcome = self._problem.solve(effort, self.clock, self.tell)
+        if outcome.point is None or self._holds(outcome.point):
+            return outcome
+        second = self._problem.solve(effort, self.clock, self.tell, self._margin())
+        if second.point is not None:
+            return second
+        words = "trajectories are known that miss the formula by less than solvers can tell"
+        why = second.stopped_by or StoppedBy.PRECISION
+        return Outcome(stopped_by=why, size=second.size, notes=(words,))
+
+    def provisional(self, found: SignalPoint) -> Trajectory:
+        """The verified trajectory of something found on the way."""
+        return certify(self._mission, self._read(found, Status.FEASIBLE, StoppedBy.INTERRUPT))
+
+    def finished(self, outcome: Outcome[SignalPoint], used: SolverUse) -> Trajectory:
+        """The trajectory of what was found, after the independent check."""
+        mission, point = self._mission, outcome.point
+        if point is not None:
+            self.tell(FINISHING, None, None, None)
+        made = self._read(point, outcome.status, self.reason(outcome))
+        reached = [replace(item, bound=known(item.bound)) for item in outcome.reached]
+        made = replace(
+            made,
+            objective=tuple(item for item in reached if item.name != "own"),
+            notes=outcome.notes,
+            solver=used,
+            size=ModelSize(*outcome.size),
+        )
+        began = time.perf_counter()
+        checked = certify(mission, made)
+        if broken := self._problem.broken(checked) if checked.has_signals else ():
+            raise SolverError(f"the trajectory breaks an own constraint: {'; '.join(broken)}")
+        self.seconds["verify"] = time.perf_counter() - began
+        return replace(checked, timings=self.timings)
+
+    def _read(self, point: SignalPoint | None, status: Status, why: StoppedBy | None) -> Trajectory:
+        mission = self._mission
+        ref = MissionRef(mission.name, mission.digest)
+        if point is None:
+            return Trajectory(status, ref, mission.horizon, why)
+        rows = dict(zip(mission.system.names, point.rows, strict=True))
+        controls = {name: rows.pop(name)[:-1] for name in mission.system.controls}
+        return Trajectory(
+            status, ref, mission.horizon, why, self._open(), signals=rows, controls=controls
+        )
+
+    def _open(self) -> tuple[ObjectiveValue, ...]:
+        return tuple(ObjectiveValue(aim.name, None) for aim in self._mission.objective)
+
+    def _holds(self, point: SignalPoint) -> bool:
+        """Whether the formula holds on what the controls truly lead to."""
+        mission = self._mission
+        if mission.satisfaction is not None:
+            return True
+        made = self._read(point, Status.FEASIBLE, StoppedBy.INTERRUPT)
+        return bool(holds(mission.formula, settled(mission.system, made).trace())[0])
+
+    def _margin(self) -> float:
+        """A robustness that is more than what a solver forgives, for the narrowest predicate."""
+        setting = self._problem.setting()
+        ranges = [
+            high.max() - low.min()
+            for node in walk(setting.goal)
+            if isinstance(node, Linear)
+            for low, high in [setting.reach.sides(node.terms)]
+        ]
+        wide = [float(size) for size in ranges if np.isfinite(size) and size > 0]
+        return _MARGIN * max(wide, default=1.0)
+
+
+def synthesise_mission(
+    mission: SignalMission | Synthesis,
+    *,
+    time_limit: float | None = None,
+    solver: str | None = None,
+    gap: float | None = None,
+    threads: int | None = None,
+    seed: int | None = None,
+    encoding: str = "tight",
+    without: tuple[str, ...] = (),
+    on_event: Listener | None = None,
+) -> Trajectory:
+    """The verified trajectory of a mission over signals, or that there is none.
+
+    The options are those of `tsplan.plan`, which raises the same.
+    """
+    choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
+    tuning = Tuning.named(encoding, without)
+    problem = mission if isinstance(mission, Synthesis) else Synthesis(mission, tuning)
+    return SynthesisRun(problem, choice, on_event).result()
