@@ -7,7 +7,8 @@ grammar common;
 
 tokens { GROUP }    // a parenthesised part that has been read already: see the reader of tokens
 
-formula : level EOF ;
+// Several levels are such parts that were cut out.
+formula : level (',' level)* EOF ;
 
 // U, R, => and <=> never share a level with another operator. The grammar takes them, so that the
 // reader can refuse them with both readings.
@@ -28,6 +29,12 @@ prefix
     : NOT
     | NEXT
     | (EVENTUALLY | DIAMOND | ALWAYS | BOX) interval
+    ;
+
+// One level is a formula or number in parentheses; several are the parts of an operator before them.
+parts
+    : GROUP
+    | '(' level (',' level)* ')'
     ;
 
 interval : '[' bound ',' bound ']' ;

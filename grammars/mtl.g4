@@ -10,8 +10,7 @@ operand
     : constant
     | number
     | atom
-    | GROUP
-    | '(' level ')'
+    | parts
     ;
 
 number : '-'? NUMBER '%'? ;

@@ -16,8 +16,7 @@ operand
     : constant
     | NUMBER
     | name
-    | GROUP
-    | '(' level ')'
+    | parts
     ;
 
 reserved : letter ;

@@ -21,7 +21,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 GRAMMARS = ROOT / "grammars"
 GENERATED = ROOT / "tsplan" / "logic" / "generated"
-LANGUAGES = ("mtl", "catl", "stl")
+LANGUAGES = ("mtl", "catl", "stl", "wmtl", "wstl")
 
 PACKAGE = "antlr4ng-cli@2.0.0"
 JAR = "package/antlr4-4.13.2-SNAPSHOT-complete.jar"

@@ -25,6 +25,9 @@ DEEP = {
     "until to the left": ("mtl", "(" * DEPTH + "a" + " U[0,1] b)" * DEPTH),
     "conjunctions": ("mtl", "(a && " * DEPTH + "b" + ")" * DEPTH),
     "equivalences": ("mtl", "(a <=> " * DEPTH + "b" + ")" * DEPTH),
+    "weighted parts": ("wmtl", "&&^2 (a, " * DEPTH + "b" + ")" * DEPTH),
+    "weighted parts to the left": ("wmtl", "||^[1, 3] (" * DEPTH + "b" + ", a)" * DEPTH),
+    "weighted windows": ("wstl", "G[0,1]^[1, 3] " * DEPTH + "x > 1"),
     "signs": ("stl", "-" * DEPTH + "x > 2"),
 }
 
@@ -53,6 +56,7 @@ def test_deep_formulas_are_read_printed_and_transformed(name):
         ",(" * DEPTH,
         "T(1,a,{(" * DEPTH,
         "@" * DEPTH,
+        "a, (" * DEPTH,
         "(a b) && " * 200 + "c",
         "(a => b && c) && " * 200 + "c",
     ],

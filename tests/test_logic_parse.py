@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from tests.seeds import languages, quick
 from tsplan import logic
+from tsplan.errors import FormulaError
 from tsplan.logic import TRUE, Count, Eventually, Limit, Task, parse, parse_with_places
 from tsplan.logic.parser import token_streams as streams
 from tsplan.testing.formula_strategies import ANYTHING, formulas
@@ -33,6 +34,23 @@ SYNONYMS = [
     ("(a) < 2", "sum(a) < 2"),
     ("((a))", "a"),
     ('"a"', "a"),
+]
+
+WEIGHTS = {"w": [0.2, 0.8], "n": 2, "steps": {1: 3, 2: 4}, "later": lambda step: step + 1}
+WEIGHED = [
+    ("a &&^w b", "&&^[0.2, 0.8] (a, b)"),
+    ("a ||^ w b &&^n c", "||^w (a, &&^2.0 (b, c))"),
+    ("a &&^n b &&^n c", "&&^2 (a, b, c)"),
+    ("a &&^2 b &&^2.0 c", "&&^[2, 2, 2] (a, b, c)"),
+    ("&& (a, b || c)", "a && (b || c)"),
+    ("a && || (b, c)", "a && (b || c)"),
+    ("a &&^w ||^n (b, (c))", "&&^w (a, ||^n (b, c))"),
+    ("!&&^w (a > 2, F[1,2]^steps b)", "!(a > 2 &&^w F[1,2]^[3, 4] b)"),
+    ("<>[1,2]^steps [][0,3]^later b", "F[1,2]^[3,4] G[0,3]^[1,2,3,4] b"),
+    ("a U[1,2]^steps b", "a U[1,2]^[3.0, 4] (b)"),
+    ("(a R[0,1]^w b) => c", "(a R[0,1]^[.2, 8e-1] b) => c"),
+    ('a &&^"w" b', "a &&^w b"),
+    ("F[0,1]^w w", "F[0,1]^[0.2, 0.8] (w)"),
 ]
 
 BINDING = [
@@ -63,6 +81,59 @@ NUMBERS = [
 @pytest.mark.parametrize(("text", "same"), SYNONYMS + BINDING + NUMBERS)
 def test_texts_that_mean_the_same(text, same):
     assert parse(text) is parse(same)
+
+
+@pytest.mark.parametrize(("text", "same"), WEIGHED)
+def test_weights_are_written_in_many_ways(text, same):
+    read, other = (parse_with_places(one, "wmtl", weights=WEIGHTS)[0] for one in (text, same))
+    assert read is other
+    assert parse(str(read), "wmtl") is read
+
+
+def test_weighted_languages_read_what_the_others_do():
+    for text, same in SYNONYMS + BINDING + NUMBERS:
+        assert parse(text, "wmtl") is parse(same)
+    assert parse("2*x -1 <= y && X x > 2", "wstl") is parse("2*x -1 <= y && X x > 2", "stl")
+
+
+def test_weights_belong_to_the_operator_that_they_follow():
+    weights = {"p": (1, 2), "F": 3}
+    text = "&&^p (x > 1, F[0,1]^F F[0,2]^[4, 5, 6] y > 1)"
+    formula = parse(text, "wstl", weights=weights)
+    inner = logic.linear({"y": 1}, ">", 1).eventually(0, 2, (4, 5, 6))
+    assert formula is logic.And((logic.linear({"x": 1}, ">", 1), inner.eventually(0, 1, 3)), (1, 2))
+
+
+def test_a_function_is_called_once_for_each_index():
+    asked = []
+    parse("F[2,4]^w (a ||^w b)", "wmtl", weights={"w": lambda index: asked.append(index) or 1})
+    assert sorted(asked) == [0, 1, 2, 3, 4]
+
+
+def test_weights_that_nothing_uses_are_told():
+    with pytest.raises(FormulaError, match="no operator has the weights 'v'") as caught:
+        parse("a &&^w b", "wmtl", weights={"w": 1, "v": 2, "u": 3})
+    assert len(caught.value.findings) == 2
+    with pytest.raises(FormulaError, match="no operator has the weights 'v'"):
+        parse("a && b", weights={"v": 2})
+    assert parse_with_places("a &&^w b", "wmtl", weights={"w": 1, "v": 2})[1].weight_names == {"w"}
+
+
+@pytest.mark.parametrize(
+    ("weights", "message"),
+    [
+        ({"w": [1]}, "1:7: 'w' does not fit: 1 weights are given for steps 1 to 2, 2 needed"),
+        ({"w": {1: 1}}, "1:7: 'w' does not fit: no weight is given for step 2"),
+        ({"w": "ab"}, "1:7: 'w' does not fit: the weight of step 1 is no number: 'ab'"),
+        ({"w": lambda step: 1 - step}, "1:7: 'w' does not fit: the weight of step 1 is 0"),
+        ({"weights": 1}, "1:7: no weights 'w' are given; known: weights"),
+        ({"ww": 1}, "1:7: no weights 'w' are given; did you mean 'ww'"),
+    ],
+)
+def test_given_weights_that_do_not_fit(weights, message):
+    with pytest.raises(FormulaError) as caught:
+        parse("F[1,2]^w a", "wmtl", weights=weights)
+    assert str(caught.value).startswith(message)
 
 
 @pytest.mark.parametrize(
@@ -195,6 +266,23 @@ def test_places_of_parts():
 )
 def test_where_a_part_is_written(text, way, words):
     begin, end = parse_with_places(text, "catl")[1][way]
+    assert text[begin:end] == words
+
+
+@pytest.mark.parametrize(
+    ("text", "way", "words"),
+    [
+        ("b || &&^ w (F[0,1]^w a, c)", (1,), "&&^ w (F[0,1]^w a, c)"),
+        ("b || &&^ w (F[0,1]^w a, c)", (1, "weight"), "^ w"),
+        ("b || &&^ w (F[0,1]^w a, c)", (1, 0), "F[0,1]^w a"),
+        ("b || &&^ w (F[0,1]^w a, c)", (1, 0, "weight", "w"), "^w"),
+        ("b || &&^ w (F[0,1]^w a, c)", (1, 1), "c"),
+        ("a U[0,1]^[1, 2] b ", ("weight",), "^[1, 2]"),
+        ("a &&^2 b &&^2 c", ("weight",), "^2"),
+    ],
+)
+def test_where_weights_are_written(text, way, words):
+    begin, end = parse_with_places(text, "wmtl", weights={"w": 3})[1][way]
     assert text[begin:end] == words
 
 

@@ -28,9 +28,10 @@ class Written:
 
     `written[way]` is the span at the end of a way from here: numbers lead to children, and a
     name at its end to what the node itself has written: `interval`, `low` and `high` of a temporal
-    operator, `label`, `capability` and `bound` of a count, `duration`, `label` and `needs` of
-    a task or limit. After `needs` (or `resources`), a number leads to a pair, and from there 0 to
-    its name and 1 to its number.
+    operator, `weight` of one that has weights, `label`, `capability` and `bound` of a count,
+    `duration`, `label` and `needs` of a task or limit. After `needs` (or `resources`), a number
+    leads to a pair, and from there 0 to its name and 1 to its number; after `weight`, the name of
+    weights leads to where it is written.
 
     >>> from tsplan.logic import parse_with_places
     >>> formula, written = parse_with_places("b && F[0,12] sum(b) >= 3")
@@ -59,6 +60,12 @@ class Written:
         if found is None:
             raise KeyError(way)
         return found
+
+    @property
+    def weight_names(self) -> frozenset[str]:
+        """The names of weights that are written anywhere in it."""
+        ways = (way for here in self.occurrences() for way in here.parts if way[0] == "weight")
+        return frozenset(str(name) for _, *names in ways for name in names)
 
     def occurrences(self) -> Iterator[Written]:
         """The occurrence itself and all below it, parents first, in the order of the text."""

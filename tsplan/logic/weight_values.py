@@ -7,6 +7,8 @@ from math import inf, isfinite
 from numbers import Real
 from typing import TypeAlias, cast
 
+from tsplan.limits import MOST_STEPS
+
 Weights: TypeAlias = "tuple[float, ...] | None"
 """What a node carries: a number for each of its parts, or for each step of its window."""
 
@@ -31,6 +33,8 @@ def weights_for(given: Weight | None, indices: range, what: str) -> Weights:
     """
     if given is None:
         return None
+    if indices.stop - indices.start > MOST_STEPS + 1:
+        raise ValueError(f"there are more than {MOST_STEPS:,} {what}s to be weighed")
     if isinstance(given, Mapping):
         missing = [index for index in indices if index not in given]
         if missing:

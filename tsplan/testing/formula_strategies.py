@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import cast
 
 import numpy as np
 from hypothesis import strategies as st
@@ -12,6 +13,7 @@ from tsplan import logic
 from tsplan.logic import CountTrace, Formula, Language, SignalTrace
 from tsplan.logic.atoms import FUNCTIONS, RELATIONS
 from tsplan.logic.traces import Values
+from tsplan.logic.weight_values import Weight, Weights
 
 STATES = 4
 PLACES = {"a": (0,), "b": (1, 2), "depot": (0, 2, 3)}
@@ -58,13 +60,16 @@ def formulas(
     ...     assert logic.parse(str(formula), "catl") is formula
     >>> reading_undoes_printing()
     """
-    return st.recursive(atoms(language, words), _operators, max_leaves=leaves)
+    numbers = _weights(words) if language.startswith("w") else st.none()
+    return st.recursive(
+        atoms(language, words), lambda below: _operators(below, numbers), max_leaves=leaves
+    )
 
 
 def atoms(language: Language, words: Vocabulary = KNOWN) -> st.SearchStrategy[Formula]:
     """Atoms of a language, and now and then a constant."""
     constants = st.sampled_from([logic.TRUE, logic.FALSE])
-    if language == "stl":
+    if language.endswith("stl"):
         return st.one_of(_linear(words), _linear(words), constants)
     if language == "catl":
         return st.one_of(_tasks(words), _limits(words), _counts(words), constants)
@@ -117,14 +122,26 @@ def _limits(draw: st.DrawFn, words: Vocabulary) -> Formula:
     return logic.Limit(draw(words.names(words.labels)), draw(_needs(words)))
 
 
+def _weights(words: Vocabulary) -> st.SearchStrategy[Weight | None]:
+    """Weights for any parts or steps, and now and then none."""
+    number: st.SearchStrategy[float] = st.integers(1, 8).map(lambda eighths: eighths / 4)
+    if words.anything:
+        number = st.floats(0, exclude_min=True, allow_infinity=False)
+    lasting = st.lists(number, min_size=1, max_size=4)
+    return st.none() | lasting.map(lambda cycle: lambda index: cycle[index % len(cycle)])
+
+
 @st.composite
-def _operators(draw: st.DrawFn, below: st.SearchStrategy[Formula]) -> Formula:
+def _operators(
+    draw: st.DrawFn, below: st.SearchStrategy[Formula], numbers: st.SearchStrategy[Weight | None]
+) -> Formula:
     kind = draw(st.integers(0, 7))
     if kind == 0:
         return ~draw(below)
+    weights = cast("Weights", draw(numbers))  # nodes turn functions into numbers
     if kind in (1, 2):
         parts = tuple(draw(st.lists(below, min_size=2, max_size=3)))
-        return logic.And(parts) if kind == 1 else logic.Or(parts)
+        return logic.And(parts, weights) if kind == 1 else logic.Or(parts, weights)
     if kind == 3:  # noqa: PLR2004  (the numbers of operators mean nothing)
         return draw(below) >> draw(below)
     if kind == 4:  # noqa: PLR2004
@@ -132,9 +149,9 @@ def _operators(draw: st.DrawFn, below: st.SearchStrategy[Formula]) -> Formula:
     low, high = draw(intervals())
     if kind == 5:  # noqa: PLR2004
         window = draw(st.sampled_from([logic.Eventually, logic.Always]))
-        return window(low, high, draw(below))
+        return window(low, high, draw(below), weights)
     switch = draw(st.sampled_from([logic.Until, logic.Release]))
-    return switch(low, high, draw(below), draw(below))
+    return switch(low, high, draw(below), draw(below), weights)
 
 
 def count_trace(seed: int, steps: int, batch: tuple[int, ...] = ()) -> CountTrace:
@@ -167,7 +184,7 @@ def trace_for(
     6
     """
     steps = logic.horizon(formula) + 1 + extra
-    make = signal_trace if language == "stl" else count_trace
+    make = signal_trace if language.endswith("stl") else count_trace
     return make(seed, steps, batch)
 
 

@@ -8,8 +8,9 @@ from hypothesis import reject
 from hypothesis import strategies as st
 
 from tsplan.errors import MissionError
-from tsplan.logic import Language, horizon
+from tsplan.logic import horizon
 from tsplan.mission import Group, Mission
+from tsplan.mission.vocabulary import Language
 from tsplan.testing.formula_strategies import Vocabulary, formulas
 from tsplan.ts import Edge, State, TransitionSystem
 

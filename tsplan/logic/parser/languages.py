@@ -14,6 +14,7 @@ from antlr4.ListTokenSource import ListTokenSource
 
 from tsplan.errors import Finding, FormulaError
 from tsplan.logic.parser.count_reader import CountReader
+from tsplan.logic.parser.given import Given
 from tsplan.logic.parser.signal_reader import SignalReader
 from tsplan.logic.parser.source import Source
 from tsplan.logic.parser.syntax_errors import Complaints
@@ -22,8 +23,17 @@ from tsplan.logic.parser.tree_reader import Reader
 from tsplan.logic.text_spans import Written
 
 READERS: Mapping[str, type[Reader]] = MappingProxyType(
-    {"mtl": CountReader, "catl": CountReader, "stl": SignalReader}
+    {
+        "mtl": CountReader,
+        "catl": CountReader,
+        "stl": SignalReader,
+        "wmtl": CountReader,
+        "wstl": SignalReader,
+    }
 )
+
+WEIGHTED: Mapping[type[Reader], str] = MappingProxyType({CountReader: "wmtl", SignalReader: "wstl"})
+"""The language with weights that has the atoms of others."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +54,7 @@ def grammar(language: str) -> Grammar:
     return Grammar(*loaded)
 
 
-def read(text: str, language: str) -> Written:
+def read(text: str, language: str, given: Given) -> Written:
     """The formula of a text, and where in the text its sub-formulas stand.
 
     Raises FormulaError with everything that is wrong.
@@ -54,8 +64,8 @@ def read(text: str, language: str) -> Written:
         remedy = "write a formula; 'true' asks for nothing"
         raise FormulaError([source.finding(0, "the formula is empty", remedy)])
     generated = grammar(language)
-    streams = Streams(source, generated.lexer, generated.parser)
-    reader = READERS[language](source)
+    reader = READERS[language](source, given)
+    streams = Streams(source, generated.lexer, generated.parser, WEIGHTED[type(reader)])
     findings: list[Finding] = []
     formula = None
     for stream in streams:
@@ -67,7 +77,9 @@ def read(text: str, language: str) -> Written:
         if stream.opener is not None:
             reader.groups[stream.opener.start] = value
         else:
-            formula = reader.formula(value, tree)
+            formula = reader.formula(reader.alone(value), tree)
+    if streams.misread:  # what else is wrong comes of that
+        findings, reader.findings = [], []
     findings += [*streams.findings, *reader.findings]
     if findings or formula is None:
         raise FormulaError(sorted(dict.fromkeys(findings), key=_order))

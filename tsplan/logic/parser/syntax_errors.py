@@ -21,6 +21,8 @@ FORMS: Mapping[str, str] = MappingProxyType(
         "limit": "write a limit as L(label, {(capability, number), ...})",
         "pairs": "write needs as {(capability, number), ...}",
         "pair": "write needs as {(capability, number), ...}",
+        "weight": "write a weight as ^name, ^0.5 or ^[0.2, 0.8]",
+        "value": "write a weight as ^name, ^0.5 or ^[0.2, 0.8]",
         "name": "write a name of letters, digits and _, or any text in quotes",
     }
 )
@@ -42,6 +44,7 @@ WORDS: Mapping[str, str] = MappingProxyType(
 )
 """Words that other tools use for operators."""
 
+_PARTS = "join parts so: a && b, or &&^w (a, b)"
 TEMPORAL = ("F", "G", "U", "R", "<>", "[]")
 
 
@@ -56,6 +59,7 @@ class Complaints(ErrorListener):  # type: ignore[misc]  # the ANTLR runtime has 
         self._types = parser
         self._strays = strays
         self._told: set[int] = set()
+        self._misplaced = False  # a weight, whose name or numbers are wrong there, too
         self.findings: list[Finding] = []
 
     def syntaxError(  # noqa: N802  (ANTLR calls it so)
@@ -66,6 +70,9 @@ class Complaints(ErrorListener):  # type: ignore[misc]  # the ANTLR runtime has 
     ) -> None:
         """Turn one report of the parser into a finding."""
         token, context = offendingSymbol, recognizer._ctx  # noqa: SLF001  (no other way)
+        if self._misplaced:
+            return
+        self._misplaced = token.text == "^"
         tokens = recognizer.getTokenStream().tokens
         before = tokens[token.tokenIndex - 1] if token.tokenIndex > 0 else None
         start = before.stop + 1 if before is not None else 0
@@ -80,6 +87,8 @@ class Complaints(ErrorListener):  # type: ignore[misc]  # the ANTLR runtime has 
                 message, remedy = f"'{at.text}' is no operator", f"write {WORDS[at.text.lower()]}"
                 self.findings.append(self._source.finding(at.start, message, remedy))
                 return
+        if joinable and token.text == ")" and self.findings:
+            return  # every ')' has its '(': what stands before was told
         message, remedy = _explained(token, before, rule, joinable=joinable)
         self.findings.append(self._source.finding(token.start, message, remedy))
 
@@ -102,12 +111,12 @@ def _explained(token: Any, before: Any, rule: str, *, joinable: bool) -> tuple[s
     slip = _slip(token.text, last, shown)
     if slip is not None:
         return slip
-    if rule in FORMS:
+    if rule in FORMS or (rule == "parts" and not joinable):
         follows = f" after '{last}'" if last else ""
-        return f"{shown} is unexpected{follows}", FORMS[rule]
+        return f"{shown} is unexpected{follows}", FORMS.get(rule, _PARTS)
     if last[:1].isdigit() and token.text.isidentifier():
         return f"'{token.text}' cannot follow the number {last}", "multiply with *, such as 2*x"
-    if joinable:
+    if joinable and not (token.text == ")" and last in ("(", ",")):
         remedy = "join it with an operator such as && or ||, or remove it"
         return f"{shown} is left over after the formula", remedy
     return _missing(token, last, shown)
@@ -118,6 +127,11 @@ def _slip(text: str, last: str, shown: str) -> tuple[str, str] | None:
     if last in TEMPORAL and text != "[":
         remedy = f"write {last}[a,b] with whole numbers of steps, such as {last}[0,5]"
         return f"'{last}' needs an interval before {shown}", remedy
+    if text == "^":
+        remedy = (
+            "weights follow && and ||, and the intervals of F, G, U and R: a &&^w b, F[0,5]^w a"
+        )
+        return f"a weight cannot stand after '{last}'" if last else "a weight stands alone", remedy
     if text == "[" and last.isidentifier():
         remedy = (
             "every temporal operator has its own interval and stands apart from names: "

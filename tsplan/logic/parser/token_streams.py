@@ -41,17 +41,20 @@ class Stream:
 class Streams:
     """Splits the tokens of one text; `findings` is complete after the last stream.
 
-    Characters that belong to no token are left out; `strays` holds their offsets.
+    Characters that belong to no token are left out; `strays` holds their offsets. Where the text
+    has weights and its language has none, it is `misread`; the `weighted` language has them.
     """
 
-    def __init__(self, source: Source, lexer: Any, parser: Any) -> None:
+    def __init__(self, source: Source, lexer: Any, parser: Any, weighted: str) -> None:
         self._source = source
         self._lexer = lexer
         self._types = parser
-        listing = ("SUM", "MIN", "MAX", "TASK", "LIMIT", "LBRACE", "COMMA")
+        self._weighted = weighted
+        listing = ("SUM", "MIN", "MAX", "TASK", "LIMIT", "LBRACE")
         self._listing = {getattr(parser, name) for name in listing if hasattr(parser, name)}
         self.findings: list[Finding] = []
         self.strays: set[int] = set()
+        self.misread = False
 
     def __iter__(self) -> Iterator[Stream]:
         """Streams, innermost first; the last one is the whole text."""
@@ -72,7 +75,8 @@ class Streams:
         yield from self._ended(stack, extra)
 
     def _opened(self, around: Stream, token: Any) -> Stream:
-        listing = bool(around.tokens) and around.tokens[-1].type in self._listing
+        last = around.tokens[-1].type if around.tokens else None
+        listing = last in self._listing or (last == self._types.COMMA and around.lists > 0)
         if listing and around.lists < _LISTS:
             return Stream(token, around.depth, around.lists + 1)
         return Stream(token, around.depth + 1)
@@ -114,7 +118,11 @@ class Streams:
         self.strays.add(token.start)
         if known:
             return  # one finding for a run of them
-        if token.text == '"':
+        if token.text == "^":
+            self.misread = True
+            message = "'^' begins a weight, which only the weighted languages have"
+            remedy = f"read the formula in the language {self._weighted}"
+        elif token.text == '"':
             message, remedy = "this quote is never closed", "end the name with another quote"
         else:
             message = f"'{token.text}' has no meaning in a formula"

@@ -16,12 +16,15 @@ from typing import Any, NamedTuple
 
 from antlr4.tree.Tree import ErrorNode
 
-from tsplan.errors import Finding
+from tsplan.errors import Finding, nearest
 from tsplan.logic import nodes
 from tsplan.logic.nodes import FALSE, TRUE, Formula
+from tsplan.logic.parser.given import Given
 from tsplan.logic.parser.numerals import exact, whole
 from tsplan.logic.parser.source import Source
+from tsplan.logic.parser.weight_marks import Mark
 from tsplan.logic.text_spans import Span, Way, Written
+from tsplan.logic.weight_values import weights_for
 
 PREFIXES: Mapping[str, type[Formula]] = MappingProxyType(
     {
@@ -40,12 +43,26 @@ CONNECTIVES: Mapping[str, type[Formula]] = MappingProxyType(
 )
 """Operators between two operands that never share a level with others."""
 
+JOINS: Mapping[str, type[Formula]] = MappingProxyType({"AND": nodes.And, "OR": nodes.Or})
+"""Operators before a list of parts."""
+
 
 class Interval(NamedTuple):
-    """The steps of an operator, and what is written of them; neither for one without time."""
+    """The steps of an operator, if it has any, with their weights; and what is written of them.
 
-    steps: tuple[int, ...] = ()
+    A `mark` holds weights for parts whose number is not known yet.
+    """
+
+    steps: tuple[Any, ...] = ()
     parts: Mapping[Way, Span] = MappingProxyType({})
+    mark: Mark | None = None
+
+
+class Listed(NamedTuple):
+    """Several values in parentheses, with their parts of the tree."""
+
+    values: Sequence[Any]
+    parts: Sequence[Any]
 
 
 IMPLIED: Mapping[str, Interval] = MappingProxyType({"NEXT": Interval((1, 1))})
@@ -58,8 +75,9 @@ class Reader(ABC):
     `groups` holds the values of parts that were cut out, by the offset of their parenthesis.
     """
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: Source, given: Given) -> None:
         self.source = source
+        self.given = given
         self.findings: list[Finding] = []
         self.groups: dict[int, Any] = {}
 
@@ -97,7 +115,21 @@ class Reader(ABC):
 
     def read_formula(self, part: Any) -> Any:
         """Read a whole stream; the value is not yet asked to be a formula."""
-        return self.read(part.level())
+        return Listed([self.read(level) for level in part.level()], part.level())
+
+    def alone(self, value: Any) -> Any:
+        """A value that is one; if there are several in a list, a finding says so."""
+        if not isinstance(value, Listed):
+            return value
+        if len(value.values) == 1:
+            return value.values[0]
+        if None in value.values:  # what is wrong there may have had the comma
+            return None
+        remedy = "join it with an operator such as && or ||, or remove it"
+        comma = value.parts[0].stop.stop + 1
+        comma += self.source.text[comma:].index(",")
+        self.complain(comma, "',' is left over after the formula", remedy)
+        return None
 
     def read_level(self, part: Any) -> Any:
         """Read operands of one level and join them."""
@@ -115,16 +147,17 @@ class Reader(ABC):
         sure = [operand for operand in operands if operand is not None]
         if kinds[0] in CONNECTIVES:
             return _applied(CONNECTIVES[kinds[0]], intervals[0], sure, reach(*parts))
-        return self._alternatives(parts, sure, kinds)
+        return self._alternatives(parts, sure, joins, intervals)
 
     def read_unary(self, part: Any) -> Any:
         """Apply prefixes to a comparison, the innermost first."""
-        value = self.read(part.comparison())
+        inner = part.comparison() or part.joined()
+        value = self.read(inner)
         prefixes = part.prefix()
         if not prefixes:
             return value
         intervals = [self.read(prefix) for prefix in prefixes]
-        formula = self.formula(value, part.comparison())
+        formula = self.formula(value, inner)
         if formula is None or None in intervals:
             return None
         for prefix, interval in zip(reversed(prefixes), reversed(intervals), strict=True):
@@ -133,11 +166,63 @@ class Reader(ABC):
         return formula
 
     def read_prefix(self, part: Any) -> Interval | None:
-        """Read the interval of an operator, if it has one."""
-        written: Interval | None = self.read(part.interval()) if part.interval() else None
-        return written if part.interval() else IMPLIED.get(_kind(part), Interval())
+        """Read the interval of an operator and its weight, if it has them."""
+        interval = IMPLIED.get(_kind(part), Interval())
+        if part.interval():
+            interval = self.read(part.interval())
+        weight = part.weight() if hasattr(part, "weight") else None
+        if weight is None:
+            return interval
+        mark = self.read(weight)
+        if interval is None or mark is None:
+            return None
+        if not interval.steps:
+            return interval._replace(mark=mark)
+        low, high = interval.steps
+        return self._weighed(interval, mark, range(low, high + 1), "step")
 
     read_connective = read_prefix
+
+    def read_weight(self, part: Any) -> Mark | None:
+        """Read a name of weights that are given, or numbers."""
+        if not part.name():
+            values = [self.read(value) for value in part.value()]
+            if None in values:
+                return None
+            return Mark(part, reach(part), None, tuple(values) if part.LBRACKET() else values[0])
+        name, known = self.read(part.name()), self.given.weights
+        if name is None:
+            return None
+        if name not in known:
+            remedy = nearest(name, known) if known else "give them, or write numbers: ^[1, 2]"
+            self.complain(part, f"no weights '{name}' are given", remedy)
+            return None
+        return Mark(part, reach(part), name, known[name])
+
+    def read_value(self, part: Any) -> float:
+        """Read a number with its sign."""
+        return float("".join(part.getText().split()))
+
+    def read_joined(self, part: Any) -> Written | None:
+        """Read a list of parts that the operator before them joins."""
+        mark = self.read(part.weight()) if part.weight() else None
+        listed = self.read(part.parts())
+        if listed is None or (part.weight() and mark is None):
+            return None
+        operands = [self.formula(*each) for each in zip(*listed, strict=True)]
+        if len(operands) == 1 and operands[0] is not None:
+            remedy = f"write two or more, such as {part.start.text} (a, b)"
+            self.complain(part, f"'{part.start.text}' joins one formula alone", remedy)
+            return None
+        interval = Interval(mark=mark)
+        return self._joined(JOINS[_kind(part)], operands, reach(part), [(part, interval)])
+
+    def read_parts(self, part: Any) -> Listed | None:
+        """Read a list in parentheses, of one or more; what a GROUP token stands for."""
+        if not part.GROUP():
+            return Listed([self.read(level) for level in part.level()], part.level())
+        value: Listed | None = self.groups[part.start.start]
+        return value
 
     def read_interval(self, part: Any) -> Interval | None:
         """Read two whole numbers of steps, in order."""
@@ -179,10 +264,8 @@ class Reader(ABC):
         return name or None
 
     def read_operand(self, part: Any) -> Any:
-        """Read the smallest part: what a GROUP token stands for, or the only sub-part."""
-        if part.GROUP():
-            return self.groups[part.start.start]
-        return self.read(next(child for child in part.children if hasattr(child, "getRuleIndex")))
+        """Read the smallest part, which is in parentheses or what it is by itself."""
+        return self.alone(self.read(part.children[0]))
 
     # --- joining the operands of a level ---
 
@@ -209,19 +292,66 @@ class Reader(ABC):
                 return True
         return False
 
-    def _alternatives(self, parts: list[Any], operands: list[Written], kinds: list[str]) -> Written:
+    def _alternatives(
+        self, parts: list[Any], operands: list[Written], joins: list[Any], marks: list[Interval]
+    ) -> Written | None:
         """Join operands with && and ||, of which && binds tighter."""
-        ends = [0, *(n for n, kind in enumerate(kinds, start=1) if kind != "AND"), len(parts)]
+        between = list(zip(joins, marks, strict=True))
+        ends = [n for n, join in enumerate(joins, start=1) if _kind(join) != "AND"]
         choices = [
-            _joined(nodes.And, operands[first:end], parts[first:end])
-            for first, end in pairwise(ends)
+            self._joined(
+                nodes.And,
+                operands[first:end],
+                reach(parts[first], parts[end - 1]),
+                between[first : end - 1],
+            )
+            for first, end in pairwise([0, *ends, len(parts)])
         ]
-        return _joined(nodes.Or, choices, parts)
+        return self._joined(nodes.Or, choices, reach(*parts), [between[end - 1] for end in ends])
+
+    def _joined(
+        self,
+        kind: type[Formula],
+        operands: Sequence[Written | None],
+        span: Span,
+        joins: Sequence[tuple[Any, Interval]],
+    ) -> Written | None:
+        """Operands under one connective with one weight at most; a single one is itself."""
+        if None in operands or len(operands) == 1:
+            return operands[0]
+        sure = [operand for operand in operands if operand is not None]
+        (first, interval), *others = joins
+        for join, other in others:
+            if _key(other) != _key(interval):
+                signs = f"'{self.quote(first, first)}' and '{self.quote(join, join)}'"
+                remedy = "put in parentheses what each of them joins"
+                self.complain(join, f"{signs} join parts of one level", remedy)
+                return None
+        if interval.mark is not None:
+            made = self._weighed(Interval(), interval.mark, range(len(operands)), "part")
+            return None if made is None else _applied(kind, made, sure, span)
+        return _applied(kind, interval, sure, span)
+
+    def _weighed(
+        self, interval: Interval, mark: Mark, indices: range, what: str
+    ) -> Interval | None:
+        """An interval with the weights of its steps, or one of no steps with those of parts."""
+        try:
+            weights = weights_for(mark.given, indices, what)
+        except (TypeError, ValueError) as error:
+            named = "" if mark.name is None else f"'{mark.name}' does not fit: "
+            remedy = (
+                f"give a number above 0 for each {what} from {indices[0]} to {indices[-1]}, "
+                "or one number for all"
+            )
+            self.complain(mark.part, f"{named}{error}", remedy)
+            return None
+        return Interval((*interval.steps, weights), {**interval.parts, **mark.parts})
 
 
-def reach(first: Any, last: Any = None) -> Span:
-    """Where a part of the tree stands, or all from one to another."""
-    return Span(first.start.start, (last or first).stop.stop + 1)
+def reach(*parts: Any) -> Span:
+    """Where a part of the tree stands, or all from the first to the last."""
+    return Span(parts[0].start.start, parts[-1].stop.stop + 1)
 
 
 def _applied(
@@ -232,11 +362,8 @@ def _applied(
     return Written(formula, span, tuple(operands), interval.parts)
 
 
-def _joined(kind: type[Formula], operands: Sequence[Written], parts: Sequence[Any]) -> Written:
-    """Operands under one connective; a single one is itself."""
-    if len(operands) == 1:
-        return operands[0]
-    return _applied(kind, Interval(), operands, reach(parts[0], parts[-1]))
+def _key(interval: Interval) -> object:
+    return None if interval.mark is None else interval.mark.key
 
 
 def _kind(part: Any) -> str:
