@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy import sparse
 
 from tsplan.errors import SolverError
+from tsplan.milp.highs import Highs
 from tsplan.milp.model import Model
 from tsplan.milp.request import RawResult, Request
 from tsplan.milp.solution import Options, Progress, Solution, Status, presolved
@@ -114,6 +115,36 @@ def test_a_point_that_only_fits_unrounded_is_none() -> None:
     )
     point = np.array([1.000004, 1.000004e-6])
     assert tight.rounded(point) is None
+
+
+class Sloppy(Highs):
+    """Takes less than a millionth for nothing in the first column, and makes use of it."""
+
+    points: tuple[list[float], ...] = ([1e-6, 1e-3],)
+
+    def answer(self, request):
+        if not request.model.integer.any():
+            return super().answer(request)
+        return RawResult(Status.OPTIMAL, np.array(self.points[0]), -1e-3)
+
+
+def test_what_a_large_factor_makes_of_a_millionth_is_taken_back() -> None:
+    switched = Model(  # the second column is at most 1000 times the first, which costs 10
+        np.array([10.0, -1.0]),
+        np.zeros(2),
+        np.array([1.0, 9.0]),
+        np.array([True, False]),
+        sparse.csr_array(np.array([[1000.0, -1.0]])),
+        np.zeros(1),
+        np.array([np.inf]),
+    )
+    found = Sloppy().solve(switched)
+    assert found.values.tolist() == [0.0, 0.0]
+    assert (found.status, found.stopped_by) == (Status.FEASIBLE, StoppedBy.PRECISION)
+    broken = Sloppy()
+    broken.points = ([1e-6, 1.0],)
+    with pytest.raises(SolverError, match="violates"):
+        broken.solve(switched)
 
 
 @pytest.mark.parametrize(

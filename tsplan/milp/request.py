@@ -92,6 +92,12 @@ class Request:
         point = np.where(self.model.integer, np.round(values), values)
         return point if self.model.violation(point) <= tolerance else None
 
+    def is_off(self, values: Floats) -> bool:
+        """Whether a point fits the model as it is, and no more with its whole numbers rounded."""
+        known = values.shape == self.model.objective.shape and bool(np.isfinite(values).all())
+        fits = known and self.model.violation(values) <= TOLERANCE
+        return fits and self.rounded(values) is None
+
     def solution(self, raw: RawResult, seconds: float) -> Solution:
         """The solution in common terms.
 

@@ -5,12 +5,15 @@ To add a solver: one file with a class of `Solver`, and one line in `SOLVERS`.
 
 from __future__ import annotations
 
+import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from types import MappingProxyType
 from typing import Any
+
+import numpy as np
 
 from tsplan.errors import SolverUnavailableError, nearest
 from tsplan.milp.model import Model
@@ -75,7 +78,23 @@ class Solver(ABC):
         """
         request = Request(model, options or Options(), watch)
         known = presolved(model)
-        return known or request.solution(self.answer(request), request.elapsed)
+        return known or request.solution(self._settled(request), request.elapsed)
+
+    def _settled(self, request: Request) -> RawResult:
+        """An answer whose point fits the model with its whole numbers rounded.
+
+        A solver takes 1e-6 for 0. Where a row multiplies that by a large factor, columns that need
+        not be whole have gone too far; they are sought again, with the others where they belong.
+        """
+        raw, model = self.answer(request), request.model
+        if raw.values is None or not request.is_off(raw.values):
+            return raw
+        whole = np.flatnonzero(model.integer)
+        rounded = model.with_fixed(whole, raw.values[whole])
+        left = request.deadline and request.deadline - time.perf_counter()
+        asked = Options(threads=request.options.threads, time_limit=left)
+        again = self.answer(Request(rounded.with_integrality(np.zeros_like(model.integer)), asked))
+        return raw if again.values is None else replace(raw, values=again.values)
 
     def option_names(self) -> list[str]:
         """The solver's own names of its options, if it tells them."""
