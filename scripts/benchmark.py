@@ -4,10 +4,13 @@
     python scripts/benchmark.py grid --sizes 5 --seeds 0-9 --compare reference --time-limit 60
     python scripts/benchmark.py scaling --axis agents --seeds 0-2 --plot out.png
     python scripts/benchmark.py swarm --sizes 30,100 --agents 120 --objective splits
+    python scripts/benchmark.py signals --compare stlpy,sos1 --time-limit 60
+    python scripts/benchmark.py signals --scenes either-or:T=40 door:T=50,n=3
     python scripts/benchmark.py missions FOLDER
     python scripts/benchmark.py build
 
-Times are wall-clock seconds of this process, from the mission in memory to the verified plan.
+Times are wall-clock seconds of this process, from the mission in memory to the verified plan. The
+formulas of signals are read from their texts within that time.
 """
 
 from __future__ import annotations
@@ -18,47 +21,23 @@ import platform
 import sys
 import time
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, replace
 from importlib.metadata import version
 from pathlib import Path
-from statistics import median
 
 import families
-import numpy as np
+import signal_encodings
+import signal_scenes
+from benchmark_rows import Row, plot, ratios, table
 
 import tsplan
 from tsplan.encode.assemble import tight
 from tsplan.encode.preparation import prepare
 from tsplan.encode.switches import Switch
-from tsplan.plans.plan import Plan
+from tsplan.milp.solution import Options, Progress
 from tsplan.run.events import Bound, Event, Incumbent
-
-
-@dataclass(frozen=True)
-class Row:
-    """One run."""
-
-    family: str
-    axis: str
-    value: float
-    seed: int
-    encoding: str
-    status: str
-    seconds: float
-    first_plan: float | None
-    objective: str
-    root_bound: float | None
-    final_bound: float | None
-    final_value: float | None
-    columns: int
-    integers: int
-    rows: int
-    extract: float
-
-    @property
-    def optimal(self) -> bool:
-        """Whether the run ended with a proof: an optimum or infeasibility."""
-        return self.status in ("optimal", "infeasible")
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
 
 
 class Watch:
@@ -75,20 +54,34 @@ class Watch:
         if isinstance(event, Bound | Incumbent) and event.bound is not None and self.root is None:
             self.root = event.bound
 
+    def solving(self, progress: Progress) -> bool:
+        """Hear of a solver's own progress."""
+        if progress.objective is not None and self.first is None:
+            self.first = progress.elapsed
+        if progress.bound is not None and self.root is None:
+            self.root = progress.bound
+        return False
+
 
 def run(case: families.Case, options: argparse.Namespace, encoding: str) -> Row:
     """Plan one mission and note what happened."""
     watch = Watch()
     began = time.perf_counter()
-    plan: Plan = tsplan.plan(
-        case.mission,
-        time_limit=options.time_limit,
-        threads=options.threads,
-        seed=0,
-        encoding=encoding,
-        without=tuple(options.without),
-        on_event=watch,
-    )
+    if encoding in signal_encodings.ENCODINGS:
+        asked = Options(time_limit=options.time_limit, threads=options.threads, seed=0)
+        plan = signal_encodings.trajectory(case.mission, encoding, asked, watch.solving)
+    elif isinstance(case.mission, SignalMission):
+        plan = synthesised(case.mission, options, watch)
+    else:
+        plan = tsplan.plan(
+            case.mission,
+            time_limit=options.time_limit,
+            threads=options.threads,
+            seed=0,
+            encoding=encoding,
+            without=tuple(options.without),
+            on_event=watch,
+        )
     seconds = time.perf_counter() - began
     last = plan.objective[-1] if plan.objective else None
     return Row(
@@ -100,7 +93,7 @@ def run(case: families.Case, options: argparse.Namespace, encoding: str) -> Row:
         status=str(plan.status),
         seconds=seconds,
         first_plan=watch.first,
-        objective=" ".join(f"{item.name}={item.value}" for item in plan.objective),
+        objective={item.name: item.value for item in plan.objective},
         root_bound=watch.root,
         final_bound=None if last is None else last.bound,
         final_value=None if last is None else last.value,
@@ -108,6 +101,18 @@ def run(case: families.Case, options: argparse.Namespace, encoding: str) -> Row:
         integers=plan.size.integers,
         rows=plan.size.rows,
         extract=plan.timings.extract + plan.timings.verify,
+    )
+
+
+def synthesised(mission: SignalMission, options: argparse.Namespace, watch: Watch) -> Trajectory:
+    """A trajectory from the formula's text on."""
+    read = replace(mission, formula=tsplan.parse(mission.text, mission.language))
+    return tsplan.synthesise(
+        tsplan.Synthesis(read),
+        time_limit=options.time_limit,
+        threads=options.threads,
+        seed=0,
+        on_event=watch,
     )
 
 
@@ -125,6 +130,7 @@ def cases(options: argparse.Namespace) -> Iterable[families.Case]:
             "decomposition": _decompositions,
             "swarm": _swarms,
             "partial": _partials,
+            "signals": _scenes,
         }
         yield from makers[options.family](options, seeds, objective)
 
@@ -159,6 +165,16 @@ def _partials(_: argparse.Namespace, seeds: Sequence[int], objective: Names) -> 
         for seed in seeds:
             made = families.partial(order, seed, objective)
             yield families.Case("partial", order, place, seed, made)
+
+
+def _scenes(options: argparse.Namespace, _: Sequence[int], __: Names) -> Made:
+    chosen = options.scenes or (signal_scenes.QUICK if options.quick else signal_scenes.GOALS)
+    for text in chosen:
+        family, _, numbers = text.partition(":")
+        rest = ",".join(item for item in numbers.split(",") if not item.startswith("T="))
+        made = signal_scenes.scene(text)
+        axis = f"{rest} T" if rest else "T"
+        yield families.Case(family, axis, made.horizon, 0, replace(made, name=text))
 
 
 def from_folder(folder: Path) -> Made:
@@ -206,90 +222,13 @@ def build_speed(options: argparse.Namespace) -> None:
         )
 
 
-def table(rows: Sequence[Row]) -> str:
-    """A Markdown table: one line per family, value and encoding."""
-    lines = [
-        (
-            "| family | value | encoding | runs | proven | first plan median / worst | "
-            "total median / quartiles / worst | root gap median | columns | rows |"
-        ),
-        "|---|---|---|---|---|---|---|---|---|---|",
-    ]
-    groups: dict[tuple[str, str, float, str], list[Row]] = {}
-    for row in rows:
-        groups.setdefault((row.family, row.axis, row.value, row.encoding), []).append(row)
-    for (family, axis, value, encoding), members in groups.items():
-        seconds = [row.seconds for row in members]
-        firsts = [row.first_plan for row in members if row.first_plan is not None] or [float("nan")]
-        low, high = np.percentile(seconds, [25, 75])
-        lines.append(
-            f"| {family} | {axis} {value:g} | {encoding} | {len(members)} "
-            f"| {sum(row.optimal for row in members)} "
-            f"| {median(firsts):.3f} / {max(firsts):.3f} "
-            f"| {median(seconds):.2f} / {low:.2f}-{high:.2f} / {max(seconds):.2f} "
-            f"| {_gap(members)} | {median(r.columns for r in members):.0f} "
-            f"| {median(r.rows for r in members):.0f} |"
-        )
-    return "\n".join(lines)
-
-
-def _gap(rows: Sequence[Row]) -> str:
-    gaps = [
-        abs(row.final_value - row.root_bound) / max(abs(row.final_value), 1e-9)
-        for row in rows
-        if row.final_value is not None and row.root_bound is not None
-    ]
-    return f"{100 * median(gaps):.1f} %" if gaps else "-"
-
-
-def ratios(rows: Sequence[Row]) -> str:
-    """How much longer the other encodings took on the same missions, where both ended proven."""
-    by_case: dict[tuple[str, float, int], dict[str, Row]] = {}
-    for row in rows:
-        by_case.setdefault((row.axis, row.value, row.seed), {})[row.encoding] = row
-    found: dict[str, list[float]] = {}
-    unequal = []
-    for key, runs in by_case.items():
-        for encoding, other in runs.items():
-            if encoding == "tight" or not other.optimal:
-                continue
-            found.setdefault(encoding, []).append(other.seconds / runs["tight"].seconds)
-            if (other.status, other.objective) != (runs["tight"].status, runs["tight"].objective):
-                unequal.append(f"{key}: {runs['tight'].objective} against {other.objective}")
-    lines = [
-        f"{name}/tight: median {median(values):.1f}, {min(values):.1f} to {max(values):.1f} "
-        f"over {len(values)} missions that both proved"
-        for name, values in found.items()
-    ]
-    return "\n".join(lines + [f"DIFFERENT {line}" for line in unequal])
-
-
-def plot(rows: Sequence[Row], path: str) -> None:
-    """Seconds against the axis, total and first plan."""
-    from matplotlib import pyplot as plt  # noqa: PLC0415 - an optional dependency
-
-    figure, axes = plt.subplots(figsize=(5, 3.5), layout="constrained")
-    for name, pick in (("total", lambda r: r.seconds), ("first plan", lambda r: r.first_plan)):
-        values = sorted({row.value for row in rows})
-        middle = [
-            median(
-                [pick(r) for r in rows if r.value == v and pick(r) is not None] or [float("nan")]
-            )
-            for v in values
-        ]
-        axes.plot(values, middle, marker="o", label=name)
-    axes.set(xscale="log", yscale="log", xlabel=rows[0].axis, ylabel="seconds (median)")
-    axes.legend()
-    figure.savefig(path)
-
-
 def parser() -> argparse.ArgumentParser:
     """The command line."""
     made = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    choices = ["grid", "decomposition", "scaling", "swarm", "partial", "missions", "build"]
-    made.add_argument("family", choices=choices)
+    choices = ["grid", "decomposition", "scaling", "swarm", "partial", "signals", "missions"]
+    made.add_argument("family", choices=[*choices, "build"])
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument(
         "--sizes", default="5,6", help="grid: rows and columns, such as 5,6 or 3-6; swarm: states"
@@ -302,7 +241,11 @@ def parser() -> argparse.ArgumentParser:
     )
     made.add_argument("--encoding", default="tight", choices=["tight", "reference"])
     made.add_argument("--without", nargs="*", default=[], help="switches to turn off")
-    made.add_argument("--compare", choices=["reference"], help="also run another encoding")
+    made.add_argument(
+        "--compare", default="", help="other encodings too: reference; signals: stlpy,sos1"
+    )
+    made.add_argument("--scenes", nargs="*", help="signals: such as narrow or door:T=50,n=4")
+    made.add_argument("--quick", action="store_true", help="signals: small scenes alone")
     made.add_argument("--time-limit", type=float, default=600.0)
     made.add_argument("--threads", type=int, default=2)
     made.add_argument("--whole-map", action="store_true", help="build: without map reduction")
@@ -313,11 +256,15 @@ def parser() -> argparse.ArgumentParser:
 
 def main() -> None:
     """Run what the command line asks for."""
-    options = parser().parse_args()
+    made = parser()
+    options = made.parse_args()
     if options.family == "build":
         build_speed(options)
         return
-    encodings = [options.encoding, *([options.compare] if options.compare else [])]
+    encodings = [options.encoding, *(name for name in options.compare.split(",") if name)]
+    known = {"reference"} if options.family != "signals" else set(signal_encodings.ENCODINGS)
+    if unknown := set(encodings[1:]) - known:
+        made.error(f"cannot compare with {', '.join(sorted(unknown))}, only {', '.join(known)}")
     rows = []
     for case in cases(options):
         for encoding in encodings:
@@ -325,7 +272,7 @@ def main() -> None:
             rows.append(row)
             first = "none" if row.first_plan is None else f"{row.first_plan:.3f}"
             print(
-                f"{case.mission.name} {encoding}: {row.status} {row.objective} "
+                f"{case.mission.name} {encoding}: {row.status} {row.values} "
                 f"{row.seconds:.2f} s, first plan {first} s",
                 file=sys.stderr,
             )
@@ -333,11 +280,11 @@ def main() -> None:
         with options.csv.open("w", newline="") as file:
             writer = csv.DictWriter(file, fieldnames=list(asdict(rows[0])))
             writer.writeheader()
-            writer.writerows(asdict(row) for row in rows)
+            writer.writerows({**asdict(row), "objective": row.values} for row in rows)
     packages = ", ".join(f"{name} {version(name)}" for name in ("highspy", "numpy", "scipy"))
     print(f"Python {platform.python_version()}, {packages}, {options.threads} threads\n")
     print(table(rows))
-    print(ratios(rows))
+    print(ratios(rows, options.encoding))
     if options.plot:
         plot(rows, options.plot)
 
