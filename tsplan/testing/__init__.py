@@ -1,6 +1,7 @@
 """What to test planners with, this one or one's own: formulas, missions, and a corpus of answers.
 
 - `random_missions`: small missions by their seed, of teams, tasks, swarms, and both.
+- `random_signals`: the same over signals, of systems of all kinds.
 - `corpus`: missions whose answers are known, planned and compared with what is expected.
 - `formula_strategies`, `mission_strategies`: hypothesis strategies, for which the extra `test` or
   hypothesis itself has to be installed.
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
         random_swarm_mission,
         random_task_mission,
     )
+    from tsplan.testing.random_signals import random_signal_mission
 
 __all__ = [
     "ANYTHING",
@@ -50,6 +52,7 @@ __all__ = [
     "missions",
     "random_map",
     "random_mission",
+    "random_signal_mission",
     "random_swarm_mission",
     "random_task_mission",
     "run_corpus",
@@ -83,6 +86,7 @@ _load, __dir__ = lazily(
             "random_swarm_mission",
             "random_task_mission",
         ),
+        "testing.random_signals": ("random_signal_mission",),
     },
 )
 

@@ -198,27 +198,37 @@ def _random_edge(random: Random, source: str, target: str, *, strange: bool) -> 
     return Edge(source, target, duration, capacity=capacity, cost=cost)
 
 
-def random_formula(random: Random, depth: int) -> str:
-    """The text of an MTL formula over LABELS and CAPABILITIES, with all operators.
+def random_formula(
+    random: Random,
+    depth: int,
+    atom: Callable[[Random], str] | None = None,
+    weights: Callable[[Random, int], str] = lambda _random, _count: "",
+) -> str:
+    """The text of a formula with all operators, of atoms that count LABELS and CAPABILITIES.
+
+    Others are made by `atom`, and `weights` gives what is written behind an operator of so many
+    parts or steps.
 
     >>> random_formula(Random(4), 2)
     '(G[0,2] (max(a,u) <= 0)) && (a)'
     """
     if depth == 0 or random.random() < 0.2:
-        return _random_atom(random)
-    inner = random_formula(random, depth - 1)
+        return (atom or _random_atom)(random)
+    inner = random_formula(random, depth - 1, atom, weights)
     low = random.randint(0, 2)
-    window = f"[{low},{low + random.randint(0, 3)}]"
+    high = low + random.randint(0, 3)
     kind = random.choice(["F", "G", "F", "G", "U", "R", "and", "or", "and", "not", "implies"])
+    window = f"[{low},{high}]" + (weights(random, high - low + 1) if kind in "FGUR" else "")
     if kind in "FG":
         return f"{kind}{window} ({inner})"
     if kind == "not":
         return f"!({inner})"
-    other = random_formula(random, depth - 1)
+    other = random_formula(random, depth - 1, atom, weights)
     if kind in "UR":
         return f"({other}) {kind}{window} ({inner})"
-    sign = {"and": "&&", "or": "||", "implies": "=>"}[kind]
-    return f"({other}) {sign} ({inner})"
+    if kind == "implies":
+        return f"({other}) => ({inner})"
+    return f"({other}) {'&&' if kind == 'and' else '||'}{weights(random, 2)} ({inner})"
 
 
 def random_division(random: Random) -> str:
