@@ -41,9 +41,10 @@ from tsplan.signals.trajectory import Trajectory
 
 
 class Watch:
-    """Notes when the first plan came and the first bound of the last objective."""
+    """Notes when the first plan came and the first bound; a solver's times `sign`."""
 
     def __init__(self) -> None:
+        self.sign = 1
         self.first: float | None = None
         self.root: float | None = None
 
@@ -59,7 +60,7 @@ class Watch:
         if progress.objective is not None and self.first is None:
             self.first = progress.elapsed
         if progress.bound is not None and self.root is None:
-            self.root = progress.bound
+            self.root = self.sign * progress.bound
         return False
 
 
@@ -69,6 +70,7 @@ def run(case: families.Case, options: argparse.Namespace, encoding: str) -> Row:
     began = time.perf_counter()
     if encoding in signal_encodings.ENCODINGS:
         asked = Options(time_limit=options.time_limit, threads=options.threads, seed=0)
+        watch.sign = -1 if any(aim.rises for aim in case.mission.objective[:1]) else 1
         plan = signal_encodings.trajectory(case.mission, encoding, asked, watch.solving)
     elif isinstance(case.mission, SignalMission):
         plan = synthesised(case.mission, options, watch)
@@ -239,7 +241,8 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--objective", default="travel", help="such as availability,travel; '' for none"
     )
-    made.add_argument("--encoding", default="tight", choices=["tight", "reference"])
+    encodings = ["tight", "reference", *signal_encodings.ENCODINGS]
+    made.add_argument("--encoding", default="tight", choices=encodings)
     made.add_argument("--without", nargs="*", default=[], help="switches to turn off")
     made.add_argument(
         "--compare", default="", help="other encodings too: reference; signals: stlpy,sos1"

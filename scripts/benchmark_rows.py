@@ -37,7 +37,10 @@ class Row:
     @property
     def values(self) -> str:
         """The values of the objectives in words."""
-        return " ".join(f"{name}={value}" for name, value in self.objective.items())
+        return " ".join(
+            f"{name}={'none' if value is None else format(value, '.10g')}"
+            for name, value in self.objective.items()
+        )
 
     @property
     def optimal(self) -> bool:
