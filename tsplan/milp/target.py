@@ -88,6 +88,11 @@ class Target:
             return float(self.constant + self.unit * Fraction(value))
         return float(self.constant) + float(self.unit) * value
 
+    def minimised(self, own: float) -> float:
+        """What is minimised at a value in the objective's own unit."""
+        value = (own - float(self.constant)) / float(self.unit)
+        return float(round(value)) if self.step else value
+
     # --- what is believed of linear programs ---------------------------------------------------
 
     def doubt(self, value: float) -> float:

@@ -14,6 +14,7 @@ from tsplan.logic import Formula, Linear, walk
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.fraction import fraction, tree_of
 from tsplan.logic.traces import SignalTrace
+from tsplan.logic.witness_steps import levels
 from tsplan.signals.aims import SENSES, Aim
 from tsplan.signals.motion_check import TOLERANCE, Motion
 from tsplan.signals.signal_mission import SignalMission, SoftFormula
@@ -26,7 +27,8 @@ _EXACT = 1e-9  # fractions are sums of few, and exact but for what floats round
 class Worth(NamedTuple):
     """One line of the objective: what it comes to, by how much a claim may differ, its sense.
 
-    `head` is the aim itself; what follows are the terms of its sum.
+    `head` is the aim itself; what follows are the terms of its sum. An aim that is settled depth
+    by depth is no head: its bounds are told there.
     """
 
     name: str
@@ -54,6 +56,7 @@ class Measures:
     fraction: float | None
     preference: float | None
     parts: tuple[PartValue, ...]
+    depths: tuple[int, ...]
     objective: tuple[Worth, ...]
     slack: float
 
@@ -68,6 +71,7 @@ def measured(mission: SignalMission, motion: Motion, trace: SignalTrace) -> Meas
     terms = {"robustness": _spare(mission, trace, by)}
     if partial:
         terms["satisfaction"] = float(fraction(formula, trace))
+    by_depth = levels(tree_of(formula), trace).counts if _by_depth(mission) else ()
     if mission.prefer:
         terms["preferences"] = sum(_gain(wish, trace) for wish in mission.prefer)
     return Measures(
@@ -77,9 +81,19 @@ def measured(mission: SignalMission, motion: Motion, trace: SignalTrace) -> Meas
         float(fraction(formula, trace)) if partial else None,
         terms.get("satisfaction"),
         tuple(_part(mission, text, part, trace) for text, part in parts),
-        tuple(line for aim in mission.objective for line in _lines(aim, motion, terms, slack)),
+        by_depth,
+        tuple(
+            line._replace(head=line.head and not (by_depth and aim.name == "satisfaction"))
+            for aim in mission.objective
+            for line in _lines(aim, motion, terms, slack)
+        ),
         slack,
     )
+
+
+def _by_depth(mission: SignalMission) -> bool:
+    """Whether what holds is counted by its depth."""
+    return mission.satisfaction not in (None, "weighted")
 
 
 def _judged(mission: SignalMission, formula: Formula, trace: SignalTrace) -> tuple[bool, float]:

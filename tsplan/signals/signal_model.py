@@ -6,7 +6,7 @@ then that of the robustness. A control has no column for the last step: the one 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -14,12 +14,18 @@ import numpy as np
 
 from tsplan.clock import Clock
 from tsplan.encode.atom_encoders import Atoms
+from tsplan.encode.expressions import Expression
 from tsplan.encode.memory import Watch
+from tsplan.encode.partial.depth_claims import claim
+from tsplan.encode.partial.partial_model import Wish, wished
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.selection import ALWAYS, SelectionColumns
-from tsplan.encode.witness import Demand, WitnessEncoder, Witnesses, WitnessRules
-from tsplan.logic import Formula, Linear
+from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses, WitnessRules
+from tsplan.logic import Formula, Linear, conjunction, positive, simplify, walk
+from tsplan.logic.fraction import shares
+from tsplan.logic.traces import SignalTrace
+from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences, satisfied
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints, Model
 from tsplan.milp.model import Terms as Entries
 from tsplan.signals.linear_system import Limit, System, Terms
@@ -39,18 +45,31 @@ class OwnRow(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
+class Soft:
+    """What is to hold as far as possible beside what must: wishes, by how much of them holds.
+
+    With `depths` there is one wish, of which is counted what holds at each depth of its tree.
+    """
+
+    demand: Formula
+    wishes: tuple[Wish, ...]
+    depths: bool = False
+
+
+@dataclass(frozen=True, eq=False)
 class SignalSetting:
     """What every model of a problem over signals is made of.
 
     `goal` is in positive normal form, without weights. `efforts` are the sums of absolute values
-    that an objective weighs: for each, the factor of every signal or control in it. `rows` are a
-    user's own: terms `(name, step, factor)` between two bounds.
+    that an objective weighs: for each, the factor of every signal or control in it. `own` are
+    a user's own rows. Where not all must hold, `soft` says what should, and `goal` has all of that.
     """
 
     reach: Reach
     goal: Formula
     efforts: tuple[tuple[tuple[str, float], ...], ...] = ()
     own: tuple[OwnRow, ...] = ()
+    soft: Soft | None = None
     clock: Clock = field(default_factory=Clock)
 
     @property
@@ -64,11 +83,35 @@ class SignalSetting:
         return Atoms({Linear: encoder}, self.reach.horizon, jointly)
 
     @property
+    def whole(self) -> SignalSetting:
+        """The setting in which everything must hold that should."""
+        if self.soft is None:
+            return self
+        every = conjunction([self.soft.demand, *(wish.whole for wish in self.soft.wishes)])
+        return replace(self, goal=simplify(every), soft=None)
+
+    def held(self, trace: SignalTrace) -> Formula:
+        """What holds on a trace and is to be kept: all that must, and of what should what does."""
+        if self.soft is None:
+            return self.goal
+        pairs: list[Pair] = []
+        for wish in self.soft.wishes:
+            if self.soft.depths:
+                pairs += levels(wish.tree, trace).pairs
+            elif wish.partial or shares(wish.tree, trace)[wish.tree][0].fraction == 1:
+                pairs += satisfied(wish.tree, trace)
+        return simplify(conjunction([self.soft.demand, positive(demanded(pairs))]))
+
+    @property
     def ideal(self) -> float:
         """A bound on the robustness of every trajectory: the optimistic one of the formula."""
         none = np.empty((0, self.reach.horizon + 1), dtype=np.int64)
-        bound = OptimisticBound(self.goal, self.atoms(none, 0.0, INFINITY))
-        return bound.best(self.goal, 0)
+        atoms = self.atoms(none, 0.0, INFINITY)
+        if self.soft is None:
+            return OptimisticBound(self.goal, atoms).best(self.goal, 0)
+        demanded = OptimisticBound(self.soft.demand, atoms).best(self.soft.demand, 0)
+        each = (float(atoms.best(node).max()) for node in walk(self.goal) if node in atoms)
+        return min(demanded, max(each, default=0.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +120,9 @@ class SignalModel:
 
     `columns` are those of the signals and controls (names, T+1). `rho` is the column of the
     robustness, -1 where the model asks for `level`. `efforts` has the columns of absolute values
-    of each effort, with their factors.
+    of each effort, with their factors. `worth` is what each wish is worth, and `claims` are the
+    columns of what holds at each depth of the tree of a wish. In a `chosen` model all choices are
+    made.
     """
 
     model: Model
@@ -86,6 +131,9 @@ class SignalModel:
     level: float
     efforts: tuple[tuple[Ints, Floats], ...] = ()
     refuted: bool = False
+    worth: tuple[Expression, ...] = ()
+    claims: tuple[Ints, ...] = ()
+    chosen: bool = False
 
 
 def signal_model(
@@ -129,9 +177,31 @@ class _Making:
         self._dynamics()
         atoms = self._setting.atoms(self._columns, *self._level)
         encoder = WitnessEncoder(self._draft, OptimisticBound(self._setting.goal, atoms), rules)
-        witnesses = encoder.encode(self._setting.goal)
+        soft = self._setting.soft
+        worth: tuple[Expression, ...] = ()
+        claims: tuple[Ints, ...] = ()
+        if soft is None:
+            witnesses = encoder.encode(self._setting.goal)
+        else:
+            requests, worth, claims = self._wished(soft, encoder)
+            witnesses = encoder.encode_all([(soft.demand, 0, ALWAYS), *requests])
         self._predicates(atoms, witnesses)
-        return replace(self._made(), refuted=witnesses.choices.refuted)
+        refuted = witnesses.choices.refuted
+        return replace(self._made(), refuted=refuted, worth=worth, claims=claims)
+
+    def _wished(
+        self, soft: Soft, encoder: WitnessEncoder
+    ) -> tuple[Sequence[Request], tuple[Expression, ...], tuple[Ints, ...]]:
+        """What wishes require under selections of their own, and what these are worth."""
+        if not soft.depths:
+            horizon = self._setting.reach.horizon
+            requests, worth = wished(soft.wishes, encoder, self._draft, horizon)
+            return requests, tuple(worth), ()
+        places = occurrences(soft.wishes[0].tree)
+        deepest = max(place.depth for place in places)
+        possible = encoder.optimistic.possible
+        made = claim(places, deepest, encoder.choices, self._draft, possible)
+        return made.requests, (), made.by_depth
 
     def chosen(self, owed: Mapping[Formula, Iterable[int]]) -> SignalModel:
         self._dynamics()
@@ -143,7 +213,7 @@ class _Making:
             for step in steps
         ]
         self._predicates(atoms, Witnesses(SelectionColumns(self._draft), demands))
-        return self._made()
+        return replace(self._made(), chosen=True)
 
     def _predicates(self, atoms: Atoms, witnesses: Witnesses) -> None:
         linear = atoms.encoders[Linear]

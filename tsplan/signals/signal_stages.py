@@ -13,7 +13,6 @@ strategies in receding horizon control", J. Process Control 17 (2007).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias
 
 import numpy as np
 
@@ -35,9 +34,7 @@ from tsplan.signals.signal_model import (
     reference_model,
     signal_model,
 )
-from tsplan.signals.signal_objectives import OwnTerms, SignalObjective, SignalPoint
-
-Objective: TypeAlias = SignalObjective | OwnTerms
+from tsplan.signals.signal_objectives import SignalObjective, SignalPoint
 
 CLOSE = 1e-6
 """Robustness this close to a bound counts as that: what solvers forgive a row."""
@@ -54,7 +51,7 @@ _RESTRICTED = 10.0  # seconds that it may take where there is more
 
 
 @dataclass(eq=False)
-class SignalStages(Lexicographic[SignalPoint, "Objective"]):
+class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     """Runs the objectives of a problem over signals in order.
 
     `least` is the robustness that a trajectory must have; `tight` is False for the reference
@@ -62,15 +59,15 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
     """
 
     setting: SignalSetting
-    objectives: tuple[Objective, ...]
+    objectives: tuple[SignalObjective, ...]
     effort: Effort
     clock: Clock
     tell: Tell[SignalPoint]
     least: float = 0.0
     tight: bool = True
-    _kept: list[tuple[Objective, float]] = field(default_factory=list, init=False)
+    _kept: list[tuple[SignalObjective, float]] = field(default_factory=list, init=False)
     _stage: str = field(default="first plan", init=False)
-    _told: Objective | None = field(default=None, init=False)
+    _told: SignalObjective | None = field(default=None, init=False)
     _model: tuple[int, SignalModel] | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
@@ -80,7 +77,7 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
 
     # --- stages --------------------------------------------------------------------------------
 
-    def opened(self, opening: Objective | None) -> Found:
+    def opened(self, opening: SignalObjective | None) -> Found:
         """Some trajectory; one of the greatest robustness where that comes first."""
         self._begin("first plan", None)
         if self._ideal < self.least - CLOSE or self.setting.reach.empty:
@@ -95,10 +92,10 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
             return Found(self.point.values, None, -np.inf, proven=False)
         return self._ask(made, None, first=True)
 
-    def settled(self, objective: Objective, done: Found | None) -> float | None:
+    def settled(self, objective: SignalObjective, done: Found | None) -> float | None:
         """Optimise one objective and keep what it reached; its bound."""
         self._begin(objective.name, objective)
-        bound = self._ideal if objective.plain_robustness else None
+        bound = objective.ideal(self.setting)
         if not self._closed(objective, bound):
             made = self._whole()
             self._polish(objective)
@@ -114,7 +111,7 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
         self._kept.append((objective, value))
         return bound
 
-    def worth(self, objective: Objective, point: SignalPoint) -> float:
+    def worth(self, objective: SignalObjective, point: SignalPoint) -> float:
         """What a trajectory is worth; what was reached is kept within what rows forgive."""
         value = objective.worth(self.setting, point)
         for kept, reached in self._kept:
@@ -122,11 +119,11 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
                 return reached
         return value
 
-    def _begin(self, stage: str, told: Objective | None) -> None:
+    def _begin(self, stage: str, told: SignalObjective | None) -> None:
         self._stage, self._told = stage, told
         self.tell(stage, None, None, None)
 
-    def _closed(self, objective: Objective, bound: float | None) -> bool:
+    def _closed(self, objective: SignalObjective, bound: float | None) -> bool:
         """Whether the best trajectory known reaches a bound."""
         if bound is None or self.point is None or not np.isfinite(bound):
             return False
@@ -135,29 +132,30 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
 
     # --- restrictions --------------------------------------------------------------------------
 
-    def _restricted(self, first: Objective | None) -> None:
+    def _restricted(self, first: SignalObjective | None) -> None:
         """Find trajectories in models with fewer choices, until one reaches the bound."""
         robust = first is not None and first.plain_robustness and np.isfinite(self._ideal)
         level = max(self._ideal - CLOSE, self.least) if robust else self.least
         able = [block for block in _BLOCKS if _TWICE * block <= self.setting.reach.horizon]
-        asked: list[tuple[int, Objective | None]] = [(block, None) for block in able]
+        asked: list[tuple[int, SignalObjective | None]] = [(block, None) for block in able]
         if first is not None:
             asked += [(block, first) for block in able if block <= _FINE]
         for block, objective in asked:
             if objective is None and self.point is not None:
                 continue
-            most = level if objective is None else max(level, self._ideal)
-            least = level if objective is None else self.least
-            made = self._made(WitnessRules(block=block, stride=_STRIDE), (least, most))
+            rules = WitnessRules(block=block, stride=_STRIDE)
+            if objective is None:
+                made = self._made(rules, (level, level), self.setting.whole)
+            else:
+                made = self._made(rules, (self.least, max(level, self._ideal)))
             if objective is not None and made.model.size.integers > _FEWER * self.size[1]:
                 continue  # the whole model is no harder
             self._try(made, objective)
-            if self.clock.over or (
-                robust and first is not None and self._closed(first, self._ideal)
-            ):
+            bound = None if first is None else first.ideal(self.setting)
+            if self.clock.over or (first is not None and self._closed(first, bound)):
                 return
 
-    def _try(self, made: SignalModel, objective: Objective | None) -> None:
+    def _try(self, made: SignalModel, objective: SignalObjective | None) -> None:
         """Take in what is found in a restriction; it proves nothing."""
         left = self.clock.left
         clock = self.clock.within(_RESTRICTED if left is None else min(_RESTRICTED, _SHARE * left))
@@ -174,26 +172,30 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
 
     # --- questions -----------------------------------------------------------------------------
 
-    def _ask(self, made: SignalModel, objective: Objective | None, *, first: bool = False) -> Found:
+    def _ask(
+        self, made: SignalModel, objective: SignalObjective | None, *, first: bool = False
+    ) -> Found:
         """The solver's answer about a whole model."""
         model, target = self._asked(made, objective)
         options = self.effort.options(self.clock, target, self._start(made))
-        cutoff = None
+        known = None
         if objective is not None and self.point is not None and options.start is None:
-            cutoff = target.cutoff(objective.sign * objective.worth(self.setting, self.point))
+            known = target.minimised(objective.worth(self.setting, self.point))
+        cutoff = None if known is None else target.cutoff(known)
         options = replace(options, first=first, cutoff=cutoff)
         solution = confirmed(self.effort.solver, model, options, self._watch)
-        if solution.status is Status.INFEASIBLE and cutoff is not None:
-            return Found(None, None, cutoff, proven=True)
+        if solution.status is Status.INFEASIBLE and known is not None:
+            return Found(None, None, known, proven=True)
         if solution.status is Status.INFEASIBLE and self.point is not None:
             raise SolverError("the solver calls a model infeasible of which a point is known")
         if solution.values is not None:
             self._hear(SignalPoint(made, solution.values))
-        bound = -np.inf if solution.bound is None else solution.bound
+        bound = -np.inf if solution.bound is None else target.proven(solution.bound)
+        bound = bound if known is None else min(bound, known)
         proven = solution.status in (Status.OPTIMAL, Status.INFEASIBLE)
         return Found(solution.values, solution.objective, bound, proven, solution.stopped_by)
 
-    def _asked(self, made: SignalModel, objective: Objective | None) -> tuple[Model, Target]:
+    def _asked(self, made: SignalModel, objective: SignalObjective | None) -> tuple[Model, Target]:
         """The model of a question and what is minimised in it."""
         if objective is None:
             return made.model, Target(np.zeros(made.model.size.columns), step=0.0)
@@ -204,7 +206,8 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
         """Tell of a bound while a solver runs."""
         if self._told is not None and progress.bound is not None and self.point is not None:
             value = self._told.worth(self.setting, self.point)
-            self.tell(self._stage, None, value, self._told.sign * progress.bound)
+            target = self._told.target(self.setting, self._whole())
+            self.tell(self._stage, None, value, target.own(progress.bound))
         return self.clock.stop()
 
     def _hear(self, point: SignalPoint) -> None:
@@ -229,15 +232,19 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
         point = self.point
         return point.values if point is not None and point.made is made else None
 
-    def _polish(self, objective: Objective) -> None:
+    def _polish(self, objective: SignalObjective) -> None:
         """The best trajectory of the choices that are made: a linear program."""
         assert self.point is not None
-        values = margins(self.setting.goal, self.point.trace(self.setting.system))
-        own = float(values[self.setting.goal][0])
+        if objective.chooses:
+            return
+        trace = self.point.trace(self.setting.system)
+        goal = self.setting.held(trace)
+        values = margins(goal, trace)
+        own = float(values[goal][0])
         if own < 0:  # what is chosen is told by what is above the whole
             values = {node: row - own for node, row in values.items()}
         with self.clock.timed("build"):
-            owed = obligations(self.setting.goal, START, values)
+            owed = obligations(goal, START, values)
             steps = {node: found.steps.tolist() for (node, _), found in owed.items()}
             made = self._narrowed(chosen_model(self.setting, self._level, steps))
         options = self.effort.limited(self.clock)
@@ -257,9 +264,10 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
     def _narrowed(self, made: SignalModel) -> SignalModel:
         """The model of those trajectories that lose nothing of what was reached."""
         for objective, value in self._kept:
-            if not objective.plain_robustness:
+            # what is chosen to hold does so in a model without choices
+            if not objective.plain_robustness and not (objective.chooses and made.chosen):
                 target = objective.target(self.setting, made)
-                kept = target.kept(made.model, objective.sign * value, f"kept {objective.name}")
+                kept = target.kept(made.model, target.minimised(value), f"kept {objective.name}")
                 made = replace(made, model=kept)
         return made
 
@@ -271,8 +279,14 @@ class SignalStages(Lexicographic[SignalPoint, "Objective"]):
             self.size = size.columns, size.integers, size.rows, size.nonzeros
         return self._model[1]
 
-    def _made(self, rules: WitnessRules, level: tuple[float, float]) -> SignalModel:
+    def _made(
+        self,
+        rules: WitnessRules,
+        level: tuple[float, float],
+        setting: SignalSetting | None = None,
+    ) -> SignalModel:
+        setting = self.setting if setting is None else setting
         with self.clock.timed("build"):
             if not self.tight:
-                return reference_model(self.setting, level)
-            return signal_model(self.setting, level, rules)
+                return reference_model(setting, level)
+            return signal_model(setting, level, rules)

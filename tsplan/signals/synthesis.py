@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from reprlib import repr as clipped
@@ -9,18 +11,30 @@ from typing import Any, ClassVar
 
 from tsplan.clock import Clock
 from tsplan.encode.expressions import Constraint, Expression
+from tsplan.encode.partial.partial_model import Wish, everything
 from tsplan.errors import Finding, MissionError
-from tsplan.logic import positive, simplify
+from tsplan.logic import conjunction, positive, simplify
+from tsplan.logic.fraction import tree_of
+from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import INFINITY, Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.parameters import known_name, step_within
 from tsplan.run.problem import Tuning
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
+from tsplan.signals.aims import CHOSEN, Aim
 from tsplan.signals.reach import reach
 from tsplan.signals.signal_mission import SignalMission
-from tsplan.signals.signal_model import OwnRow, SignalModel, SignalSetting, signal_model
-from tsplan.signals.signal_objectives import OwnTerms, SignalObjective, SignalPoint, efforts_of
+from tsplan.signals.signal_model import OwnRow, SignalModel, SignalSetting, Soft, signal_model
+from tsplan.signals.signal_objectives import (
+    AimObjective,
+    DepthObjective,
+    OwnTerms,
+    SignalObjective,
+    SignalPoint,
+    WishObjective,
+    efforts_of,
+)
 from tsplan.signals.signal_stages import SignalStages
 from tsplan.signals.trajectory import Trajectory
 
@@ -107,11 +121,19 @@ class Synthesis:
         """What every model is made of; with the factors of violated parts if not `satisfied`."""
         mission = self.mission
         goal = simplify(positive(mission.formula))
+        soft = None
+        if mission.satisfaction is not None:
+            wish = Wish(tree_of(mission.formula), partial=True)
+            soft = Soft(conjunction([]), (wish,), depths=mission.satisfaction != "weighted")
+        elif mission.prefer:
+            wishes = (Wish(tree_of(wish.formula), wish.partial) for wish in mission.prefer)
+            soft = Soft(goal, tuple(wishes))
         return SignalSetting(
             reach(mission.system, mission.horizon),
-            goal,
+            goal if soft is None else everything(soft.demand, soft.wishes),
             efforts_of(mission.objective, mission.system),
             tuple(_row(constraint) for constraint in self._constraints),
+            soft,
         )
 
     def encode(self, level: tuple[float, float] | None = None) -> SignalModel:
@@ -142,11 +164,20 @@ class Synthesis:
         return tuple(found)
 
     @property
-    def objectives(self) -> tuple[SignalObjective | OwnTerms, ...]:
-        """The own objective, if there is one, and those of the mission."""
+    def objectives(self) -> tuple[SignalObjective, ...]:
+        """What is to hold, then the own objective, then those of the mission.
+
+        Of a formula that holds in part, the robustness of what holds is maximised in any case.
+        """
+        mission = self.mission
         terms = tuple((t.name, t.step, float(factor)) for t, factor in self._objective.terms)
-        own = (OwnTerms(terms, float(self._objective.constant)),) if terms else ()
-        return (*own, *map(SignalObjective, self.mission.objective))
+        found = [*_choosing(mission)]
+        found += [OwnTerms(terms, float(self._objective.constant))] if terms else []
+        aims = [aim for aim in mission.objective if aim.name not in CHOSEN]
+        named = any(name == "robustness" for aim in aims for name, _ in aim.weights)
+        if mission.satisfaction is not None and not named:
+            aims = [Aim((("robustness", 1.0),)), *aims]
+        return (*found, *map(AimObjective, aims))
 
     def solve(
         self, effort: Effort, clock: Clock, tell: Tell[SignalPoint], least: float = 0.0
@@ -156,6 +187,20 @@ class Synthesis:
         return SignalStages(
             self.setting(), self.objectives, effort, clock, tell, least, tight
         ).run()
+
+
+def _choosing(mission: SignalMission) -> Iterator[SignalObjective]:
+    """What is to hold, level by level or depth by depth."""
+    if mission.satisfaction == "weighted":
+        yield WishObjective("satisfaction", ((0, Fraction(1)),))
+    elif mission.satisfaction is not None:
+        tree = tree_of(mission.formula)
+        yield from map(DepthObjective, sorted({place.depth for place in occurrences(tree)}))
+    levels: dict[int, list[tuple[int, Fraction]]] = defaultdict(list)
+    for number, wish in enumerate(mission.prefer):
+        levels[wish.level].append((number, Fraction(str(wish.weight))))
+    for level in sorted(levels, reverse=True):
+        yield WishObjective("preferences", tuple(levels[level]))
 
 
 def _row(constraint: Constraint) -> OwnRow:

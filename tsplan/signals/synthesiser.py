@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections import defaultdict
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +13,7 @@ from tsplan.logic import Linear, walk
 from tsplan.logic.evaluation import holds
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
+from tsplan.plans.satisfaction import Depth
 from tsplan.run.events import FINISHING
 from tsplan.run.problem import Tuning
 from tsplan.run.run import Listener, Run
@@ -64,10 +66,10 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         if point is not None:
             self.tell(FINISHING, None, None, None)
         made = self._read(point, outcome.status, self.reason(outcome))
-        reached = [replace(item, bound=known(item.bound)) for item in outcome.reached]
         made = replace(
             made,
-            objective=tuple(item for item in reached if item.name != "own"),
+            objective=self._claimed(outcome),
+            depths=self._depths(outcome),
             notes=outcome.notes,
             solver=used,
             size=ModelSize(*outcome.size),
@@ -88,6 +90,32 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         controls = {name: rows.pop(name)[:-1] for name in mission.system.controls}
         return Trajectory(
             status, ref, mission.horizon, why, self._open(), signals=rows, controls=controls
+        )
+
+    def _claimed(self, outcome: Outcome[SignalPoint]) -> tuple[ObjectiveValue, ...]:
+        """What the search claims of the mission's own objectives; levels of one add up."""
+        reached: dict[str, list[ObjectiveValue]] = defaultdict(list)
+        for item in outcome.reached:
+            reached[item.name].append(item)
+        claims = []
+        for aim in self._mission.objective:
+            items = reached[aim.name]
+            if aim.name == "preferences":
+                known_all = all(item.bound is not None for item in items)
+                bound = sum(item.bound or 0.0 for item in items) if known_all else None
+                claims.append(ObjectiveValue(aim.name, None, bound))
+            elif self._mission.satisfaction in (None, "weighted") or aim.name != "satisfaction":
+                claims += [replace(items.pop(0), value=None)] if items else []
+        return tuple(replace(item, bound=known(item.bound)) for item in claims)
+
+    def _depths(self, outcome: Outcome[SignalPoint]) -> tuple[Depth, ...]:
+        """What is proven of each depth, where what holds is counted by its depth."""
+        if self._mission.satisfaction in (None, "weighted"):
+            return ()
+        levels = [item for item in outcome.reached if item.name == "satisfaction"]
+        return tuple(
+            Depth(depth, round(item.value or 0), None if item.bound is None else round(item.bound))
+            for depth, item in enumerate(levels)
         )
 
     def _open(self) -> tuple[ObjectiveValue, ...]:

@@ -33,6 +33,7 @@ from tsplan.plans.records import (
     json_document,
     json_lines,
 )
+from tsplan.plans.satisfaction import Depth
 from tsplan.stopping import StoppedBy
 
 Values = tuple[Annotated[float, Field(strict=True, allow_inf_nan=False)], ...]
@@ -54,7 +55,8 @@ class Trajectory(Record):
     `signals` have one value more than there are `controls`, unless there is no trajectory.
     `robustness` is the formula's, weighted as the mission says, `agm` the arithmetic-geometric
     mean robustness (None where a signal of the formula has no bounds). Where the formula may hold
-    in part, `fraction` is how much does and `preference` the same with weights.
+    in part, `fraction` is how much does, `depths` what holds at each depth of it in the orders by
+    depth, and `preference` the same with weights.
 
     Raises PlanError for a status that contradicts `stopped_by` or the presence of signals, and for
     values that are not finite or not as many as there are steps.
@@ -69,6 +71,7 @@ class Trajectory(Record):
     agm: Finite | None = None
     fraction: Finite | None = field(default=None, metadata=OPTIONAL)
     preference: Finite | None = field(default=None, metadata=OPTIONAL)
+    depths: tuple[Depth, ...] = field(default=(), metadata=OPTIONAL)
     verified: Annotated[bool, Field(strict=True)] = False
     signals: Mapping[Word, Values] = field(default_factory=dict, hash=False)
     controls: Mapping[Word, Values] = field(default_factory=dict, hash=False)

@@ -15,6 +15,7 @@ from dataclasses import replace
 from tsplan.checking.check_report import Report, findings_of, refuse
 from tsplan.errors import PlanError
 from tsplan.plans.plan import ObjectiveValue, Status
+from tsplan.plans.satisfaction import Depth
 from tsplan.signals.motion_check import (
     TOLERANCE,
     Motion,
@@ -129,7 +130,12 @@ def _with_claims(trajectory: Trajectory, measures: Measures) -> Trajectory:
         lines.append(ObjectiveValue(worth.name, worth.value, bound))
         notes += words
         proven = proven and not words and not (worth.head and _open(worth, bound))
-    made = replace(trajectory, objective=tuple(lines), notes=(*trajectory.notes, *notes))
+    bounds = {item.depth: item.bound for item in trajectory.depths}
+    depths = tuple(Depth(d, n, bounds.get(d)) for d, n in enumerate(measures.depths))
+    proven = proven and all(item.bound == item.value for item in depths)
+    made = replace(
+        trajectory, objective=tuple(lines), depths=depths, notes=(*trajectory.notes, *notes)
+    )
     if trajectory.status is not Status.OPTIMAL or proven:
         return made
     return replace(made, status=Status.FEASIBLE, stopped_by=StoppedBy.PRECISION)
@@ -163,6 +169,7 @@ def _false_claims(trajectory: Trajectory, measures: Measures) -> Iterator[str]:
         said, actual = getattr(trajectory, name), known(getattr(measures, name))
         if not _same(said, actual, measures.slack if name == "robustness" else TOLERANCE):
             yield f"the trajectory claims {name} {said} and has {actual}"
+    yield from _false_depths(trajectory, measures)
     yield from _false_parts(trajectory.parts, measures.parts, measures.slack)
     names = [line.name for line in measures.objective]
     if [item.name for item in trajectory.objective] != names:
@@ -171,6 +178,18 @@ def _false_claims(trajectory: Trajectory, measures: Measures) -> Iterator[str]:
         return
     for worth, item in zip(measures.objective, trajectory.objective, strict=True):
         yield from _false_line(worth, item, trajectory.status)
+
+
+def _false_depths(trajectory: Trajectory, measures: Measures) -> Iterator[str]:
+    told = tuple(item.value for item in trajectory.depths)
+    if told != measures.depths:
+        yield f"the trajectory claims {told} parts by depth and has {measures.depths}"
+        return
+    for item in trajectory.depths:
+        if trajectory.status is Status.OPTIMAL and item.bound != item.value:
+            what = "no bound" if item.bound is None else f"the bound {item.bound}"
+            yield f"the {item.value} parts at depth {item.depth} are called optimal, with {what}"
+            return
 
 
 def _false_parts(

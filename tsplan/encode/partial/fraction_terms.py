@@ -35,6 +35,7 @@ from tsplan.logic import (
     Count,
     Eventually,
     Formula,
+    Linear,
     Or,
     Until,
     positive,
@@ -185,7 +186,7 @@ class FractionEncoder:
             self._values.enter((node, step, selection), selection or always)
 
     @_value.register
-    def _(self, node: Count, asked: Asked) -> None:
+    def _(self, node: Count | Linear, asked: Asked) -> None:
         for step, selection in asked:
             self._enter_whole((node, step, selection), [(node, step)])
 
@@ -313,4 +314,4 @@ def is_whole(node: Formula) -> bool:
         node = node.child
     if isinstance(node, Or):
         return all(is_whole(child) for child in node.children)
-    return isinstance(node, Count | Constant)
+    return isinstance(node, Count | Linear | Constant)

@@ -70,24 +70,34 @@ def valued(setting: Setting, demand: Formula, wishes: Sequence[Wish]) -> Valued:
     demands: list[Demand] = []
 
     def ask(encoder: WitnessEncoder, draft: Draft, network: Network) -> Witnesses:
-        requests: list[Request] = [(demand, 0, ALWAYS)]
-        for wish in wishes:
-            if wish.partial:
-                hope = hopes(wish.tree, encoder.optimistic, setting.horizon)
-                parts = FractionEncoder(draft, encoder.choices, hope)
-                worth.append(parts.encode(wish.tree))
-                requests += parts.requests
-            else:
-                (column,) = encoder.choices.free([0]).tolist()
-                worth.append(Expression.sum_of([column]))
-                requests.append((wish.whole, 0, (column,)))
-        witnesses = encoder.encode_all(requests)
+        requests, found = wished(wishes, encoder, draft, setting.horizon)
+        worth.extend(found)
+        witnesses = encoder.encode_all([(demand, 0, ALWAYS), *requests])
         team_rows(witnesses.stepwise, network, draft)
         demands.extend(witnesses.stepwise)
         return witnesses
 
     encoded = assembled(setting, ask, optional=True)
     return Valued(encoded, _conflicts(encoded, demands), tuple(worth))
+
+
+def wished(
+    wishes: Sequence[Wish], encoder: WitnessEncoder, draft: Draft, horizon: int
+) -> tuple[list[Request], list[Expression]]:
+    """What wishes require under selections of their own, and what each is worth by these."""
+    requests: list[Request] = []
+    worth: list[Expression] = []
+    for wish in wishes:
+        if wish.partial:
+            hope = hopes(wish.tree, encoder.optimistic, horizon)
+            parts = FractionEncoder(draft, encoder.choices, hope)
+            worth.append(parts.encode(wish.tree))
+            requests += parts.requests
+        else:
+            (column,) = encoder.choices.free([0]).tolist()
+            worth.append(Expression.sum_of([column]))
+            requests.append((wish.whole, 0, (column,)))
+    return requests, worth
 
 
 @dataclass(frozen=True, eq=False)
