@@ -1,4 +1,4 @@
-// Signal temporal logic: linear predicates over real signals, 2*x - y + 1 >= 3.
+// Signal temporal logic: linear predicates over real signals, 2*x - y + 1 >= 3, in(goal).
 grammar stl;
 
 import common;
@@ -16,7 +16,15 @@ operand
     : constant
     | NUMBER
     | name
+    | region
     | parts
     ;
 
-reserved : letter ;
+// in(goal), or in(robot, goal) where several robots have the same signals.
+region : (IN | OUT | CLEAR) '(' name (',' name)? ')' ;
+
+reserved : letter | IN | OUT | CLEAR ;
+
+IN    : 'in' ;
+OUT   : 'out' ;
+CLEAR : 'clear' ;

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import partial
 from types import MappingProxyType
 from typing import Any
 
-from tsplan.logic import Formula, conjunction, disjunction, linear
-
-MOST_AXES = 3
+from tsplan.logic import Formula, boxes
 
 
-class Region:
+class Region(Mapping[str, tuple[float, float]]):
     """A closed box: from where to where it reaches along each of one to three signals.
+
+    As a mapping it has the ends by their axes.
 
     Raises ValueError for no axes, too many, and for one that ends before it begins.
 
@@ -28,13 +28,7 @@ class Region:
     axes: Mapping[str, tuple[float, float]]
 
     def __init__(self, **axes: tuple[float, float]) -> None:
-        if not 1 <= len(axes) <= MOST_AXES:
-            raise ValueError(f"a region has 1 to {MOST_AXES} axes, not {len(axes)}")
-        for name, (low, high) in axes.items():
-            if not low <= high:
-                raise ValueError(f"the region's axis '{name}' ends before it begins")
-        bounds = {name: (float(low), float(high)) for name, (low, high) in axes.items()}
-        object.__setattr__(self, "axes", MappingProxyType(bounds))
+        object.__setattr__(self, "axes", MappingProxyType(boxes.checked(axes)))
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a region is frozen; '{name}' cannot be set")
@@ -52,22 +46,23 @@ class Region:
     def __repr__(self) -> str:
         return f"Region({', '.join(f'{name}={ends}' for name, ends in self.axes.items())})"
 
-    def _sides(self) -> list[tuple[Formula, Formula]]:
-        """What holds inside and what outside of each side."""
-        sides: list[tuple[Formula, Formula]] = []
-        for name, (low, high) in self.axes.items():
-            sides.append((linear({name: 1}, ">=", low), linear({name: 1}, "<=", low)))
-            sides.append((linear({name: 1}, "<=", high), linear({name: 1}, ">=", high)))
-        return sides
+    def __getitem__(self, axis: str) -> tuple[float, float]:
+        return self.axes[axis]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.axes)
+
+    def __len__(self) -> int:
+        return len(self.axes)
 
     def inside(self) -> Formula:
         """In the box, its border included."""
-        return conjunction(inside for inside, _ in self._sides())
+        return boxes.inside(self.axes)
 
     def outside(self) -> Formula:
         """Beyond some side of the box, or on it."""
-        return disjunction(outside for _, outside in self._sides())
+        return boxes.outside(self.axes)
 
     def clear(self) -> Formula:
         """Beyond one and the same side now and at the next step: the way between stays out."""
-        return disjunction(outside.always(0, 1) for _, outside in self._sides())
+        return boxes.clear(self.axes)

@@ -10,75 +10,82 @@ else:
 
 def serializedATN():
     return [
-        4,1,39,200,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
+        4,1,42,216,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
         6,2,7,7,7,2,8,7,8,2,9,7,9,2,10,7,10,2,11,7,11,2,12,7,12,2,13,7,13,
         2,14,7,14,2,15,7,15,2,16,7,16,2,17,7,17,2,18,7,18,2,19,7,19,2,20,
-        7,20,1,0,1,0,3,0,45,8,0,1,0,1,0,1,0,1,0,1,0,3,0,52,8,0,3,0,54,8,
-        0,1,1,5,1,57,8,1,10,1,12,1,60,9,1,1,1,1,1,3,1,64,8,1,1,2,1,2,1,2,
-        1,2,1,2,3,2,71,8,2,3,2,73,8,2,1,3,1,3,3,3,77,8,3,1,3,1,3,1,4,1,4,
-        1,4,1,4,1,4,1,4,1,4,1,4,1,4,5,4,90,8,4,10,4,12,4,93,9,4,1,4,1,4,
-        3,4,97,8,4,1,5,3,5,100,8,5,1,5,1,5,1,6,1,6,1,6,1,6,5,6,108,8,6,10,
-        6,12,6,111,9,6,1,7,1,7,1,7,5,7,116,8,7,10,7,12,7,119,9,7,1,8,1,8,
-        1,8,5,8,124,8,8,10,8,12,8,127,9,8,1,9,5,9,130,8,9,10,9,12,9,133,
-        9,9,1,9,1,9,1,10,1,10,1,10,1,10,3,10,141,8,10,1,11,1,11,1,12,1,12,
-        1,12,5,12,148,8,12,10,12,12,12,151,9,12,1,12,1,12,1,13,1,13,1,13,
-        1,13,5,13,159,8,13,10,13,12,13,162,9,13,1,14,1,14,1,14,1,14,1,14,
-        5,14,169,8,14,10,14,12,14,172,9,14,1,14,1,14,3,14,176,8,14,1,15,
-        1,15,1,15,1,15,1,15,1,15,1,16,3,16,185,8,16,1,16,1,16,1,17,1,17,
-        1,18,1,18,1,19,1,19,1,19,3,19,196,8,19,1,20,1,20,1,20,1,58,0,21,
-        0,2,4,6,8,10,12,14,16,18,20,22,24,26,28,30,32,34,36,38,40,0,8,1,
-        0,2,3,1,0,19,20,2,0,7,8,17,18,1,0,24,25,1,0,26,27,1,0,9,14,1,0,15,
-        16,1,0,17,21,207,0,53,1,0,0,0,2,58,1,0,0,0,4,72,1,0,0,0,6,74,1,0,
-        0,0,8,96,1,0,0,0,10,99,1,0,0,0,12,103,1,0,0,0,14,112,1,0,0,0,16,
-        120,1,0,0,0,18,131,1,0,0,0,20,140,1,0,0,0,22,142,1,0,0,0,24,144,
-        1,0,0,0,26,154,1,0,0,0,28,175,1,0,0,0,30,177,1,0,0,0,32,184,1,0,
-        0,0,34,188,1,0,0,0,36,190,1,0,0,0,38,195,1,0,0,0,40,197,1,0,0,0,
-        42,44,7,0,0,0,43,45,3,8,4,0,44,43,1,0,0,0,44,45,1,0,0,0,45,54,1,
-        0,0,0,46,54,5,5,0,0,47,54,5,6,0,0,48,49,7,1,0,0,49,51,3,30,15,0,
-        50,52,3,8,4,0,51,50,1,0,0,0,51,52,1,0,0,0,52,54,1,0,0,0,53,42,1,
-        0,0,0,53,46,1,0,0,0,53,47,1,0,0,0,53,48,1,0,0,0,54,1,1,0,0,0,55,
-        57,3,4,2,0,56,55,1,0,0,0,57,60,1,0,0,0,58,59,1,0,0,0,58,56,1,0,0,
-        0,59,63,1,0,0,0,60,58,1,0,0,0,61,64,3,12,6,0,62,64,3,6,3,0,63,61,
-        1,0,0,0,63,62,1,0,0,0,64,3,1,0,0,0,65,73,5,4,0,0,66,73,5,21,0,0,
-        67,68,7,2,0,0,68,70,3,30,15,0,69,71,3,8,4,0,70,69,1,0,0,0,70,71,
-        1,0,0,0,71,73,1,0,0,0,72,65,1,0,0,0,72,66,1,0,0,0,72,67,1,0,0,0,
-        73,5,1,0,0,0,74,76,7,0,0,0,75,77,3,8,4,0,76,75,1,0,0,0,76,77,1,0,
-        0,0,77,78,1,0,0,0,78,79,3,28,14,0,79,7,1,0,0,0,80,81,5,1,0,0,81,
-        97,3,38,19,0,82,83,5,1,0,0,83,97,3,10,5,0,84,85,5,1,0,0,85,86,5,
-        30,0,0,86,91,3,10,5,0,87,88,5,29,0,0,88,90,3,10,5,0,89,87,1,0,0,
-        0,90,93,1,0,0,0,91,89,1,0,0,0,91,92,1,0,0,0,92,94,1,0,0,0,93,91,
-        1,0,0,0,94,95,5,31,0,0,95,97,1,0,0,0,96,80,1,0,0,0,96,82,1,0,0,0,
-        96,84,1,0,0,0,97,9,1,0,0,0,98,100,5,25,0,0,99,98,1,0,0,0,99,100,
-        1,0,0,0,100,101,1,0,0,0,101,102,5,34,0,0,102,11,1,0,0,0,103,109,
-        3,14,7,0,104,105,3,34,17,0,105,106,3,14,7,0,106,108,1,0,0,0,107,
-        104,1,0,0,0,108,111,1,0,0,0,109,107,1,0,0,0,109,110,1,0,0,0,110,
-        13,1,0,0,0,111,109,1,0,0,0,112,117,3,16,8,0,113,114,7,3,0,0,114,
-        116,3,16,8,0,115,113,1,0,0,0,116,119,1,0,0,0,117,115,1,0,0,0,117,
-        118,1,0,0,0,118,15,1,0,0,0,119,117,1,0,0,0,120,125,3,18,9,0,121,
-        122,7,4,0,0,122,124,3,18,9,0,123,121,1,0,0,0,124,127,1,0,0,0,125,
-        123,1,0,0,0,125,126,1,0,0,0,126,17,1,0,0,0,127,125,1,0,0,0,128,130,
-        7,3,0,0,129,128,1,0,0,0,130,133,1,0,0,0,131,129,1,0,0,0,131,132,
-        1,0,0,0,132,134,1,0,0,0,133,131,1,0,0,0,134,135,3,20,10,0,135,19,
-        1,0,0,0,136,141,3,36,18,0,137,141,5,34,0,0,138,141,3,38,19,0,139,
-        141,3,28,14,0,140,136,1,0,0,0,140,137,1,0,0,0,140,138,1,0,0,0,140,
-        139,1,0,0,0,141,21,1,0,0,0,142,143,3,40,20,0,143,23,1,0,0,0,144,
-        149,3,26,13,0,145,146,5,29,0,0,146,148,3,26,13,0,147,145,1,0,0,0,
-        148,151,1,0,0,0,149,147,1,0,0,0,149,150,1,0,0,0,150,152,1,0,0,0,
-        151,149,1,0,0,0,152,153,5,0,0,1,153,25,1,0,0,0,154,160,3,2,1,0,155,
-        156,3,0,0,0,156,157,3,2,1,0,157,159,1,0,0,0,158,155,1,0,0,0,159,
-        162,1,0,0,0,160,158,1,0,0,0,160,161,1,0,0,0,161,27,1,0,0,0,162,160,
-        1,0,0,0,163,176,5,39,0,0,164,165,5,22,0,0,165,170,3,26,13,0,166,
-        167,5,29,0,0,167,169,3,26,13,0,168,166,1,0,0,0,169,172,1,0,0,0,170,
-        168,1,0,0,0,170,171,1,0,0,0,171,173,1,0,0,0,172,170,1,0,0,0,173,
-        174,5,23,0,0,174,176,1,0,0,0,175,163,1,0,0,0,175,164,1,0,0,0,176,
-        29,1,0,0,0,177,178,5,30,0,0,178,179,3,32,16,0,179,180,5,29,0,0,180,
-        181,3,32,16,0,181,182,5,31,0,0,182,31,1,0,0,0,183,185,5,25,0,0,184,
-        183,1,0,0,0,184,185,1,0,0,0,185,186,1,0,0,0,186,187,5,34,0,0,187,
-        33,1,0,0,0,188,189,7,5,0,0,189,35,1,0,0,0,190,191,7,6,0,0,191,37,
-        1,0,0,0,192,196,5,35,0,0,193,196,5,36,0,0,194,196,3,22,11,0,195,
-        192,1,0,0,0,195,193,1,0,0,0,195,194,1,0,0,0,196,39,1,0,0,0,197,198,
-        7,7,0,0,198,41,1,0,0,0,22,44,51,53,58,63,70,72,76,91,96,99,109,117,
-        125,131,140,149,160,170,175,184,195
+        7,20,2,21,7,21,1,0,1,0,3,0,47,8,0,1,0,1,0,1,0,1,0,1,0,3,0,54,8,0,
+        3,0,56,8,0,1,1,5,1,59,8,1,10,1,12,1,62,9,1,1,1,1,1,3,1,66,8,1,1,
+        2,1,2,1,2,1,2,1,2,3,2,73,8,2,3,2,75,8,2,1,3,1,3,3,3,79,8,3,1,3,1,
+        3,1,4,1,4,1,4,1,4,1,4,1,4,1,4,1,4,1,4,5,4,92,8,4,10,4,12,4,95,9,
+        4,1,4,1,4,3,4,99,8,4,1,5,3,5,102,8,5,1,5,1,5,1,6,1,6,1,6,1,6,5,6,
+        110,8,6,10,6,12,6,113,9,6,1,7,1,7,1,7,5,7,118,8,7,10,7,12,7,121,
+        9,7,1,8,1,8,1,8,5,8,126,8,8,10,8,12,8,129,9,8,1,9,5,9,132,8,9,10,
+        9,12,9,135,9,9,1,9,1,9,1,10,1,10,1,10,1,10,1,10,3,10,144,8,10,1,
+        11,1,11,1,11,1,11,1,11,3,11,151,8,11,1,11,1,11,1,12,1,12,1,12,1,
+        12,3,12,159,8,12,1,13,1,13,1,13,5,13,164,8,13,10,13,12,13,167,9,
+        13,1,13,1,13,1,14,1,14,1,14,1,14,5,14,175,8,14,10,14,12,14,178,9,
+        14,1,15,1,15,1,15,1,15,1,15,5,15,185,8,15,10,15,12,15,188,9,15,1,
+        15,1,15,3,15,192,8,15,1,16,1,16,1,16,1,16,1,16,1,16,1,17,3,17,201,
+        8,17,1,17,1,17,1,18,1,18,1,19,1,19,1,20,1,20,1,20,3,20,212,8,20,
+        1,21,1,21,1,21,1,60,0,22,0,2,4,6,8,10,12,14,16,18,20,22,24,26,28,
+        30,32,34,36,38,40,42,0,9,1,0,5,6,1,0,22,23,2,0,10,11,20,21,1,0,27,
+        28,1,0,29,30,1,0,2,4,1,0,12,17,1,0,18,19,1,0,20,24,227,0,55,1,0,
+        0,0,2,60,1,0,0,0,4,74,1,0,0,0,6,76,1,0,0,0,8,98,1,0,0,0,10,101,1,
+        0,0,0,12,105,1,0,0,0,14,114,1,0,0,0,16,122,1,0,0,0,18,133,1,0,0,
+        0,20,143,1,0,0,0,22,145,1,0,0,0,24,158,1,0,0,0,26,160,1,0,0,0,28,
+        170,1,0,0,0,30,191,1,0,0,0,32,193,1,0,0,0,34,200,1,0,0,0,36,204,
+        1,0,0,0,38,206,1,0,0,0,40,211,1,0,0,0,42,213,1,0,0,0,44,46,7,0,0,
+        0,45,47,3,8,4,0,46,45,1,0,0,0,46,47,1,0,0,0,47,56,1,0,0,0,48,56,
+        5,8,0,0,49,56,5,9,0,0,50,51,7,1,0,0,51,53,3,32,16,0,52,54,3,8,4,
+        0,53,52,1,0,0,0,53,54,1,0,0,0,54,56,1,0,0,0,55,44,1,0,0,0,55,48,
+        1,0,0,0,55,49,1,0,0,0,55,50,1,0,0,0,56,1,1,0,0,0,57,59,3,4,2,0,58,
+        57,1,0,0,0,59,62,1,0,0,0,60,61,1,0,0,0,60,58,1,0,0,0,61,65,1,0,0,
+        0,62,60,1,0,0,0,63,66,3,12,6,0,64,66,3,6,3,0,65,63,1,0,0,0,65,64,
+        1,0,0,0,66,3,1,0,0,0,67,75,5,7,0,0,68,75,5,24,0,0,69,70,7,2,0,0,
+        70,72,3,32,16,0,71,73,3,8,4,0,72,71,1,0,0,0,72,73,1,0,0,0,73,75,
+        1,0,0,0,74,67,1,0,0,0,74,68,1,0,0,0,74,69,1,0,0,0,75,5,1,0,0,0,76,
+        78,7,0,0,0,77,79,3,8,4,0,78,77,1,0,0,0,78,79,1,0,0,0,79,80,1,0,0,
+        0,80,81,3,30,15,0,81,7,1,0,0,0,82,83,5,1,0,0,83,99,3,40,20,0,84,
+        85,5,1,0,0,85,99,3,10,5,0,86,87,5,1,0,0,87,88,5,33,0,0,88,93,3,10,
+        5,0,89,90,5,32,0,0,90,92,3,10,5,0,91,89,1,0,0,0,92,95,1,0,0,0,93,
+        91,1,0,0,0,93,94,1,0,0,0,94,96,1,0,0,0,95,93,1,0,0,0,96,97,5,34,
+        0,0,97,99,1,0,0,0,98,82,1,0,0,0,98,84,1,0,0,0,98,86,1,0,0,0,99,9,
+        1,0,0,0,100,102,5,28,0,0,101,100,1,0,0,0,101,102,1,0,0,0,102,103,
+        1,0,0,0,103,104,5,37,0,0,104,11,1,0,0,0,105,111,3,14,7,0,106,107,
+        3,36,18,0,107,108,3,14,7,0,108,110,1,0,0,0,109,106,1,0,0,0,110,113,
+        1,0,0,0,111,109,1,0,0,0,111,112,1,0,0,0,112,13,1,0,0,0,113,111,1,
+        0,0,0,114,119,3,16,8,0,115,116,7,3,0,0,116,118,3,16,8,0,117,115,
+        1,0,0,0,118,121,1,0,0,0,119,117,1,0,0,0,119,120,1,0,0,0,120,15,1,
+        0,0,0,121,119,1,0,0,0,122,127,3,18,9,0,123,124,7,4,0,0,124,126,3,
+        18,9,0,125,123,1,0,0,0,126,129,1,0,0,0,127,125,1,0,0,0,127,128,1,
+        0,0,0,128,17,1,0,0,0,129,127,1,0,0,0,130,132,7,3,0,0,131,130,1,0,
+        0,0,132,135,1,0,0,0,133,131,1,0,0,0,133,134,1,0,0,0,134,136,1,0,
+        0,0,135,133,1,0,0,0,136,137,3,20,10,0,137,19,1,0,0,0,138,144,3,38,
+        19,0,139,144,5,37,0,0,140,144,3,40,20,0,141,144,3,22,11,0,142,144,
+        3,30,15,0,143,138,1,0,0,0,143,139,1,0,0,0,143,140,1,0,0,0,143,141,
+        1,0,0,0,143,142,1,0,0,0,144,21,1,0,0,0,145,146,7,5,0,0,146,147,5,
+        25,0,0,147,150,3,40,20,0,148,149,5,32,0,0,149,151,3,40,20,0,150,
+        148,1,0,0,0,150,151,1,0,0,0,151,152,1,0,0,0,152,153,5,26,0,0,153,
+        23,1,0,0,0,154,159,3,42,21,0,155,159,5,2,0,0,156,159,5,3,0,0,157,
+        159,5,4,0,0,158,154,1,0,0,0,158,155,1,0,0,0,158,156,1,0,0,0,158,
+        157,1,0,0,0,159,25,1,0,0,0,160,165,3,28,14,0,161,162,5,32,0,0,162,
+        164,3,28,14,0,163,161,1,0,0,0,164,167,1,0,0,0,165,163,1,0,0,0,165,
+        166,1,0,0,0,166,168,1,0,0,0,167,165,1,0,0,0,168,169,5,0,0,1,169,
+        27,1,0,0,0,170,176,3,2,1,0,171,172,3,0,0,0,172,173,3,2,1,0,173,175,
+        1,0,0,0,174,171,1,0,0,0,175,178,1,0,0,0,176,174,1,0,0,0,176,177,
+        1,0,0,0,177,29,1,0,0,0,178,176,1,0,0,0,179,192,5,42,0,0,180,181,
+        5,25,0,0,181,186,3,28,14,0,182,183,5,32,0,0,183,185,3,28,14,0,184,
+        182,1,0,0,0,185,188,1,0,0,0,186,184,1,0,0,0,186,187,1,0,0,0,187,
+        189,1,0,0,0,188,186,1,0,0,0,189,190,5,26,0,0,190,192,1,0,0,0,191,
+        179,1,0,0,0,191,180,1,0,0,0,192,31,1,0,0,0,193,194,5,33,0,0,194,
+        195,3,34,17,0,195,196,5,32,0,0,196,197,3,34,17,0,197,198,5,34,0,
+        0,198,33,1,0,0,0,199,201,5,28,0,0,200,199,1,0,0,0,200,201,1,0,0,
+        0,201,202,1,0,0,0,202,203,5,37,0,0,203,35,1,0,0,0,204,205,7,6,0,
+        0,205,37,1,0,0,0,206,207,7,7,0,0,207,39,1,0,0,0,208,212,5,38,0,0,
+        209,212,5,39,0,0,210,212,3,24,12,0,211,208,1,0,0,0,211,209,1,0,0,
+        0,211,210,1,0,0,0,212,41,1,0,0,0,213,214,7,8,0,0,214,43,1,0,0,0,
+        24,46,53,55,60,65,72,74,78,93,98,101,111,119,127,133,143,150,158,
+        165,176,186,191,200,211
     ]
 
 class wstlParser ( Parser ):
@@ -91,20 +98,20 @@ class wstlParser ( Parser ):
 
     sharedContextCache = PredictionContextCache()
 
-    literalNames = [ "<INVALID>", "'^'", "<INVALID>", "<INVALID>", "<INVALID>", 
-                     "<INVALID>", "<INVALID>", "'<>'", "'[]'", "'>='", "'<='", 
-                     "'>'", "'<'", "<INVALID>", "'!='", "<INVALID>", "<INVALID>", 
-                     "'F'", "'G'", "'U'", "'R'", "'X'", "'('", "')'", "'+'", 
-                     "'-'", "'*'", "'/'", "'%'", "','", "'['", "']'", "'{'", 
-                     "'}'" ]
+    literalNames = [ "<INVALID>", "'^'", "'in'", "'out'", "'clear'", "<INVALID>", 
+                     "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
+                     "'<>'", "'[]'", "'>='", "'<='", "'>'", "'<'", "<INVALID>", 
+                     "'!='", "<INVALID>", "<INVALID>", "'F'", "'G'", "'U'", 
+                     "'R'", "'X'", "'('", "')'", "'+'", "'-'", "'*'", "'/'", 
+                     "'%'", "','", "'['", "']'", "'{'", "'}'" ]
 
-    symbolicNames = [ "<INVALID>", "HAT", "AND", "OR", "NOT", "IMPLIES", 
-                      "IFF", "DIAMOND", "BOX", "GE", "LE", "GT", "LT", "EQ", 
-                      "NE", "TRUE", "FALSE", "EVENTUALLY", "ALWAYS", "UNTIL", 
-                      "RELEASE", "NEXT", "OPEN", "CLOSE", "PLUS", "MINUS", 
-                      "STAR", "SLASH", "PERCENT", "COMMA", "LBRACKET", "RBRACKET", 
-                      "LBRACE", "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", 
-                      "STRAY", "GROUP" ]
+    symbolicNames = [ "<INVALID>", "HAT", "IN", "OUT", "CLEAR", "AND", "OR", 
+                      "NOT", "IMPLIES", "IFF", "DIAMOND", "BOX", "GE", "LE", 
+                      "GT", "LT", "EQ", "NE", "TRUE", "FALSE", "EVENTUALLY", 
+                      "ALWAYS", "UNTIL", "RELEASE", "NEXT", "OPEN", "CLOSE", 
+                      "PLUS", "MINUS", "STAR", "SLASH", "PERCENT", "COMMA", 
+                      "LBRACKET", "RBRACKET", "LBRACE", "RBRACE", "NUMBER", 
+                      "NAME", "STRING", "SPACE", "STRAY", "GROUP" ]
 
     RULE_connective = 0
     RULE_unary = 1
@@ -117,62 +124,66 @@ class wstlParser ( Parser ):
     RULE_term = 8
     RULE_factor = 9
     RULE_operand = 10
-    RULE_reserved = 11
-    RULE_formula = 12
-    RULE_level = 13
-    RULE_parts = 14
-    RULE_interval = 15
-    RULE_bound = 16
-    RULE_relation = 17
-    RULE_constant = 18
-    RULE_name = 19
-    RULE_letter = 20
+    RULE_region = 11
+    RULE_reserved = 12
+    RULE_formula = 13
+    RULE_level = 14
+    RULE_parts = 15
+    RULE_interval = 16
+    RULE_bound = 17
+    RULE_relation = 18
+    RULE_constant = 19
+    RULE_name = 20
+    RULE_letter = 21
 
     ruleNames =  [ "connective", "unary", "prefix", "joined", "weight", 
                    "value", "comparison", "total", "term", "factor", "operand", 
-                   "reserved", "formula", "level", "parts", "interval", 
+                   "region", "reserved", "formula", "level", "parts", "interval", 
                    "bound", "relation", "constant", "name", "letter" ]
 
     EOF = Token.EOF
     HAT=1
-    AND=2
-    OR=3
-    NOT=4
-    IMPLIES=5
-    IFF=6
-    DIAMOND=7
-    BOX=8
-    GE=9
-    LE=10
-    GT=11
-    LT=12
-    EQ=13
-    NE=14
-    TRUE=15
-    FALSE=16
-    EVENTUALLY=17
-    ALWAYS=18
-    UNTIL=19
-    RELEASE=20
-    NEXT=21
-    OPEN=22
-    CLOSE=23
-    PLUS=24
-    MINUS=25
-    STAR=26
-    SLASH=27
-    PERCENT=28
-    COMMA=29
-    LBRACKET=30
-    RBRACKET=31
-    LBRACE=32
-    RBRACE=33
-    NUMBER=34
-    NAME=35
-    STRING=36
-    SPACE=37
-    STRAY=38
-    GROUP=39
+    IN=2
+    OUT=3
+    CLEAR=4
+    AND=5
+    OR=6
+    NOT=7
+    IMPLIES=8
+    IFF=9
+    DIAMOND=10
+    BOX=11
+    GE=12
+    LE=13
+    GT=14
+    LT=15
+    EQ=16
+    NE=17
+    TRUE=18
+    FALSE=19
+    EVENTUALLY=20
+    ALWAYS=21
+    UNTIL=22
+    RELEASE=23
+    NEXT=24
+    OPEN=25
+    CLOSE=26
+    PLUS=27
+    MINUS=28
+    STAR=29
+    SLASH=30
+    PERCENT=31
+    COMMA=32
+    LBRACKET=33
+    RBRACKET=34
+    LBRACE=35
+    RBRACE=36
+    NUMBER=37
+    NAME=38
+    STRING=39
+    SPACE=40
+    STRAY=41
+    GROUP=42
 
     def __init__(self, input:TokenStream, output:TextIO = sys.stdout):
         super().__init__(input, output)
@@ -228,53 +239,53 @@ class wstlParser ( Parser ):
         self.enterRule(localctx, 0, self.RULE_connective)
         self._la = 0 # Token type
         try:
-            self.state = 53
+            self.state = 55
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [2, 3]:
+            if token in [5, 6]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 42
+                self.state = 44
                 _la = self._input.LA(1)
-                if not(_la==2 or _la==3):
+                if not(_la==5 or _la==6):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 44
+                self.state = 46
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 43
+                    self.state = 45
                     self.weight()
 
 
                 pass
-            elif token in [5]:
+            elif token in [8]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 46
+                self.state = 48
                 self.match(wstlParser.IMPLIES)
                 pass
-            elif token in [6]:
+            elif token in [9]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 47
+                self.state = 49
                 self.match(wstlParser.IFF)
                 pass
-            elif token in [19, 20]:
+            elif token in [22, 23]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 48
+                self.state = 50
                 _la = self._input.LA(1)
-                if not(_la==19 or _la==20):
+                if not(_la==22 or _la==23):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 49
-                self.interval()
                 self.state = 51
+                self.interval()
+                self.state = 53
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 50
+                    self.state = 52
                     self.weight()
 
 
@@ -325,26 +336,26 @@ class wstlParser ( Parser ):
         self.enterRule(localctx, 2, self.RULE_unary)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 58
+            self.state = 60
             self._errHandler.sync(self)
             _alt = self._interp.adaptivePredict(self._input,3,self._ctx)
             while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
                 if _alt==1+1:
-                    self.state = 55
+                    self.state = 57
                     self.prefix() 
-                self.state = 60
+                self.state = 62
                 self._errHandler.sync(self)
                 _alt = self._interp.adaptivePredict(self._input,3,self._ctx)
 
-            self.state = 63
+            self.state = 65
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [15, 16, 17, 18, 19, 20, 21, 22, 24, 25, 34, 35, 36, 39]:
-                self.state = 61
+            if token in [2, 3, 4, 18, 19, 20, 21, 22, 23, 24, 25, 27, 28, 37, 38, 39, 42]:
+                self.state = 63
                 self.comparison()
                 pass
-            elif token in [2, 3]:
-                self.state = 62
+            elif token in [5, 6]:
+                self.state = 64
                 self.joined()
                 pass
             else:
@@ -404,35 +415,35 @@ class wstlParser ( Parser ):
         self.enterRule(localctx, 4, self.RULE_prefix)
         self._la = 0 # Token type
         try:
-            self.state = 72
+            self.state = 74
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [4]:
+            if token in [7]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 65
+                self.state = 67
                 self.match(wstlParser.NOT)
                 pass
-            elif token in [21]:
+            elif token in [24]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 66
+                self.state = 68
                 self.match(wstlParser.NEXT)
                 pass
-            elif token in [7, 8, 17, 18]:
+            elif token in [10, 11, 20, 21]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 67
+                self.state = 69
                 _la = self._input.LA(1)
-                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 393600) != 0)):
+                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 3148800) != 0)):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 68
-                self.interval()
                 self.state = 70
+                self.interval()
+                self.state = 72
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 69
+                    self.state = 71
                     self.weight()
 
 
@@ -483,22 +494,22 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 74
+            self.state = 76
             _la = self._input.LA(1)
-            if not(_la==2 or _la==3):
+            if not(_la==5 or _la==6):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
                 self.consume()
-            self.state = 76
+            self.state = 78
             self._errHandler.sync(self)
             _la = self._input.LA(1)
             if _la==1:
-                self.state = 75
+                self.state = 77
                 self.weight()
 
 
-            self.state = 78
+            self.state = 80
             self.parts()
         except RecognitionException as re:
             localctx.exception = re
@@ -554,46 +565,46 @@ class wstlParser ( Parser ):
         self.enterRule(localctx, 8, self.RULE_weight)
         self._la = 0 # Token type
         try:
-            self.state = 96
+            self.state = 98
             self._errHandler.sync(self)
             la_ = self._interp.adaptivePredict(self._input,9,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 80
+                self.state = 82
                 self.match(wstlParser.HAT)
-                self.state = 81
+                self.state = 83
                 self.name()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 82
+                self.state = 84
                 self.match(wstlParser.HAT)
-                self.state = 83
+                self.state = 85
                 self.value()
                 pass
 
             elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 84
-                self.match(wstlParser.HAT)
-                self.state = 85
-                self.match(wstlParser.LBRACKET)
                 self.state = 86
+                self.match(wstlParser.HAT)
+                self.state = 87
+                self.match(wstlParser.LBRACKET)
+                self.state = 88
                 self.value()
-                self.state = 91
+                self.state = 93
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==29:
-                    self.state = 87
+                while _la==32:
+                    self.state = 89
                     self.match(wstlParser.COMMA)
-                    self.state = 88
+                    self.state = 90
                     self.value()
-                    self.state = 93
+                    self.state = 95
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 94
+                self.state = 96
                 self.match(wstlParser.RBRACKET)
                 pass
 
@@ -633,15 +644,15 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 99
+            self.state = 101
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==25:
-                self.state = 98
+            if _la==28:
+                self.state = 100
                 self.match(wstlParser.MINUS)
 
 
-            self.state = 101
+            self.state = 103
             self.match(wstlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -686,17 +697,17 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 103
+            self.state = 105
             self.total()
-            self.state = 109
+            self.state = 111
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 32256) != 0):
-                self.state = 104
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0):
+                self.state = 106
                 self.relation()
-                self.state = 105
+                self.state = 107
                 self.total()
-                self.state = 111
+                self.state = 113
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -748,22 +759,22 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 112
+            self.state = 114
             self.term()
-            self.state = 117
+            self.state = 119
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==24 or _la==25:
-                self.state = 113
+            while _la==27 or _la==28:
+                self.state = 115
                 _la = self._input.LA(1)
-                if not(_la==24 or _la==25):
+                if not(_la==27 or _la==28):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 114
+                self.state = 116
                 self.term()
-                self.state = 119
+                self.state = 121
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -815,22 +826,22 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 120
+            self.state = 122
             self.factor()
-            self.state = 125
+            self.state = 127
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==26 or _la==27:
-                self.state = 121
+            while _la==29 or _la==30:
+                self.state = 123
                 _la = self._input.LA(1)
-                if not(_la==26 or _la==27):
+                if not(_la==29 or _la==30):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 122
+                self.state = 124
                 self.factor()
-                self.state = 127
+                self.state = 129
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -879,22 +890,22 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 131
+            self.state = 133
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==24 or _la==25:
-                self.state = 128
+            while _la==27 or _la==28:
+                self.state = 130
                 _la = self._input.LA(1)
-                if not(_la==24 or _la==25):
+                if not(_la==27 or _la==28):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 133
+                self.state = 135
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 134
+            self.state = 136
             self.operand()
         except RecognitionException as re:
             localctx.exception = re
@@ -923,6 +934,10 @@ class wstlParser ( Parser ):
             return self.getTypedRuleContext(wstlParser.NameContext,0)
 
 
+        def region(self):
+            return self.getTypedRuleContext(wstlParser.RegionContext,0)
+
+
         def parts(self):
             return self.getTypedRuleContext(wstlParser.PartsContext,0)
 
@@ -938,32 +953,117 @@ class wstlParser ( Parser ):
         localctx = wstlParser.OperandContext(self, self._ctx, self.state)
         self.enterRule(localctx, 20, self.RULE_operand)
         try:
-            self.state = 140
+            self.state = 143
             self._errHandler.sync(self)
-            token = self._input.LA(1)
-            if token in [15, 16]:
+            la_ = self._interp.adaptivePredict(self._input,15,self._ctx)
+            if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 136
+                self.state = 138
                 self.constant()
                 pass
-            elif token in [34]:
+
+            elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 137
+                self.state = 139
                 self.match(wstlParser.NUMBER)
                 pass
-            elif token in [17, 18, 19, 20, 21, 35, 36]:
+
+            elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 138
+                self.state = 140
                 self.name()
                 pass
-            elif token in [22, 39]:
+
+            elif la_ == 4:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 139
+                self.state = 141
+                self.region()
+                pass
+
+            elif la_ == 5:
+                self.enterOuterAlt(localctx, 5)
+                self.state = 142
                 self.parts()
                 pass
-            else:
-                raise NoViableAltException(self)
 
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class RegionContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def OPEN(self):
+            return self.getToken(wstlParser.OPEN, 0)
+
+        def name(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(wstlParser.NameContext)
+            else:
+                return self.getTypedRuleContext(wstlParser.NameContext,i)
+
+
+        def CLOSE(self):
+            return self.getToken(wstlParser.CLOSE, 0)
+
+        def IN(self):
+            return self.getToken(wstlParser.IN, 0)
+
+        def OUT(self):
+            return self.getToken(wstlParser.OUT, 0)
+
+        def CLEAR(self):
+            return self.getToken(wstlParser.CLEAR, 0)
+
+        def COMMA(self):
+            return self.getToken(wstlParser.COMMA, 0)
+
+        def getRuleIndex(self):
+            return wstlParser.RULE_region
+
+
+
+
+    def region(self):
+
+        localctx = wstlParser.RegionContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 22, self.RULE_region)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 145
+            _la = self._input.LA(1)
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 28) != 0)):
+                self._errHandler.recoverInline(self)
+            else:
+                self._errHandler.reportMatch(self)
+                self.consume()
+            self.state = 146
+            self.match(wstlParser.OPEN)
+            self.state = 147
+            self.name()
+            self.state = 150
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            if _la==32:
+                self.state = 148
+                self.match(wstlParser.COMMA)
+                self.state = 149
+                self.name()
+
+
+            self.state = 152
+            self.match(wstlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
             self._errHandler.reportError(self, re)
@@ -984,6 +1084,15 @@ class wstlParser ( Parser ):
             return self.getTypedRuleContext(wstlParser.LetterContext,0)
 
 
+        def IN(self):
+            return self.getToken(wstlParser.IN, 0)
+
+        def OUT(self):
+            return self.getToken(wstlParser.OUT, 0)
+
+        def CLEAR(self):
+            return self.getToken(wstlParser.CLEAR, 0)
+
         def getRuleIndex(self):
             return wstlParser.RULE_reserved
 
@@ -993,11 +1102,34 @@ class wstlParser ( Parser ):
     def reserved(self):
 
         localctx = wstlParser.ReservedContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 22, self.RULE_reserved)
+        self.enterRule(localctx, 24, self.RULE_reserved)
         try:
-            self.enterOuterAlt(localctx, 1)
-            self.state = 142
-            self.letter()
+            self.state = 158
+            self._errHandler.sync(self)
+            token = self._input.LA(1)
+            if token in [20, 21, 22, 23, 24]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 154
+                self.letter()
+                pass
+            elif token in [2]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 155
+                self.match(wstlParser.IN)
+                pass
+            elif token in [3]:
+                self.enterOuterAlt(localctx, 3)
+                self.state = 156
+                self.match(wstlParser.OUT)
+                pass
+            elif token in [4]:
+                self.enterOuterAlt(localctx, 4)
+                self.state = 157
+                self.match(wstlParser.CLEAR)
+                pass
+            else:
+                raise NoViableAltException(self)
+
         except RecognitionException as re:
             localctx.exception = re
             self._errHandler.reportError(self, re)
@@ -1039,25 +1171,25 @@ class wstlParser ( Parser ):
     def formula(self):
 
         localctx = wstlParser.FormulaContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 24, self.RULE_formula)
+        self.enterRule(localctx, 26, self.RULE_formula)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 144
+            self.state = 160
             self.level()
-            self.state = 149
+            self.state = 165
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==29:
-                self.state = 145
+            while _la==32:
+                self.state = 161
                 self.match(wstlParser.COMMA)
-                self.state = 146
+                self.state = 162
                 self.level()
-                self.state = 151
+                self.state = 167
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 152
+            self.state = 168
             self.match(wstlParser.EOF)
         except RecognitionException as re:
             localctx.exception = re
@@ -1098,21 +1230,21 @@ class wstlParser ( Parser ):
     def level(self):
 
         localctx = wstlParser.LevelContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 26, self.RULE_level)
+        self.enterRule(localctx, 28, self.RULE_level)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 154
+            self.state = 170
             self.unary()
-            self.state = 160
+            self.state = 176
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 1572972) != 0):
-                self.state = 155
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 12583776) != 0):
+                self.state = 171
                 self.connective()
-                self.state = 156
+                self.state = 172
                 self.unary()
-                self.state = 162
+                self.state = 178
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -1163,36 +1295,36 @@ class wstlParser ( Parser ):
     def parts(self):
 
         localctx = wstlParser.PartsContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 28, self.RULE_parts)
+        self.enterRule(localctx, 30, self.RULE_parts)
         self._la = 0 # Token type
         try:
-            self.state = 175
+            self.state = 191
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [39]:
+            if token in [42]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 163
+                self.state = 179
                 self.match(wstlParser.GROUP)
                 pass
-            elif token in [22]:
+            elif token in [25]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 164
+                self.state = 180
                 self.match(wstlParser.OPEN)
-                self.state = 165
+                self.state = 181
                 self.level()
-                self.state = 170
+                self.state = 186
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==29:
-                    self.state = 166
+                while _la==32:
+                    self.state = 182
                     self.match(wstlParser.COMMA)
-                    self.state = 167
+                    self.state = 183
                     self.level()
-                    self.state = 172
+                    self.state = 188
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 173
+                self.state = 189
                 self.match(wstlParser.CLOSE)
                 pass
             else:
@@ -1239,18 +1371,18 @@ class wstlParser ( Parser ):
     def interval(self):
 
         localctx = wstlParser.IntervalContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 30, self.RULE_interval)
+        self.enterRule(localctx, 32, self.RULE_interval)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 177
+            self.state = 193
             self.match(wstlParser.LBRACKET)
-            self.state = 178
+            self.state = 194
             self.bound()
-            self.state = 179
+            self.state = 195
             self.match(wstlParser.COMMA)
-            self.state = 180
+            self.state = 196
             self.bound()
-            self.state = 181
+            self.state = 197
             self.match(wstlParser.RBRACKET)
         except RecognitionException as re:
             localctx.exception = re
@@ -1283,19 +1415,19 @@ class wstlParser ( Parser ):
     def bound(self):
 
         localctx = wstlParser.BoundContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 32, self.RULE_bound)
+        self.enterRule(localctx, 34, self.RULE_bound)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 184
+            self.state = 200
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==25:
-                self.state = 183
+            if _la==28:
+                self.state = 199
                 self.match(wstlParser.MINUS)
 
 
-            self.state = 186
+            self.state = 202
             self.match(wstlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -1340,13 +1472,13 @@ class wstlParser ( Parser ):
     def relation(self):
 
         localctx = wstlParser.RelationContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 34, self.RULE_relation)
+        self.enterRule(localctx, 36, self.RULE_relation)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 188
+            self.state = 204
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 32256) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
@@ -1382,13 +1514,13 @@ class wstlParser ( Parser ):
     def constant(self):
 
         localctx = wstlParser.ConstantContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 36, self.RULE_constant)
+        self.enterRule(localctx, 38, self.RULE_constant)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 190
+            self.state = 206
             _la = self._input.LA(1)
-            if not(_la==15 or _la==16):
+            if not(_la==18 or _la==19):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
@@ -1428,24 +1560,24 @@ class wstlParser ( Parser ):
     def name(self):
 
         localctx = wstlParser.NameContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 38, self.RULE_name)
+        self.enterRule(localctx, 40, self.RULE_name)
         try:
-            self.state = 195
+            self.state = 211
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [35]:
+            if token in [38]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 192
+                self.state = 208
                 self.match(wstlParser.NAME)
                 pass
-            elif token in [36]:
+            elif token in [39]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 193
+                self.state = 209
                 self.match(wstlParser.STRING)
                 pass
-            elif token in [17, 18, 19, 20, 21]:
+            elif token in [2, 3, 4, 20, 21, 22, 23, 24]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 194
+                self.state = 210
                 self.reserved()
                 pass
             else:
@@ -1491,13 +1623,13 @@ class wstlParser ( Parser ):
     def letter(self):
 
         localctx = wstlParser.LetterContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 40, self.RULE_letter)
+        self.enterRule(localctx, 42, self.RULE_letter)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 197
+            self.state = 213
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 4063232) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 32505856) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
+from numbers import Rational
 
 from tsplan.limits import LARGEST
 
@@ -24,6 +25,17 @@ def exact(text: str) -> Fraction | None:
     if not isinstance(exponent, int) or exponent < -_FINEST or number.adjusted() > _FINEST:
         return None
     return Fraction(number)
+
+
+def written(value: float) -> Fraction:
+    """A number, exact as it is written: 0.1 is a tenth.
+
+    Raises OverflowError or ValueError for one that is not finite.
+
+    >>> written(0.1), written(2)
+    (Fraction(1, 10), Fraction(2, 1))
+    """
+    return Fraction(value if isinstance(value, Rational) else repr(float(value)))
 
 
 def whole(value: Fraction | None) -> int | None:

@@ -7,11 +7,14 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, cast
 
-from tsplan.logic.atoms import Linear
+from tsplan.errors import nearest
+from tsplan.logic.atoms import Linear, Relation
+from tsplan.logic.boxes import PLACES, checked
 from tsplan.logic.parser.count_reader import relation_of
-from tsplan.logic.parser.numerals import exact
+from tsplan.logic.parser.numerals import exact, written
 from tsplan.logic.parser.tree_reader import Reader, reach
-from tsplan.logic.text_spans import Written
+from tsplan.logic.text_spans import Way, Written
+from tsplan.words import nfc
 
 _NOTHING = Fraction(0)
 _HUGE = 10**800  # twice the digits of the largest and finest numbers that are read
@@ -39,6 +42,14 @@ class Expression:
         """Multiply by a number."""
         factors = {name: value * factor for name, value in self.factors.items()}
         return Expression(factors, self.constant * factor)
+
+    def compared(self, relation: Relation, bound: Fraction = _NOTHING) -> Linear:
+        """The predicate that compares it with a number.
+
+        Raises OverflowError or ValueError for numbers that are no floats.
+        """
+        terms = tuple((name, float(value)) for name, value in self.factors.items())
+        return Linear(terms, relation, float(bound - self.constant))
 
     @property
     def is_readable(self) -> bool:
@@ -80,12 +91,10 @@ class SignalReader(Reader):
             return None
         difference = Expression.total([(1, sides[0]), (-1, sides[1])])
         try:
-            terms = tuple((name, float(value)) for name, value in difference.factors.items())
-            linear = Linear(terms, relation_of(relations[0]), float(-difference.constant))
+            return Written(difference.compared(relation_of(relations[0])), reach(part))
         except (OverflowError, ValueError):
             self._too_large(part)
             return None
-        return Written(linear, reach(part))
 
     def read_total(self, part: Any) -> Any:
         """Read terms added and subtracted."""
@@ -140,8 +149,51 @@ class SignalReader(Reader):
             return Expression(constant=value)
         if part.name():
             name = self.read(part.name())
-            return None if name is None else Expression({name: Fraction(1)})
+            return None if name is None else self._defined(name, part)
         return super().read_operand(part)
+
+    def read_region(self, part: Any) -> Written | None:
+        """Read what is said of a region: its signals may be those of one robot of several."""
+        names, known = [self.read(name) for name in part.name()], self.given.regions
+        if None in names:
+            return None
+        *robot, region = map(nfc, names)
+        if region not in known:
+            remedy = nearest(region, known) if known else "give regions, or write what is meant"
+            self.complain(part.name()[-1], f"there is no region '{region}'", remedy)
+            return None
+        try:
+            axes = {"_".join((*robot, axis)): ends for axis, ends in known[region].items()}
+            formula = PLACES[part.start.text](checked(axes), self._compared)
+        except (OverflowError, TypeError, ValueError) as error:
+            remedy = "give a finite least and greatest value of 1 to 3 signals"
+            self.complain(part, f"'{region}' is no region: {error}", remedy)
+            return None
+        ways: list[Way] = [("robot",), ("region",)]
+        return Written(
+            formula,
+            reach(part),
+            parts=dict(zip(ways[-len(names) :], map(reach, part.name()), strict=True)),
+        )
+
+    def _compared(self, axis: str, relation: Relation, end: float) -> Linear:
+        return self._named(axis).compared(relation, written(end))
+
+    def _named(self, name: str) -> Expression:
+        """The signal of a name, or the expression that it stands for."""
+        terms, constant = self.given.definitions.get(nfc(name), ({name: 1}, 0))
+        pairs = terms.items() if isinstance(terms, Mapping) else terms
+        parts = (Expression({signal: written(factor)}) for signal, factor in pairs)
+        number = Expression(constant=written(constant))
+        return Expression.total((1, part) for part in (number, *parts))
+
+    def _defined(self, name: str, part: Any) -> Expression | None:
+        try:
+            return self._named(name)
+        except (OverflowError, TypeError, ValueError):
+            remedy = "define it by finite factors of signals and a finite constant"
+            self.complain(part, f"'{name}' stands for no linear expression", remedy)
+            return None
 
     def _expressions(self, values: list[Any], parts: list[Any]) -> list[Expression] | None:
         """The values of several parts as expressions; None if one is none."""

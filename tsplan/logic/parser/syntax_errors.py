@@ -19,6 +19,7 @@ FORMS: Mapping[str, str] = MappingProxyType(
         "count": "write a count as sum(label) or sum(label,capability); also min and max",
         "task": "write a task as T(duration, label, {(capability, number), ...})",
         "limit": "write a limit as L(label, {(capability, number), ...})",
+        "region": "write in(region), or in(robot, region) for one of several; also out and clear",
         "pairs": "write needs as {(capability, number), ...}",
         "pair": "write needs as {(capability, number), ...}",
         "weight": "write a weight as ^name, ^0.5 or ^[0.2, 0.8]",
@@ -139,7 +140,10 @@ def _slip(text: str, last: str, shown: str) -> tuple[str, str] | None:
         )
         return f"'[' cannot follow the name '{last}'", remedy
     if text == "(" and last.isidentifier():
-        remedy = "counts are sum, min and max; tasks T(...) and limits L(...) are CaTL"
+        remedy = (
+            "counts are sum, min and max; tasks T(...) and limits L(...) are CaTL; regions "
+            "in(...), out(...) and clear(...) are STL"
+        )
         return f"'(' cannot follow the name '{last}'", remedy
     return None
 

@@ -25,6 +25,7 @@ from tsplan.logic.parser.source import Source
 from tsplan.logic.parser.weight_marks import Mark
 from tsplan.logic.text_spans import Span, Way, Written
 from tsplan.logic.weight_values import weights_for
+from tsplan.words import nfc
 
 PREFIXES: Mapping[str, type[Formula]] = MappingProxyType(
     {
@@ -193,6 +194,7 @@ class Reader(ABC):
         name, known = self.read(part.name()), self.given.weights
         if name is None:
             return None
+        name = nfc(name)
         if name not in known:
             remedy = nearest(name, known) if known else "give them, or write numbers: ^[1, 2]"
             self.complain(part, f"no weights '{name}' are given", remedy)
