@@ -31,6 +31,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.explanation import Explanation as Explanation
     from tsplan.explanation.whynot.diagnosis import explain as explain
     from tsplan.logic import parse as parse
+    from tsplan.logic.evaluation import robustness as robustness
     from tsplan.mission import Group as Group
     from tsplan.mission import Mission as Mission
     from tsplan.mission import SolverChoice as SolverChoice
@@ -71,6 +72,7 @@ _HOMES = {
     "explanation": ("Explanation",),
     "explanation.whynot.diagnosis": ("explain",),
     "logic": ("parse",),
+    "logic.evaluation": ("robustness",),
     "mission": ("Group", "Mission", "SolverChoice", "load_mission"),
     "run.planner": ("plan",),
     "checking.assignment": ("assign",),

@@ -4,6 +4,8 @@ Robustness of counts is called availability: of `f >= m` it is f - m, of `f <= m
 whole numbers, so that the negation of a formula with availability r has -r - 1. On signals the
 negation has -r. `and` and `G` take the minimum, `or` and `F` the maximum.
 
+Signals may be read in another kind besides, whose rules are in `tsplan.logic.connectives`.
+
 Source: A. Donzé and O. Maler, "Robust satisfaction of temporal logic over real-valued signals",
 FORMATS 2010, read in discrete time.
 """
@@ -12,30 +14,39 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import reduce, singledispatch
+from functools import partial, singledispatch
 from types import MappingProxyType
+from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
+from tsplan.errors import nearest
 from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Percent, Relation, Task
 from tsplan.logic.catl import translate
+from tsplan.logic.connectives import EXTREMES, Connectives, Means, Scaled
 from tsplan.logic.nodes import Formula
+from tsplan.logic.normal_form import positive
+from tsplan.logic.predicate_ranges import Bounds, predicate_ranges
 from tsplan.logic.time_horizon import horizon
 from tsplan.logic.traces import CountTrace, SignalTrace, Trace, Values
 from tsplan.logic.traversal import fold, fold_all
-from tsplan.logic.windows import Choose, switched, windowed
 
-__all__ = ["CountTrace", "SignalTrace", "Trace", "holds", "margins", "robustness"]
+__all__ = ["KINDS", "CountTrace", "Kind", "SignalTrace", "Trace", "holds", "margins", "robustness"]
+
+Kind: TypeAlias = Literal["traditional", "agm", "product", "normalised"]
+
+KINDS: tuple[Kind, ...] = get_args(Kind)
+"""The kinds of robustness; each is positive where the formula holds and negative where not."""
 
 Compare = Callable[[Values, float], Values]
 
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """What the values of a formula are: its constants, atoms and negation.
+    """What the values of a formula are: its constants and atoms, and how operators join them.
 
-    Minimum and maximum serve all readings, since on Boolean values they are "and" and "or".
+    `scale` turns the margins of predicates over signals into their values.
     """
 
     trace: Trace
@@ -43,28 +54,53 @@ class Reading:
     false: Values
     compare: Mapping[Relation, Compare]
     negate: Callable[[Values], Values]
+    connectives: Connectives = EXTREMES
+    scale: Callable[[Linear, Values], Values] = lambda _, margins: margins
 
 
-def robustness(formula: Formula, trace: Trace) -> Values:
+def robustness(
+    formula: Formula,
+    trace: Trace | Mapping[str, Values],
+    kind: Kind = "traditional",
+    bounds: Bounds | None = None,
+) -> Values:
     """By how much the formula holds (>= 0) or fails (< 0), at every step that can be judged.
 
     An array (..., steps - horizon) of floats; whole numbers, or infinite for constants, on counts.
-    Tasks are read with their closed interval; translate first for the half-open one.
+    Tasks are read with their closed interval; translate first for the half-open one. A mapping of
+    names to arrays (..., steps) is a trace of signals.
 
-    Raises ValueError for a trace that is too short, lacks a name or does not fit the formula.
+    `traditional` takes the least and the greatest and leaves weights aside. `product` and
+    `normalised` do so after multiplying parts by what their weights make of it; see
+    `tsplan.logic.weights`. `agm` takes means (with the weights there are) and is for signals alone:
+    the margin of a predicate is divided by its range, which follows from `bounds`, the least and
+    the greatest value of each signal that the formula names; values lie in [-1, 1]. The other kinds
+    do without bounds. A formula of counts is weighted in its positive normal form.
+
+    Raises ValueError for a trace that is too short, lacks a name or does not fit the formula, for
+    an unknown kind, and for bounds that are missing or of no use.
 
     >>> from tsplan.logic import parse
-    >>> trace = SignalTrace({"x": np.array([1.0, 4.0, 2.0, 0.0])})
-    >>> robustness(parse("F[0,1] x >= 3", language="stl"), trace)
+    >>> formula, x = parse("F[0,1] x >= 3", language="stl"), np.array([1.0, 4.0, 2.0, 0.0])
+    >>> robustness(formula, {"x": x})
     array([ 1.,  1., -1.])
+    >>> robustness(formula, {"x": x}, kind="agm", bounds={"x": (0, 10)}).round(3)
+    array([ 0.05 ,  0.05 , -0.196])
     """
-    return _judged(formula, _margin_reading(trace))
+    given = SignalTrace(trace) if isinstance(trace, Mapping) else trace
+    reading = _margin_reading(formula, given, kind, bounds)
+    if reading.negate is _refused:
+        return _judged(positive(translate(formula)), reading)
+    return _judged(formula, reading)
 
 
-def margins(formula: Formula, trace: Trace) -> Mapping[Formula, Values]:
+def margins(
+    formula: Formula, trace: Trace, kind: Kind = "traditional", bounds: Bounds | None = None
+) -> Mapping[Formula, Values]:
     """The robustness of a formula and of each of its sub-formulas, at every step it can be judged.
 
-    The formula must hold no tasks and limits; translate it first. Each array is `robustness` of
+    The formula must hold no tasks and limits; translate it first, and one of counts with weights
+    into its positive normal form. Each array is `robustness` of
     its sub-formula, whose last steps are those of the trace less its own horizon.
 
     Raises ValueError as `robustness` does.
@@ -75,7 +111,7 @@ def margins(formula: Formula, trace: Trace) -> Mapping[Formula, Values]:
     array([-2.,  1., -1., -3.])
     """
     _refuse_short(formula, trace)
-    return values_of(formula, _margin_reading(trace))
+    return values_of(formula, _margin_reading(formula, trace, kind, bounds))
 
 
 def values_of(formula: Formula, reading: Reading) -> Mapping[Formula, Values]:
@@ -83,15 +119,33 @@ def values_of(formula: Formula, reading: Reading) -> Mapping[Formula, Values]:
     return MappingProxyType(fold_all(formula, lambda node, below: value(node, below, reading)))
 
 
-def _margin_reading(trace: Trace) -> Reading:
-    counted = isinstance(trace, CountTrace)
-    return Reading(
-        trace,
-        np.full(trace.steps, np.inf),
-        np.full(trace.steps, -np.inf),
-        _COUNT_MARGINS if counted else _SIGNAL_MARGINS,
-        _negated_count if counted else np.negative,
-    )
+def _margin_reading(formula: Formula, trace: Trace, kind: Kind, bounds: Bounds | None) -> Reading:
+    if kind not in KINDS:
+        raise ValueError(f"there is no robustness of the kind '{kind}'; {nearest(kind, KINDS)}")
+    true, counted = np.full(trace.steps, np.inf), isinstance(trace, CountTrace)
+    compare = _COUNT_MARGINS if counted else _SIGNAL_MARGINS
+    if kind == "agm":
+        if counted:
+            raise ValueError("robustness of the kind 'agm' is of signals, the trace holds counts")
+        scale = partial(_in_range, predicate_ranges(formula, bounds or {}))
+        whole = np.ones(trace.steps)
+        return Reading(trace, whole, -whole, compare, np.negative, Means(), scale)
+    if kind == "traditional":
+        negate = _negated_count if counted else np.negative
+        return Reading(trace, true, -true, compare, negate)
+    return Reading(trace, true, -true, compare, _refused if counted else np.negative, Scaled(kind))
+
+
+def _refused(_values: Values) -> Values:
+    """What -r - 1 of a weighted r would be is no weighted value of anything."""
+    raise ValueError("a formula of counts is weighted in its positive normal form alone")
+
+
+def _in_range(ranges: Mapping[Linear, float], atom: Linear, margins: Values) -> Values:
+    """Margins as shares of the range of a predicate, from -1 to 1; of a constant their signs."""
+    if not ranges[atom]:
+        return np.sign(margins)
+    return np.clip(margins / ranges[atom], -1.0, 1.0)
 
 
 def holds(formula: Formula, trace: Trace) -> Values:
@@ -160,20 +214,6 @@ TRUTH: Mapping[Relation, Compare] = MappingProxyType(
 )
 
 
-_CHOICES: Mapping[type[Formula], tuple[Choose, ...]] = MappingProxyType(
-    {
-        nodes.And: (np.minimum,),
-        nodes.Or: (np.maximum,),
-        nodes.Eventually: (np.maximum,),
-        nodes.Always: (np.minimum,),
-        nodes.Until: (np.maximum, np.minimum),
-        nodes.Release: (np.minimum, np.maximum),
-    }
-)
-"""What an operator takes of the values of its operands; until and release at the best change-over
-the worst on the way to it, and the other way round."""
-
-
 @singledispatch
 def value(node: Formula, _below: tuple[Values, ...], _reading: Reading) -> Values:
     """A node's values from those of its children. Every class of nodes registers its own."""
@@ -191,33 +231,31 @@ def _(_node: nodes.Not, below: tuple[Values, ...], reading: Reading) -> Values:
 
 
 @value.register
-def _(node: nodes.And | nodes.Or, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return reduce(_CHOICES[type(node)][0], _aligned(*below))
+def _(node: nodes.And | nodes.Or, below: tuple[Values, ...], reading: Reading) -> Values:
+    return reading.connectives.joined(type(node), below, node.weights)
 
 
 @value.register
 def _(_node: nodes.Implies, below: tuple[Values, ...], reading: Reading) -> Values:
-    left, right = _aligned(*below)
-    return np.maximum(reading.negate(left), right)
+    left, right = below
+    return reading.connectives.joined(nodes.Or, (reading.negate(left), right))
 
 
 @value.register
 def _(_node: nodes.Iff, below: tuple[Values, ...], reading: Reading) -> Values:
-    left, right = _aligned(*below)
-    neither = np.minimum(reading.negate(left), reading.negate(right))
-    return np.maximum(np.minimum(left, right), neither)
+    joined = reading.connectives.joined
+    neither = joined(nodes.And, tuple(map(reading.negate, below)))
+    return joined(nodes.Or, (joined(nodes.And, below), neither))
 
 
 @value.register
-def _(
-    node: nodes.Eventually | nodes.Always, below: tuple[Values, ...], _reading: Reading
-) -> Values:
-    return windowed(below[0], node.low, node.high, *_CHOICES[type(node)])
+def _(node: nodes.Eventually | nodes.Always, below: tuple[Values, ...], reading: Reading) -> Values:
+    return reading.connectives.over_window(node, *below)
 
 
 @value.register
-def _(node: nodes.Until | nodes.Release, below: tuple[Values, ...], _reading: Reading) -> Values:
-    return switched(below, (node.low, node.high), *_CHOICES[type(node)])
+def _(node: nodes.Until | nodes.Release, below: tuple[Values, ...], reading: Reading) -> Values:
+    return reading.connectives.over_switch(node, *below)
 
 
 @value.register
@@ -238,15 +276,9 @@ def _(node: Linear, _below: tuple[Values, ...], reading: Reading) -> Values:
     total: Values = np.zeros(reading.trace.steps)
     for name, factor in node.terms:
         total = total + factor * reading.trace.signal(name)
-    return reading.compare[node.relation](total, node.bound)
+    return reading.scale(node, reading.compare[node.relation](total, node.bound))
 
 
 @value.register
 def _(node: Task | Limit, _below: tuple[Values, ...], _reading: Reading) -> Values:
     raise ValueError(f"'{node}' is judged through its translation")
-
-
-def _aligned(*arrays: Values) -> tuple[Values, ...]:
-    """The arrays over the steps that all of them have."""
-    length = min(array.shape[-1] for array in arrays)
-    return tuple(array[..., :length] for array in arrays)

@@ -33,6 +33,27 @@ def windowed(values: Values, low: int, high: int, choose: Choose) -> Values:
     return result
 
 
+def windowed_sums(values: Values, low: int, high: int) -> Values:
+    """The sum of `values[t+low .. t+high]` for every t.
+
+    Windows are put together of parts that do not overlap, which rounds less than differences of
+    running sums do.
+
+    >>> import numpy as np
+    >>> windowed_sums(np.array([3, 1, 4, 1, 5]), 0, 2)
+    array([ 8,  6, 10])
+    """
+    power, width, wanted = values[..., low:], 1, high - low + 1
+    steps, at, result = max(values.shape[-1] - high, 0), 0, None
+    while True:
+        if wanted & width:
+            part = power[..., at : at + steps]
+            at, result = at + width, part if result is None else result + part
+        if 2 * width > wanted:
+            return result if result is not None else power
+        power, width = power[..., :-width] + power[..., width:], 2 * width
+
+
 @dataclass(frozen=True, eq=False)
 class _Stretch:
     """A stretch of `length` candidate steps for the change-over, from every step t on.
