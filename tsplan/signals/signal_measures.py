@@ -10,10 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from tsplan.checking.satisfaction_check import least_spare
-from tsplan.logic import Formula, Linear, walk
+from tsplan.logic import Formula, Linear, positive, variables, walk
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.fraction import fraction, tree_of
 from tsplan.logic.traces import SignalTrace
+from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import levels
 from tsplan.signals.aims import SENSES, Aim
 from tsplan.signals.motion_check import TOLERANCE, Motion
@@ -77,7 +78,7 @@ def measured(mission: SignalMission, motion: Motion, trace: SignalTrace) -> Meas
     return Measures(
         satisfied,
         by,
-        None,
+        _agm(mission, trace),
         float(fraction(formula, trace)) if partial else None,
         terms.get("satisfaction"),
         tuple(_part(mission, text, part, trace) for text, part in parts),
@@ -98,7 +99,18 @@ def _by_depth(mission: SignalMission) -> bool:
 
 def _judged(mission: SignalMission, formula: Formula, trace: SignalTrace) -> tuple[bool, float]:
     """Whether a formula holds at the first step, and its robustness there, with its weights."""
-    return bool(holds(formula, trace)[0]), float(robustness(formula, trace)[0])
+    by = robustness(formula, trace, kind=mission.weighting)
+    return bool(holds(formula, trace)[0]), float(by[0])
+
+
+def _agm(mission: SignalMission, trace: SignalTrace) -> float | None:
+    """The arithmetic-geometric mean robustness, None where a signal of the formula is unbounded."""
+    system = mission.system
+    bounds = {**system.signals, **system.controls}
+    named = [bounds[name] for name in variables(mission.formula)]
+    if not all(low < high and math.isfinite(high - low) for low, high in named):
+        return None
+    return float(robustness(mission.formula, trace, kind="agm", bounds=bounds)[0])
 
 
 def _spare(mission: SignalMission, trace: SignalTrace, slack: float) -> float:
@@ -156,7 +168,8 @@ def _term(aim: Aim, name: str, motion: Motion, terms: Mapping[str, float], slack
 
 def _widest(mission: SignalMission, motion: Motion) -> float:
     """The greatest range of a predicate, with the weights on the way to it."""
+    plain = unweighted(positive(mission.formula), mission.weighting)
     return max(
-        (motion.width(node.terms) for node in walk(mission.formula) if isinstance(node, Linear)),
+        (motion.width(node.terms) for node in walk(plain) if isinstance(node, Linear)),
         default=0.0,
     )

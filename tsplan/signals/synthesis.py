@@ -15,6 +15,7 @@ from tsplan.encode.partial.partial_model import Wish, everything
 from tsplan.errors import Finding, MissionError
 from tsplan.logic import conjunction, positive, simplify
 from tsplan.logic.fraction import tree_of
+from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import INFINITY, Model
 from tsplan.milp.solver import solver as solver_named
@@ -120,7 +121,8 @@ class Synthesis:
     def setting(self, *, satisfied: bool = True) -> SignalSetting:
         """What every model is made of; with the factors of violated parts if not `satisfied`."""
         mission = self.mission
-        goal = simplify(positive(mission.formula))
+        plain = unweighted(positive(mission.formula), mission.weighting, satisfied=satisfied)
+        goal = simplify(plain)
         soft = None
         if mission.satisfaction is not None:
             wish = Wish(tree_of(mission.formula), partial=True)
