@@ -8,13 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from tsplan.milp.model import Bools, Floats
+from tsplan.signals.equalities import TOLERANCE
 from tsplan.signals.linear_system import Limit, Range, System, Terms
 from tsplan.signals.trajectory import Trajectory
 from tsplan.words import many
-
-TOLERANCE = 1e-6
-"""What may be amiss, as a share of the range of a value: ten times the 1e-7 by which solvers of
-linear programs let rows fail, so that rows may be scaled a little."""
 
 
 class Motion:

@@ -23,19 +23,23 @@ from tsplan.signals.reach import Reach
 
 @dataclass(frozen=True, slots=True)
 class HalfSpace:
-    """`terms . y >= amount`, whose robustness is `scale * (terms . y - amount)`."""
+    """`terms . y >= amount`, whose robustness is `scale * (terms . y - amount)`.
+
+    The border of a strict one does not belong to it, which rows cannot tell.
+    """
 
     terms: Terms
     scale: float
     amount: float
+    strict: bool = False
 
     @classmethod
     def of(cls, atom: Linear) -> HalfSpace:
-        """The half-space of an ordered predicate; its border belongs to it."""
+        """The half-space of an ordered predicate."""
         sign = 1.0 if atom.relation in (">=", ">") else -1.0
         scale = abs(atom.terms[0][1]) if atom.terms else 1.0
         terms = tuple((name, sign * factor / scale) for name, factor in atom.terms)
-        return cls(terms, scale, sign * atom.bound / scale)
+        return cls(terms, scale, sign * atom.bound / scale, atom.relation in ("<", ">"))
 
     @property
     def opposite(self) -> Terms:
@@ -75,7 +79,10 @@ class LinearEncoder:
 
     def best(self, bound: HalfSpace) -> Floats:
         """By how much it holds at best, beyond the least that is wanted."""
-        return bound.scale * (self.sides(bound.terms)[1] - bound.amount) - self.least
+        values = bound.scale * (self.sides(bound.terms)[1] - bound.amount)
+        if bound.strict and self.least >= 0:
+            values = np.where(values > 0, values, -np.inf)  # the border does not belong to it
+        return np.asarray(values - self.least)
 
     def worst(self, bound: HalfSpace) -> Floats:
         """By how much it holds in any case, beyond the most that is wanted."""

@@ -17,7 +17,8 @@ from tsplan.logic.traces import SignalTrace
 from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import levels
 from tsplan.signals.aims import SENSES, Aim
-from tsplan.signals.motion_check import TOLERANCE, Motion
+from tsplan.signals.equalities import TOLERANCE, approximate
+from tsplan.signals.motion_check import Motion
 from tsplan.signals.signal_mission import SignalMission, SoftFormula
 from tsplan.signals.trajectory import PartValue
 from tsplan.words import known
@@ -100,7 +101,7 @@ def _by_depth(mission: SignalMission) -> bool:
 def _judged(mission: SignalMission, formula: Formula, trace: SignalTrace) -> tuple[bool, float]:
     """Whether a formula holds at the first step, and its robustness there, with its weights."""
     by = robustness(formula, trace, kind=mission.weighting)
-    return bool(holds(formula, trace)[0]), float(by[0])
+    return bool(holds(approximate(formula, mission.system), trace)[0]), float(by[0])
 
 
 def _agm(mission: SignalMission, trace: SignalTrace) -> float | None:

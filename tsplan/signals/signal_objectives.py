@@ -46,13 +46,16 @@ class SignalPoint:
 def efforts_of(aims: tuple[Aim, ...], system: System) -> tuple[tuple[tuple[str, float], ...], ...]:
     """The sums of absolute values that some aims weigh, each once."""
     named = {effort_of(aim, name, system): None for aim in aims for name, _ in aim.weights}
-    return tuple(effort for effort in named if effort)
+    return tuple(effort for effort in named if effort is not None)
 
 
-def effort_of(aim: Aim, name: str, system: System) -> tuple[tuple[str, float], ...]:
-    """The factors of an effort's signals or controls: 1 each where the aim names none."""
+def effort_of(aim: Aim, name: str, system: System) -> tuple[tuple[str, float], ...] | None:
+    """The factors of an effort's signals or controls: 1 each where the aim names none.
+
+    None for what is no effort.
+    """
     if not name.endswith("_effort"):
-        return ()
+        return None
     every = system.controls if name == "control_effort" else system.signals
     chosen = aim.efforts.get(name)
     return tuple(chosen.items()) if chosen else tuple((one, 1.0) for one in every)
@@ -112,7 +115,7 @@ class AimObjective(SignalObjective):
         vector = np.zeros(made.model.size.columns)
         for name, factor in self._factors():
             effort = effort_of(self.aim, name, setting.system)
-            if not effort:
+            if effort is None:
                 vector[made.rho] += factor if made.rho >= 0 else 0.0
                 continue
             columns, factors = made.efforts[setting.efforts.index(effort)]
@@ -124,7 +127,7 @@ class AimObjective(SignalObjective):
         total = 0.0
         for name, factor in self._factors():
             effort = effort_of(self.aim, name, setting.system)
-            if not effort:
+            if effort is None:
                 total += factor * spare_of(setting, point)
                 continue
             for one, size in effort:

@@ -24,6 +24,7 @@ from tsplan.run.problem import Tuning
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.signals.aims import CHOSEN, Aim
+from tsplan.signals.equalities import TOLERANCE, approximate
 from tsplan.signals.reach import reach
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_model import OwnRow, SignalModel, SignalSetting, Soft, signal_model
@@ -121,8 +122,8 @@ class Synthesis:
     def setting(self, *, satisfied: bool = True) -> SignalSetting:
         """What every model is made of; with the factors of violated parts if not `satisfied`."""
         mission = self.mission
-        plain = unweighted(positive(mission.formula), mission.weighting, satisfied=satisfied)
-        goal = simplify(plain)
+        near = approximate(mission.formula, mission.system, TOLERANCE / 2)
+        goal = simplify(unweighted(positive(near), mission.weighting, satisfied=satisfied))
         soft = None
         if mission.satisfaction is not None:
             wish = Wish(tree_of(mission.formula), partial=True)

@@ -19,6 +19,7 @@ from tsplan.run.problem import Tuning
 from tsplan.run.run import Listener, Run
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
+from tsplan.signals.equalities import approximate
 from tsplan.signals.motion_check import settled
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_objectives import SignalPoint
@@ -127,7 +128,8 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         if mission.satisfaction is not None:
             return True
         made = self._read(point, Status.FEASIBLE, StoppedBy.INTERRUPT)
-        return bool(holds(mission.formula, settled(mission.system, made).trace())[0])
+        formula = approximate(mission.formula, mission.system)
+        return bool(holds(formula, settled(mission.system, made).trace())[0])
 
     def _margin(self) -> float:
         """A robustness that is more than what a solver forgives, for the narrowest predicate."""

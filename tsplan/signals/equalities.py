@@ -1,0 +1,44 @@
+"""Equations between real signals, which hold where their sides are as good as equal.
+
+Signals are simulated in floats, so that an equation that a solver has met to its last digit would
+fail all the same. It holds here where its sides differ by no more than a share of their range, as
+bounds and limits do.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tsplan.logic import And, Formula, Linear
+from tsplan.logic.traversal import substitute, walk
+from tsplan.signals.linear_system import System, Terms
+
+TOLERANCE = 1e-6
+"""What may be amiss, as a share of the range of a value: ten times the 1e-7 by which solvers of
+linear programs let rows fail, so that rows may be scaled a little."""
+
+
+def range_of(terms: Terms, system: System) -> float:
+    """The range of a sum by the bounds of its signals, of which those without count 1."""
+    bounds = {**system.signals, **system.controls}
+    total = 0.0
+    for name, factor in terms:
+        width = bounds[name][1] - bounds[name][0] if name in bounds else 1.0
+        total += abs(factor) * (width if 0 < width < float("inf") else 1.0)
+    return total
+
+
+def approximate(formula: Formula, system: System, share: float = TOLERANCE) -> Formula:
+    """The formula with every equation as two comparisons, a share of its range apart from it.
+
+    >>> from tsplan.logic import parse
+    >>> print(approximate(parse("F[0,2] x = 3", "stl"), System({"x": (0, 10)}), 0.01))
+    F[0,2] (x >= 2.9 && x <= 3.1)
+    """
+    found: dict[Formula, Formula] = {}
+    for node in walk(formula):
+        if isinstance(node, Linear) and node.relation == "=":
+            slack = share * range_of(node.terms, system)
+            least = replace(node, relation=">=", bound=node.bound - slack)
+            found[node] = And((least, replace(node, relation="<=", bound=node.bound + slack)))
+    return substitute(formula, found) if found else formula
