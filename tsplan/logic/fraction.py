@@ -15,7 +15,6 @@ Specifications for Coordination of Multi-Robot Systems", WAFR 2022, with the mea
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from functools import singledispatch
 from itertools import accumulate
@@ -23,11 +22,11 @@ from math import inf, lcm
 from typing import NamedTuple, TypeAlias
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import OPPOSITE, Count, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Limit, Linear, Task
 from tsplan.logic.catl import TaskInterval, translate
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.nodes import Formula, disjunction
-from tsplan.logic.normal_form import Polarity, normal
+from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.traces import Trace
 from tsplan.logic.traversal import fold, fold_all
 
@@ -61,15 +60,7 @@ def tree_of(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     >>> print(tree_of(parse("a R[0,3] b")))
     G[0,3] b || (b U[0,2] (a && b))
     """
-    both: Polarity = fold(translate(formula, interval), _polar)
-    return fold(both.holds, _without_release)
-
-
-def _polar(node: Formula, below: tuple[Polarity, ...]) -> Polarity:
-    """Normal forms in which an atom stays one atom, since that is how it was written."""
-    if isinstance(node, Count | Linear):
-        return Polarity(node, replace(node, relation=OPPOSITE[node.relation]))
-    return normal(node, below)
+    return fold(positive_atoms(translate(formula, interval)), _without_release)
 
 
 def _without_release(node: Formula, below: tuple[Formula, ...]) -> Formula:

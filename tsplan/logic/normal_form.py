@@ -39,6 +39,23 @@ def positive(formula: Formula) -> Formula:
     return both.holds
 
 
+def positive_atoms(formula: Formula) -> Formula:
+    """The same, with every atom one atom still, `=` and `!=` among them, as it was written.
+
+    >>> from tsplan.logic import parse
+    >>> print(positive_atoms(parse("!(F[0,2] a => sum(b) = 2)")))
+    F[0,2] a && sum(b) != 2
+    """
+    both: Polarity = fold(formula, _whole_atoms)
+    return both.holds
+
+
+def _whole_atoms(node: Formula, below: tuple[Polarity, ...]) -> Polarity:
+    if isinstance(node, Count | Linear):
+        return Polarity(node, replace(node, relation=OPPOSITE[node.relation]))
+    return normal(node, below)
+
+
 def negation(formula: Formula) -> Formula:
     """The negated formula, in positive normal form.
 

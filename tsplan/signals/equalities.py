@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tsplan.logic import And, Formula, Linear
+from tsplan.logic import And, Formula, Linear, Or, Relation
+from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.traversal import substitute, walk
 from tsplan.signals.linear_system import System, Terms
 
@@ -28,17 +29,35 @@ def range_of(terms: Terms, system: System) -> float:
     return total
 
 
-def approximate(formula: Formula, system: System, share: float = TOLERANCE) -> Formula:
-    """The formula with every equation as two comparisons, a share of its range apart from it.
+def approximate(
+    formula: Formula, system: System, share: float = TOLERANCE, margin: float = 0.0
+) -> Formula:
+    """The formula in positive normal form, with equations by comparisons a share of a range apart.
+
+    Sides that are no further apart count as equal, and not as different. All other comparisons are
+    to hold by a `margin`, which is such a share as well.
 
     >>> from tsplan.logic import parse
     >>> print(approximate(parse("F[0,2] x = 3", "stl"), System({"x": (0, 10)}), 0.01))
     F[0,2] (x >= 2.9 && x <= 3.1)
     """
+    whole = positive_atoms(formula)
     found: dict[Formula, Formula] = {}
-    for node in walk(formula):
-        if isinstance(node, Linear) and node.relation == "=":
-            slack = share * range_of(node.terms, system)
-            least = replace(node, relation=">=", bound=node.bound - slack)
-            found[node] = And((least, replace(node, relation="<=", bound=node.bound + slack)))
-    return substitute(formula, found) if found else formula
+    for node in walk(whole):
+        if isinstance(node, Linear):
+            width = range_of(node.terms, system)
+            if node.relation == "=":
+                found[node] = And(
+                    (_moved(node, ">=", -share * width), _moved(node, "<=", share * width))
+                )
+            elif node.relation == "!=":
+                far = (share + margin) * width
+                found[node] = Or((_moved(node, "<", -far), _moved(node, ">", far)))
+            elif margin:
+                sign = 1.0 if node.relation in (">=", ">") else -1.0
+                found[node] = _moved(node, node.relation, sign * margin * width)
+    return substitute(whole, found) if found else whole
+
+
+def _moved(node: Linear, relation: Relation, by: float) -> Linear:
+    return replace(node, relation=relation, bound=node.bound + by)

@@ -20,6 +20,9 @@ from tsplan.milp.model import Floats, Ints
 from tsplan.signals.linear_system import Terms
 from tsplan.signals.reach import Reach
 
+_ROUNDING = 1e-12
+"""What floats round of a sum, relative to its size: some thousand times their own precision."""
+
 
 @dataclass(frozen=True, slots=True)
 class HalfSpace:
@@ -55,6 +58,7 @@ class LinearEncoder:
     columns: Ints  # of every signal and control (names, T+1)
     least: float
     most: float
+    forgiving: bool = True  # what floats have rounded rules nothing out
     grain: ClassVar[float] = 0.0
 
     @cached_property
@@ -79,10 +83,12 @@ class LinearEncoder:
 
     def best(self, bound: HalfSpace) -> Floats:
         """By how much it holds at best, beyond the least that is wanted."""
-        values = bound.scale * (self.sides(bound.terms)[1] - bound.amount)
+        high = self.sides(bound.terms)[1]
+        values = bound.scale * (high - bound.amount)
+        rounded = _ROUNDING * bound.scale * (np.abs(high) + abs(bound.amount))
         if bound.strict and self.least >= 0:
-            values = np.where(values > 0, values, -np.inf)  # the border does not belong to it
-        return np.asarray(values - self.least)
+            values = np.where(values > rounded, values, -np.inf)  # the border is not its own
+        return np.asarray(values + self.forgiving * rounded - self.least)
 
     def worst(self, bound: HalfSpace) -> Floats:
         """By how much it holds in any case, beyond the most that is wanted."""

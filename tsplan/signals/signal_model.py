@@ -77,9 +77,9 @@ class SignalSetting:
         """The system whose signals are planned."""
         return self.reach.system
 
-    def atoms(self, columns: Ints, least: float, most: float) -> Atoms:
+    def atoms(self, columns: Ints, least: float, most: float, *, forgiving: bool = True) -> Atoms:
         """The predicates, of which a robustness from `least` to `most` is wanted."""
-        encoder = LinearEncoder(self.reach, columns, least, most)
+        encoder = LinearEncoder(self.reach, columns, least, most, forgiving)
         return Atoms({Linear: encoder}, self.reach.horizon, jointly)
 
     @property
@@ -106,7 +106,7 @@ class SignalSetting:
     def ideal(self) -> float:
         """A bound on the robustness of every trajectory: the optimistic one of the formula."""
         none = np.empty((0, self.reach.horizon + 1), dtype=np.int64)
-        atoms = self.atoms(none, 0.0, INFINITY)
+        atoms = self.atoms(none, 0.0, INFINITY, forgiving=False)
         if self.soft is None:
             return OptimisticBound(self.goal, atoms).best(self.goal, 0)
         demanded = OptimisticBound(self.soft.demand, atoms).best(self.soft.demand, 0)

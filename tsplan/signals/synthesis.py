@@ -119,10 +119,13 @@ class Synthesis:
                 raise MissionError([Finding(f"'{term}' is no value of a signal", remedy)])
             self.value(term.name, term.step)
 
-    def setting(self, *, satisfied: bool = True) -> SignalSetting:
-        """What every model is made of; with the factors of violated parts if not `satisfied`."""
+    def setting(self, *, satisfied: bool = True, margin: float = 0.0) -> SignalSetting:
+        """What every model is made of; with the factors of violated parts if not `satisfied`.
+
+        Predicates are to hold by a `margin`, a share of their range.
+        """
         mission = self.mission
-        near = approximate(mission.formula, mission.system, TOLERANCE / 2)
+        near = approximate(mission.formula, mission.system, TOLERANCE / 2, margin)
         goal = simplify(unweighted(positive(near), mission.weighting, satisfied=satisfied))
         soft = None
         if mission.satisfaction is not None:
@@ -183,13 +186,11 @@ class Synthesis:
         return (*found, *map(AimObjective, aims))
 
     def solve(
-        self, effort: Effort, clock: Clock, tell: Tell[SignalPoint], least: float = 0.0
+        self, effort: Effort, clock: Clock, tell: Tell[SignalPoint], margin: float = 0.0
     ) -> Outcome[SignalPoint]:
-        """Run all objectives over trajectories of a robustness of at least `least`."""
-        tight = self.tuning.encoding == "tight"
-        return SignalStages(
-            self.setting(), self.objectives, effort, clock, tell, least, tight
-        ).run()
+        """Run all objectives over trajectories whose predicates hold by a margin."""
+        setting, tight = self.setting(margin=margin), self.tuning.encoding == "tight"
+        return SignalStages(setting, self.objectives, effort, clock, tell, tight=tight).run()
 
 
 def _choosing(mission: SignalMission) -> Iterator[SignalObjective]:

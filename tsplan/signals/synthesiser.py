@@ -6,10 +6,7 @@ import time
 from collections import defaultdict
 from dataclasses import replace
 
-import numpy as np
-
 from tsplan.errors import SolverError
-from tsplan.logic import Linear, walk
 from tsplan.logic.evaluation import holds
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
@@ -30,8 +27,8 @@ from tsplan.stopping import StoppedBy
 from tsplan.words import known
 
 _MARGIN = 1e-5
-"""Of the range of a predicate: the robustness that is asked for where none does not satisfy, be it
-that a comparison is strict or that a solver forgave too much. Ten times what solvers forgive."""
+"""Of its range: by how much a predicate is to hold where by none it does not, be it that it is
+strict or that a solver forgave too much. Ten times what solvers forgive."""
 
 
 class SynthesisRun(Run[SignalPoint, Trajectory]):
@@ -50,9 +47,12 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         outcome = self._problem.solve(effort, self.clock, self.tell)
         if outcome.point is None or self._holds(outcome.point):
             return outcome
-        second = self._problem.solve(effort, self.clock, self.tell, self._margin())
+        second = self._problem.solve(effort, self.clock, self.tell, _MARGIN)
         if second.point is not None:
-            return second
+            # the bounds of what need not hold by a margin are those of all trajectories
+            pairs = zip(second.reached, outcome.reached, strict=True)
+            reached = tuple(replace(item, bound=other.bound) for item, other in pairs)
+            return replace(second, reached=reached)
         words = "trajectories are known that miss the formula by less than solvers can tell"
         why = second.stopped_by or StoppedBy.PRECISION
         return Outcome(stopped_by=why, size=second.size, notes=(words,))
@@ -130,18 +130,6 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         made = self._read(point, Status.FEASIBLE, StoppedBy.INTERRUPT)
         formula = approximate(mission.formula, mission.system)
         return bool(holds(formula, settled(mission.system, made).trace())[0])
-
-    def _margin(self) -> float:
-        """A robustness that is more than what a solver forgives, for the narrowest predicate."""
-        setting = self._problem.setting()
-        ranges = [
-            high.max() - low.min()
-            for node in walk(setting.goal)
-            if isinstance(node, Linear)
-            for low, high in [setting.reach.sides(node.terms)]
-        ]
-        wide = [float(size) for size in ranges if np.isfinite(size) and size > 0]
-        return _MARGIN * max(wide, default=1.0)
 
 
 def synthesise_mission(
