@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import pytest
 from scipy import sparse
@@ -116,7 +114,7 @@ def test_changes_are_followed(seed: int) -> None:
         pair.compare()
 
 
-def large(columns: int = 4000, rows: int = 2000) -> Model:
+def large(columns: int = 1500, rows: int = 800) -> Model:
     random = np.random.default_rng(3)
     matrix = sparse.csr_array(
         sparse.random_array((rows, columns), density=10 / columns, format="csr", rng=random)
@@ -134,27 +132,24 @@ def large(columns: int = 4000, rows: int = 2000) -> Model:
 
 def test_a_time_limit_ends_a_solve_and_the_next_goes_on() -> None:
     lp = WarmLP(large())
-    began = time.perf_counter()
-    assert lp.solve(time_limit=0.1).status == "limit"
-    assert time.perf_counter() - began < 0.6
+    assert lp.solve(time_limit=0.01).status == "limit"
     assert lp.solve(time_limit=0.0).status == "limit"
     assert lp.solve().status == "optimal"
     # the limits of later solves are their own, though HiGHS counts all seconds together
     assert lp.solve(time_limit=5.0).status == "optimal"
 
 
-def test_a_wish_to_stop_ends_a_solve() -> None:
+def test_a_wish_to_stop_ends_a_solve(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tsplan.milp.lp._QUIET", 0.0)  # asked from the first iteration on
     wish = False
     lp = WarmLP(large(), lambda: wish)
     wish = True
     assert lp.solve().status == "limit"
     wish = False
     assert lp.solve().status == "optimal"
-    lp.costs(np.arange(4000), -np.random.default_rng(9).integers(1, 99, 4000).astype(float))
+    lp.costs(np.arange(1500), -np.random.default_rng(9).integers(1, 99, 1500).astype(float))
     wish = True
-    began = time.perf_counter()
-    assert lp.solve().status in ("limit", "optimal")
-    assert time.perf_counter() - began < 1.0
+    assert lp.solve().status == "limit"
 
 
 def test_results_stay_what_they_were() -> None:
@@ -209,11 +204,16 @@ def test_bad_changes_are_errors() -> None:
         lp.delete_rows(np.array([7]))
 
 
-def test_solving_again_costs_little() -> None:
-    lp = WarmLP(large(60, 40), lambda: False)
+def test_solving_again_costs_little(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tsplan.milp.lp._QUIET", INF)  # however slow this machine is
+    asked: list[int] = []
+    lp = WarmLP(large(60, 40), lambda: bool(asked.append(1)))
     lp.solve()
-    began = time.perf_counter()
+    first, asked[:] = lp._highs.getInfo().simplex_iteration_count, []
+    iterations = 0
     for number in range(200):
         lp.bounds(np.array([number % 60]), 0.0, float(number % 2))
-        lp.solve(time_limit=5.0, cutoff=1e9)
-    assert (time.perf_counter() - began) / 200 < 0.005
+        lp.solve(time_limit=1e9, cutoff=1e9)
+        iterations += lp._highs.getInfo().simplex_iteration_count
+    assert asked == []  # nobody is called back
+    assert iterations < 200 * first / 4  # the last basis is gone on from

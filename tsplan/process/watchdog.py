@@ -73,8 +73,9 @@ class Watchdog:
                 self._news.put(_Failed(error))
 
         # not a daemon: the interpreter must not end under native code that still runs
-        Thread(target=worked, name="solver").start()
+        thread = Thread(target=worked, name="solver")
         try:
+            thread.start()
             ended = self._watched()
         except BaseException:
             self._stop(StoppedBy.INTERRUPT)
