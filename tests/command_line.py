@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
 import subprocess
 import sys
@@ -13,6 +14,7 @@ from typing import NamedTuple
 import pytest
 
 import tsplan
+from tsplan.cli import main
 
 ROOT = Path(tsplan.__file__).parents[1]
 MISTAKES = ("Traceback", "internal error", "Exception ignored")
@@ -59,6 +61,20 @@ def printed(code: str, *arguments: str, **variables: str) -> str:
     done = python("-c", code, *arguments, **variables)
     assert done.code == 0, done.err
     return done.out
+
+
+def here(*arguments: str, folder: Path | None = None, encoding: str = "utf-8") -> Done:
+    """Run the command line in this process, its streams being of an encoding and no terminals."""
+    streams = [io.TextIOWrapper(io.BytesIO(), encoding) for _ in range(2)]
+    with (
+        contextlib.chdir(folder or Path()),
+        contextlib.redirect_stdout(streams[0]),
+        contextlib.redirect_stderr(streams[1]),
+    ):
+        code = main(arguments)
+    for stream in streams:
+        stream.seek(0)
+    return Done(code, *(stream.read() for stream in streams))
 
 
 def on_terminal(*arguments: str, folder: Path) -> Done:

@@ -49,7 +49,10 @@ def compare(mission: Mission, *ways: dict[str, object]) -> None:
             assert found == pytest.approx(expected, abs=1e-6)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(10_000, 10_080), range(11_000, 12_000), 10))
+@pytest.mark.parametrize(
+    "seeds",
+    seed_blocks(range(10_000, 10_040), [*range(10_040, 10_080), *range(11_000, 12_000)], 10),
+)
 def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(small_team, seeds):
         if small_enough(mission):
@@ -58,20 +61,26 @@ def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> No
 
 @pytest.mark.parametrize(
     "seeds",
-    seed_blocks(range(30_000, 30_120), range(31_000, 33_000), 20),
+    seed_blocks(range(30_000, 30_060), [*range(30_060, 30_120), *range(31_000, 33_000)], 20),
 )
 def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(small_swarms, seeds):
         compare(mission, TIGHT)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(30_200, 30_240), range(33_000, 34_000), 10))
+@pytest.mark.parametrize(
+    "seeds",
+    seed_blocks(range(30_200, 30_220), [*range(30_220, 30_240), *range(33_000, 34_000)], 10),
+)
 def test_swarms_do_as_well_by_the_reference_and_without_ideas(seeds: list[int]) -> None:
     for mission in map(small_swarms, seeds):
         compare(mission, REFERENCE, PLAIN)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(50_000, 50_120), range(51_000, 53_000), 20))
+@pytest.mark.parametrize(
+    "seeds",
+    seed_blocks(range(50_000, 50_060), [*range(50_060, 50_120), *range(51_000, 53_000)], 20),
+)
 def test_robots_and_a_swarm_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(small_mixed, seeds):
         if small_enough(mission):
@@ -94,5 +103,5 @@ def test_the_random_mixed_missions_are_of_all_kinds() -> None:
     assert len(made) >= 40
     assert all(set(mission.swarm.each) == {SWARM} and len(mission.team) > 1 for mission in made)
     assert sum(f",{SWARM})" in mission.text for mission in made) >= 10
-    plans = [tsplan.plan(mission) for mission in made[:40]]
-    assert 5 <= sum(plan.status == "infeasible" for plan in plans) <= 30
+    plans = [tsplan.plan(mission) for mission in made[:20]]
+    assert 3 <= sum(plan.status == "infeasible" for plan in plans) <= 15

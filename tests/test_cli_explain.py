@@ -134,7 +134,7 @@ def test_json(folder, capsys):
         ("office_closed", "contradiction"),
         ("office_double", "timing"),
         ("office_lift", None),
-        ("reef_thin", "swarm"),
+        pytest.param("reef_thin", "swarm", marks=pytest.mark.long),
         ("rescue_late", "reach"),
     ],
 )

@@ -83,8 +83,13 @@ def test_an_output_may_be_written_again(folder):
     assert main(["plan", "mission.svg", "-o", os.devnull, "--quiet"]) == 0
 
 
-@pytest.mark.parametrize("backend", ["module://matplotlib_inline.backend_inline", "nonsense"])
-@pytest.mark.parametrize("command", ["show mission.svg -o new.png", "animate plan.svg -o new.gif"])
+@pytest.mark.parametrize(
+    ("backend", "command"),
+    [
+        ("nonsense", "show mission.svg -o new.png"),
+        ("module://matplotlib_inline.backend_inline", "animate plan.svg -o new.gif"),
+    ],
+)
 def test_the_backend_of_a_notebook_does_not_matter(folder, backend, command):
     pytest.importorskip("matplotlib")
     more = ["--mission", "mission.svg"] if command.startswith("animate") else []

@@ -177,8 +177,15 @@ sys.exit(main(["plan", "mission.yaml"]))
 
 
 @linux
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-@pytest.mark.parametrize("stubborn", [False, True])
+@pytest.mark.parametrize(
+    ("number", "stubborn"),
+    [
+        (signal.SIGINT, True),
+        (signal.SIGTERM, False),
+        pytest.param(signal.SIGINT, False, marks=pytest.mark.long),
+        pytest.param(signal.SIGTERM, True, marks=pytest.mark.long),
+    ],
+)
 def test_a_signal_stops_the_search_in_order(folder, number, stubborn):
     with started(f"STUBBORN = {stubborn}\n{SLOW}") as process:
         assert "sleeping" in process.stderr.readline()

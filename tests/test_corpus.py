@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import tsplan
-from tests.command_line import MISTAKES, command, on_terminal, terminals
+from tests.command_line import MISTAKES, here, on_terminal, terminals
 from tests.joint_plans import SENSE, best
 from tsplan.errors import InputError
 from tsplan.mission import load_mission
@@ -31,11 +31,12 @@ COMMANDS = (
     "partial_depth",
     "partial_swarm",
     "preferences_team",
-    "office_delivery",
+    "farm_shortage",
 )
-ON_TERMINALS = ("office_delivery", "farm_shortage", "swarm_splits")
+ON_TERMINALS = ("farm_shortage", "swarm_splits")
 OBJECTIVES = (*SENSE, "satisfaction", "preferences")
 LARGE = "tasks"  # has too many joint plans to look at
+MANY = ("swarms_together", "mixed_availability")  # joint plans, so that it takes long
 
 
 def whole(item: Expectation) -> bool:
@@ -75,7 +76,7 @@ def judge_command(item: Expectation, folder: Path, run) -> None:
 
 @pytest.mark.parametrize("item", parameters(commands=COMMANDS))
 def test_the_command_line_gives_what_is_expected(item: Expectation, tmp_path: Path) -> None:
-    judge_command(item, tmp_path, command)
+    judge_command(item, tmp_path, here)
 
 
 @terminals
@@ -85,7 +86,12 @@ def test_the_command_line_gives_the_same_on_a_terminal(item: Expectation, tmp_pa
 
 
 @pytest.mark.parametrize(
-    "item", [pytest.param(item, id=item.name) for item in OWN if whole(item) and item.name != LARGE]
+    "item",
+    [
+        pytest.param(item, id=item.name, marks=[pytest.mark.long] * (item.name in MANY))
+        for item in OWN
+        if whole(item) and item.name != LARGE
+    ],
 )
 def test_all_joint_plans_say_the_same(item: Expectation) -> None:
     mission = load_mission(item.path)

@@ -85,7 +85,15 @@ def test_a_wish_to_stop_is_heard_between_all_blocks(make: Callable[[Clock], obje
 
 
 def _with(clock: Clock) -> Setting:
-    return replace(prepare(team()), clock=clock)
+    """A setting of less than `team`, as every model is made once for each question."""
+    mission = Mission.of(
+        map=grid(2, 3, labels={(0, 2): "A", (1, 0): "B"}),
+        team=[Group.of("r", {"r0c0": 3}, {"r"})],
+        formula="F[0,6] A && F[0,4] (B && F[1,3] A)",
+        language="mtl",
+        objective=("travel",),
+    )
+    return replace(prepare(mission), clock=clock)
 
 
 @pytest.mark.parametrize("mission", [team(), swarm()], ids=["team", "swarm"])

@@ -138,8 +138,9 @@ def compare(seed: int) -> str:
 
 
 def test_values_are_exact() -> None:
-    seen = [compare(seed) for seed in range(50_000, 50_100)]
-    assert seen.count("optimal") >= 30
+    seen = [compare(seed) for seed in range(50_000, 50_040)]
+    assert seen.count("optimal") >= 12
+    assert "feasible" in seen  # where arithmetic is too coarse
 
 
 def test_a_found_point_bounds_the_tree_where_arithmetic_is_coarse() -> None:
@@ -147,7 +148,9 @@ def test_a_found_point_bounds_the_tree_where_arithmetic_is_coarse() -> None:
     assert compare(53_343) in ("optimal", "feasible")
 
 
-@pytest.mark.parametrize("seeds", seed_blocks((), range(51_000, 56_000), 20))
+@pytest.mark.parametrize(
+    "seeds", seed_blocks((), [*range(50_040, 50_100), *range(51_000, 56_000)], 20)
+)
 def test_values_are_exact_on_many(seeds: list[int]) -> None:
     for seed in seeds:
         compare(seed)

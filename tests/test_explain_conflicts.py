@@ -152,4 +152,3 @@ def test_time_that_is_too_short_is_admitted() -> None:
     made = explain(mission, time_limit=0.001)
     assert made.status in ("explained", "no_answer")
     assert all(not conflict.minimal or conflict.parts for conflict in made.conflicts)
-    assert made.timings["total"] < 5

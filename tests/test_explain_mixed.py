@@ -10,6 +10,7 @@ import pytest
 
 from tests.explaining import check_explanation
 from tests.joint_plans import small_enough
+from tests.seeds import sampled
 from tests.test_explain_conflicts import ROW
 from tsplan import Mission
 from tsplan.errors import MissionError
@@ -44,7 +45,10 @@ def test_soft_constraints_go_by_the_class() -> None:
     [
         ("F[0,4] sum(C,lift) >= 3", {"formula", "team"}, "add 1 agent of class cart at 'p'"),
         ("F[0,2] sum(C,lift) >= 1", {"formula", "start"}, "add 1 agent of class cart at 'q'"),
-        (ALL_PLACES, {"formula", "swarm"}, "raise max_subswarms from 2 to 3"),
+        pytest.param(
+            *(ALL_PLACES, {"formula", "swarm"}, "raise max_subswarms from 2 to 3"),
+            marks=pytest.mark.long,
+        ),
         (
             "G[0,4] sum(B) <= 2 && F[0,4] sum(C,lift) >= 1",
             {"formula"},
@@ -126,9 +130,7 @@ def random_mixed(seed: int) -> Mission | None:
         return None  # a start over a state's capacity, or where a robot may not be
 
 
-@pytest.mark.parametrize(
-    "seed", [*range(8), *(pytest.param(n, marks=pytest.mark.long) for n in range(8, 80))]
-)
+@pytest.mark.parametrize("seed", sampled(range(80), range(4)))
 def test_random_missions_of_robots_and_swarms(seed: int) -> None:
     mission = random_mixed(seed)
     if mission is not None:

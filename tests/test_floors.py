@@ -10,6 +10,7 @@ import sys
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import networkx as nx
@@ -56,6 +57,7 @@ class Import:
         return f"{self.importer} -> {self.imported}"
 
 
+@cache
 def sources() -> dict[str, ast.Module]:
     """The package's own modules by their names without `tsplan.`, but for what is generated."""
     return {

@@ -10,7 +10,7 @@ from tsplan import logic
 from tsplan.errors import FormulaError
 from tsplan.logic import CountTrace, parse
 
-DEPTH = 2000
+DEPTH = 1200  # more than the stack of Python has room for
 
 DEEP = {
     "parentheses": ("mtl", "(" * DEPTH + "a" + ")" * DEPTH),

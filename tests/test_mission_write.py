@@ -127,7 +127,7 @@ def random_kind(seed):
             continue
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(st.integers(0, 10**6))
 def test_random_missions_are_read_as_they_were(seed):
     alike(random_mission(seed))

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.command_line import Done, python
+from tests.command_line import here, python
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -22,14 +22,9 @@ def blocks(language: str) -> list[str]:
     return [text for said, text in BLOCK.findall(README) if said == language]
 
 
-def run(*arguments: str) -> Done:
-    """This Python with the package that is tested, from the README's folder."""
-    return python(*arguments, folder=ROOT, COLUMNS="110", PYTHONUTF8="1")
-
-
 def test_the_python_example_runs():
     [text] = blocks("python")
-    answer = run("-W", "error", "-c", text)
+    answer = python("-W", "error", "-c", text, folder=ROOT, PYTHONUTF8="1")
     assert (answer.code, answer.err) == (0, "")
     assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.out)
 
@@ -38,12 +33,13 @@ CONSOLES = [text for text in blocks("") if text.startswith(PROMPT)]
 
 
 @pytest.mark.parametrize("text", CONSOLES, ids=lambda text: text.split("\n")[0])
-def test_consoles_show_what_is_printed(text):
+def test_consoles_show_what_is_printed(text, monkeypatch):
     command, shown = text.removeprefix(PROMPT).split("\n", maxsplit=1)
     if command.startswith("plan"):
         # which of several best plans is found may differ; what is said of it may not
         shown = shown.split("\n\n")[0] + "\n"
-    answer = run("-m", "tsplan", *shlex.split(command))
+    monkeypatch.setenv("COLUMNS", "110")
+    answer = here(*shlex.split(command), folder=ROOT)
     # what is shown may be the beginning, and leaves out what stands for "..."
     rules = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
     assert doctest.OutputChecker().check_output(f"{shown}...", answer.out, rules), answer.out
