@@ -24,10 +24,11 @@ from tests.carts import (
 from tests.seeds import quick
 from tsplan.errors import PlanError, SolverError
 from tsplan.logic import linear
+from tsplan.mission import Preference
 from tsplan.plans.plan import ObjectiveValue, Status
 from tsplan.signals.aims import Aim
 from tsplan.signals.linear_system import Dynamics, System
-from tsplan.signals.signal_mission import SignalMission, SoftFormula
+from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
 from tsplan.signals.trajectory_check import certify, check
 from tsplan.stopping import StoppedBy
@@ -187,7 +188,7 @@ def test_what_need_not_hold_as_a_whole_is_measured_in_part():
 
 def test_preferred_formulas_are_parts_and_worth_their_weight():
     near, far = linear({"x": 1}, "<=", 3).always(0, 5), linear({"y": 1}, ">=", 2).always(0, 5)
-    wishes = (SoftFormula(near, "near", 3, partial=True), SoftFormula(far, "far", 2))
+    wishes = (Preference(near, "near", 3, partial=True), Preference(far, "far", 2))
     aims = (Aim((("preferences", 1.0),)), Aim((("robustness", 1.0),)))
     found = certify(cart_mission(prefer=wishes, objective=aims), cart_run())
     assert [part.text for part in found.parts][2:] == ["near", "far"]
@@ -196,7 +197,9 @@ def test_preferred_formulas_are_parts_and_worth_their_weight():
 
 def test_other_signals_and_horizons_are_refused():
     found = certify(MISSION, cart_run(ROBUST))
-    other = replace(CART, signals={**CART.signals, "z": (0, 1)})
+    a = (*((*row, 0) for row in CART.dynamics.a), (0, 0, 0, 0, 1))
+    moved = Dynamics(a, (*CART.dynamics.b, (0, 0)), (0,) * 5)
+    other = replace(CART, signals={**CART.signals, "z": (0, 1)}, dynamics=moved)
     assert refused(cart_mission(system=other, horizon=6), found) == [
         "the trajectory ends at step 5 and the mission at step 6",
         "signal z has no values",

@@ -16,10 +16,11 @@ from tsplan.logic.fraction import fraction, tree_of
 from tsplan.logic.traces import SignalTrace
 from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import levels
+from tsplan.mission.mission_parts import Preference
 from tsplan.signals.aims import SENSES, Aim
 from tsplan.signals.equalities import TOLERANCE, approximate
 from tsplan.signals.motion_check import Motion
-from tsplan.signals.signal_mission import SignalMission, SoftFormula
+from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import PartValue
 from tsplan.words import known
 
@@ -122,10 +123,10 @@ def _spare(mission: SignalMission, trace: SignalTrace, slack: float) -> float:
     return least_spare(wishes, trace, slack)
 
 
-def _gain(wish: SoftFormula, trace: SignalTrace) -> float:
+def _gain(wish: Preference, trace: SignalTrace) -> float:
     """What a preferred formula is worth."""
     share = float(fraction(wish.formula, trace))
-    return wish.weight * (share if wish.partial else float(share == 1))
+    return float(wish.weight) * (share if wish.partial else float(share == 1))
 
 
 def _part(mission: SignalMission, text: str, part: Formula, trace: SignalTrace) -> PartValue:

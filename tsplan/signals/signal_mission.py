@@ -2,32 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from dataclasses import dataclass
 
-from tsplan.logic import Formula
-from tsplan.milp.solver_choice import SolverChoice
-from tsplan.signals.aims import Aim
-from tsplan.signals.linear_system import System
-from tsplan.signals.region import Region
-
-Weighting: TypeAlias = Literal["product", "normalised"]
+from tsplan.signals.signal_parts import SignalParts
 
 
 @dataclass(frozen=True)
-class SoftFormula:
-    """A formula that is met as far as possible, with its weight among others of its level."""
-
-    formula: Formula
-    text: str
-    weight: float = 1.0
-    level: int = 0
-    partial: bool = False
-
-
-@dataclass(frozen=True)
-class SignalMission:
+class SignalMission(SignalParts):
     """A system, a formula over its signals, and what to optimise.
 
     `formula` speaks of signals and controls alone: outputs and regions are replaced in it, weights
@@ -35,20 +16,8 @@ class SignalMission:
     after the other; without any, every satisfying trajectory is as good as another. `satisfaction`
     is the order in which a formula may hold in part (None: it must hold), `prefer` has formulas
     that are met as far as possible besides. `regions` are kept for pictures, `parts` the texts of
-    what the formula joins at its top, with their formulas. `digest` is the SHA-256 of the text.
+    what the formula joins at its top, with their formulas. Where there are several robots, `copies`
+    has their names: the signals of `a` begin with `a_`. `digest` is the SHA-256 of the text,
+    `warnings` are what looks odd in it; a mission that was read from a file keeps its document as
+    `origin`, for places in it.
     """
-
-    system: System
-    formula: Formula
-    horizon: int
-    objective: tuple[Aim, ...] = ()
-    weighting: Weighting = "product"
-    satisfaction: str | None = None
-    prefer: tuple[SoftFormula, ...] = ()
-    regions: Mapping[str, Region] = field(default_factory=dict, hash=False)
-    parts: tuple[tuple[str, Formula], ...] = ()
-    language: str = "stl"
-    text: str = ""
-    name: str = ""
-    solver: SolverChoice = field(default_factory=SolverChoice)
-    digest: str = ""

@@ -1,0 +1,44 @@
+"""What a mission over signals consists of, before it is known whether that fits together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+from tsplan.document import Document
+from tsplan.errors import Finding
+from tsplan.logic import Formula
+from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.mission_parts import Preference
+from tsplan.mission.vocabulary import Order
+from tsplan.signals.aims import Aim
+from tsplan.signals.linear_system import System
+from tsplan.signals.region import Region
+
+SignalLanguage: TypeAlias = Literal["stl", "wstl"]
+Weighting: TypeAlias = Literal["product", "normalised"]
+
+
+@dataclass(frozen=True)
+class SignalParts:
+    """The fields of a `SignalMission`, which says what they mean."""
+
+    system: System
+    formula: Formula
+    horizon: int
+    objective: tuple[Aim, ...] = ()
+    weighting: Weighting = "product"
+    satisfaction: Order | None = None
+    prefer: tuple[Preference, ...] = ()
+    regions: Mapping[str, Region] = field(default_factory=dict, hash=False)
+    parts: tuple[tuple[str, Formula], ...] = ()
+    copies: tuple[str, ...] = ()
+    language: SignalLanguage = "stl"
+    text: str = ""
+    name: str = ""
+    solver: SolverChoice = field(default_factory=SolverChoice)
+    digest: str = field(default="", compare=False)
+    warnings: tuple[Finding, ...] = field(default=(), compare=False)
+    parse_seconds: float = field(default=0.0, compare=False, repr=False)
+    origin: Document | None = field(default=None, compare=False, repr=False)
