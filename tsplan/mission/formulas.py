@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from tsplan.document import Document
 from tsplan.document.yaml_nodes import Node
@@ -12,7 +13,7 @@ from tsplan.errors import MOST_TOLD, Finding, InputError
 from tsplan.logic import TRUE, Formula, conjunction, parse_with_places
 from tsplan.logic.text_spans import Way, Written
 from tsplan.mission.findings import FORMULA, Fault, Place, preferred
-from tsplan.mission.vocabulary import LANGUAGES, default_language
+from tsplan.mission.vocabulary import LANGUAGES
 
 
 class Text(NamedTuple):
@@ -32,7 +33,11 @@ class Text(NamedTuple):
         return None
 
 
-def spelled_out(document: Document) -> Document:
+Reading: TypeAlias = Callable[[str, Any], tuple[Formula, Written]]
+"""How a text is read in a language: the formula, and where its parts stand."""
+
+
+def spelled_out(document: Document, language: str) -> Document:
     """The document with a formula alone under `spec` as a spec in full.
 
     A text or a list of texts stands for `{formula: ..., language: ...}`, with the language that
@@ -42,7 +47,6 @@ def spelled_out(document: Document) -> Document:
     node = root.children.get("spec") if isinstance(root.children, dict) else None
     if node is None or not isinstance(node.value, str | list | bool) or not node.value:
         return document
-    language = default_language(team="team" in root.value)
     word = Node(language, node.line, node.column, node.start, node.start, text=language)
     parts = {"formula": node, "language": word}
     spec = replace(
@@ -55,23 +59,46 @@ def spelled_out(document: Document) -> Document:
     return replace(document, data=made.value, root=made)
 
 
+def located(findings: Iterable[Finding], document: Document, path: Place) -> Iterator[Finding]:
+    """Findings of the text at a path, at their places in the file.
+
+    Finding a place takes time with the length of the text, so only so many are found as are
+    told; the others stand where the text begins.
+    """
+    for number, item in enumerate(findings):
+        place = document.place(path)
+        if number < MOST_TOLD:
+            place = document.inside(path, item.line or 1, item.column or 1)
+        yield replace(item, source=document.source, line=place[0], column=place[1])
+
+
 @dataclass
 class Formulas:
     """The formula that must hold and those that are preferred, as far as they can be read.
 
-    What is wrong with them goes to `findings`.
+    What is wrong with them goes to `findings`. They are read by `reading` in one of `languages`,
+    the `default` one where the file names none.
     """
 
     document: Document
     findings: list[Finding]
+    languages: Sequence[str] = LANGUAGES
+    default: str = ""
+    reading: Reading = parse_with_places
     formula: Formula | None = None
     text: str = ""
     where: Place = FORMULA
     soft: dict[int, tuple[Formula, str] | None] = field(default_factory=dict)
     texts: list[Text] = field(default_factory=list)
+    seconds: float = 0.0
 
     def read(self) -> None:
-        """Read every formula of the file."""
+        """Read every formula of the file, and say how long that took."""
+        began = time.perf_counter()
+        self._read()
+        self.seconds = time.perf_counter() - began
+
+    def _read(self) -> None:
         spec = self.document.data.get("spec") if isinstance(self.document.data, dict) else None
         if not isinstance(spec, dict):
             return
@@ -143,27 +170,14 @@ class Formulas:
         self._report(path, "the formula is not a text", "write it in quotes or after a bar |")
         return None
 
-    def _located(self, findings: Sequence[Finding], path: Place) -> Iterator[Finding]:
-        """Findings of a formula's text at their places in the file.
-
-        Finding a place takes time with the length of the text, so only so many are found as are
-        told; the others stand where the formula begins.
-        """
-        for number, item in enumerate(findings):
-            place = self.document.place(path)
-            if number < MOST_TOLD:
-                place = self.document.inside(path, item.line or 1, item.column or 1)
-            yield replace(item, source=self.document.source, line=place[0], column=place[1])
-
     def _parsed(self, text: str, path: Place, where: Place) -> Formula | None:
-        language = str(self.document.data["spec"].get("language"))
-        known = next((name for name in LANGUAGES if name == language), None)
-        if known is None:
+        language = str(self.document.data["spec"].get("language", self.default))
+        if language not in self.languages:
             return None  # an unknown language is the schema's finding
         try:
-            formula, written = parse_with_places(text, known)
+            formula, written = self.reading(text, language)
         except InputError as error:
-            self.findings += self._located(error.findings, path)
+            self.findings += located(error.findings, self.document, path)
             self.findings += self.document.cut(path)
             return None
         if self.document.loses_end(path):

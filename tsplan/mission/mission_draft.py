@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from fractions import Fraction
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -14,27 +12,27 @@ from tsplan.document import Document
 from tsplan.document.files import beside
 from tsplan.document.kinds import MISSION
 from tsplan.document.validation import salvaged, validated
-from tsplan.errors import Finding, InputError, MissionError
+from tsplan.errors import InputError, MissionError
 from tsplan.logic import Formula
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.costs import cost_faults
-from tsplan.mission.findings import Entry, Fault, Place, moved, preferred
+from tsplan.mission.filing import Filing
+from tsplan.mission.findings import Entry, Fault, Place, moved
 from tsplan.mission.formula_checks import formula_faults, formula_horizon, horizon_faults
-from tsplan.mission.formulas import Formulas, spelled_out
+from tsplan.mission.formulas import spelled_out
 from tsplan.mission.mission_checks import objective_faults, preference_faults
-from tsplan.mission.mission_parts import MissionParts, Preference
+from tsplan.mission.mission_parts import MissionParts
 from tsplan.mission.mission_schema import (
     STAND_INS,
     Member,
     MissionFile,
-    SoftFormula,
     Swarm,
 )
 from tsplan.mission.name_resolution import with_named_classes
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
 from tsplan.mission.team_checks import map_faults, team_faults
-from tsplan.mission.vocabulary import ORDERS, Order
+from tsplan.mission.vocabulary import ORDERS, Order, default_language
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.map_files import load_map, map_from_document
 from tsplan.words import nfc
@@ -49,14 +47,13 @@ def parts_from_document(
     strange = document.misfit((), MISSION)
     if strange is not None:
         raise MissionError([strange])
-    document = spelled_out(document)
+    if isinstance(document.data, dict):
+        document = spelled_out(document, default_language(team="team" in document.data))
     file, findings = validated(document, MissionFile)
-    draft = _Draft(document, list(findings))
+    draft = _Draft.of(document, findings)
     draft.judge_kind()
     draft.system = system if system is not None else draft.read_map(folder)
-    began = time.perf_counter()
     draft.formulas.read()
-    draft.seconds = time.perf_counter() - began
     if file is not None:
         draft.read_agents(file)
         draft.judge(file)
@@ -69,21 +66,13 @@ def parts_from_document(
 
 
 @dataclass
-class _Draft:
+class _Draft(Filing):
     """A mission while it is read: its parts as far as they are known, and what is wrong so far."""
 
-    document: Document
-    findings: list[Finding]
-    warnings: list[Finding] = field(default_factory=list)
-    known: set[Finding] = field(default_factory=set)  # those that were faults
     system: TransitionSystem | None = None
     entries: list[Entry] | None = None  # None where what is said of them is wrong
     swarm: SwarmRules | None = None
-    seconds: float = 0.0
     horizon: int = 0
-
-    def __post_init__(self) -> None:
-        self.formulas = Formulas(self.document, self.findings)
 
     def read_map(self, folder: Path) -> TransitionSystem | None:
         """The map, inline or from the file beside the mission."""
@@ -95,14 +84,14 @@ class _Draft:
         else:
             if given is not None:
                 what = "the map is neither a file name nor a map"
-                self._report(("map",), what, "write the name of a map file")
+                self.report(("map",), what, "write the name of a map file")
             return None
         try:
             return read()
         except InputError as error:
             self.findings += error.findings
             what = "the map cannot be used, so labels and start states were not looked up in it"
-            self._report(("map",), what, "correct the map first")
+            self.report(("map",), what, "correct the map first")
             return None
 
     def judge_kind(self) -> None:
@@ -119,7 +108,7 @@ class _Draft:
         ]
         taken: frozenset[str] = frozenset().union(*(group.capabilities for _, group in team))
         swarms: list[tuple[Place, str, Swarm]] = [
-            (("swarms", n), self._word(entry.name, ("swarms", n, "name")), entry)
+            (("swarms", n), self.word(entry.name, ("swarms", n, "name")), entry)
             for n, entry in enumerate(file.swarms)
         ]
         if file.swarm is not None:
@@ -147,10 +136,10 @@ class _Draft:
             if entry.size != total:
                 what = f"the size is {entry.size:,} and the start states hold {total:,}"
                 remedy = f"write {total} or correct the start states"
-                self._report((*path, "size"), what, remedy)
+                self.report((*path, "size"), what, remedy)
             return starts
         (state,) = entry.at
-        return ((self._word(state, (*path, "at")), entry.size),)
+        return ((self.word(state, (*path, "at")), entry.size),)
 
     def _group(self, member: Member, path: Place) -> Group:
         if isinstance(self.document.at((*path, "at")), dict):
@@ -158,19 +147,15 @@ class _Draft:
             total = sum(member.at.values())
             if member.count is not None and member.count != total:
                 what = f"the count is {member.count} and the start states hold {total}"
-                self._report((*path, "count"), what, f"leave the count out or write {total}")
+                self.report((*path, "count"), what, f"leave the count out or write {total}")
         else:
             (name,) = member.at
-            starts = ((self._word(name, (*path, "at")), member.count or 1),)
+            starts = ((self.word(name, (*path, "at")), member.count or 1),)
         able = self._words(member.capabilities, (*path, "capabilities"))
-        return Group(self._word(member.class_name, (*path, "class")), able, starts)
+        return Group(self.word(member.class_name, (*path, "class")), able, starts)
 
     def _words(self, names: Sequence[str], path: Place) -> frozenset[str]:
-        return frozenset(self._word(name, (*path, n)) for n, name in enumerate(names))
-
-    def _word(self, value: str, path: Place) -> str:
-        """A name as it is written: `01` is no number here."""
-        return self.document.text(path) or value
+        return frozenset(self.word(name, (*path, n)) for n, name in enumerate(names))
 
     def judge_rest(self, file: MissionFile | None, faulty: frozenset[str]) -> None:
         """Judge what a file says elsewhere than under its faulty keys."""
@@ -213,40 +198,6 @@ class _Draft:
             return objective_names(file.objective)
         return default_objective(swarms=self.swarm is not None)
 
-    def preferences(self, entries: Iterable[SoftFormula]) -> tuple[Preference, ...]:
-        """The preferences whose formulas could be read."""
-        made = []
-        for number, entry in enumerate(entries):
-            read = self.formulas.soft.get(number)
-            if read is not None:
-                name = self._word(entry.name, preferred(number, "name")) if entry.name else ""
-                weight = Fraction(str(entry.weight))
-                made.append(Preference(*read, weight, name, entry.level, entry.partial))
-        return tuple(made)
-
-    def _report(self, path: Place, message: str, remedy: str) -> None:
-        self.file(Fault(path, message, remedy))
-
-    def file(self, fault: Fault) -> None:
-        """Turn a fault into a finding at its place."""
-        at = fault.at or (self.document.source, *self.formulas.place(fault))
-        finding = Finding(fault.message, fault.remedy, *at)
-        if finding not in self.known:
-            self.known.add(finding)
-            self.findings.append(finding)
-            if not fault.serious:
-                self.warnings.append(finding)
-
-    @property
-    def serious(self) -> bool:
-        """Whether anything was found that forbids planning."""
-        return len(self.findings) > len(self.warnings)
-
-    def in_order(self) -> list[Finding]:
-        """All findings, those of other files first, then by their place."""
-        own = self.document.source
-        return sorted(self.findings, key=lambda f: (f.source == own, f.line or 0, f.column or 0))
-
     def parts(self, file: MissionFile, system: TransitionSystem, formula: Formula) -> MissionParts:
         """The parts, when nothing serious is wrong."""
         solver: dict[str, Any] = file.solver.model_dump() if file.solver else {}
@@ -266,7 +217,7 @@ class _Draft:
             prefer=self.preferences(file.spec.prefer),
             digest=self.document.digest,
             warnings=tuple(self.warnings),
-            parse_seconds=self.seconds,
+            parse_seconds=self.formulas.seconds,
             origin=self.document,
         )
 

@@ -69,11 +69,13 @@ Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
 Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
 
 
-class _Part(BaseModel):
+class Part(BaseModel):
+    """A mapping with known keys and nothing else, whose values are what they are written as."""
+
     model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
 
 
-class Member(_Part):
+class Member(Part):
     """One entry of the team: robots of one class."""
 
     class_name: Name = Field(alias="class")
@@ -82,7 +84,7 @@ class Member(_Part):
     capabilities: list[Name] = []
 
 
-class Swarm(_Part):
+class Swarm(Part):
     """A swarm: how many agents, where they start, and how far they may divide."""
 
     size: Count
@@ -98,7 +100,7 @@ class NamedSwarm(Swarm):
     name: Name
 
 
-class SoftFormula(_Part):
+class SoftFormula(Part):
     """A preferred formula; the formula itself is read elsewhere."""
 
     formula: Any
@@ -108,7 +110,7 @@ class SoftFormula(_Part):
     partial: bool = False
 
 
-class Spec(_Part):
+class Spec(Part):
     """The formula and its language. The formula itself is read elsewhere, with its places."""
 
     language: Language
@@ -117,7 +119,7 @@ class Spec(_Part):
     prefer: list[SoftFormula] = []
 
 
-class Solver(_Part):
+class Solver(Part):
     """What the mission asks of the solver."""
 
     name: Name | None = None
@@ -127,7 +129,7 @@ class Solver(_Part):
     seed: Annotated[int, Field(strict=True, ge=0, le=MOST_SEED)] | None = None
 
 
-class MissionFile(_Part):
+class MissionFile(Part):
     """A whole mission file."""
 
     format: Literal["tsplan-mission/1"]

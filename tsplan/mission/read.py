@@ -16,15 +16,16 @@ def load_mission(path: str | Path) -> Mission:
 
     Raises MissionError with everything that is wrong with the file, its map and its formula.
     """
-    return _read(lambda: read_document(path), Path(path).parent)
+    return mission_from_document(lambda: read_document(path), Path(path).parent)
 
 
 def mission_from_text(text: str, source: str = "mission", folder: str | Path = ".") -> Mission:
     """Read a mission from its text; maps are looked for in `folder`. Raises MissionError."""
-    return _read(lambda: parse_document(text, source), Path(folder))
+    return mission_from_document(lambda: parse_document(text, source), Path(folder))
 
 
-def _read(document: Callable[[], Document], folder: Path) -> Mission:
+def mission_from_document(document: Callable[[], Document], folder: Path) -> Mission:
+    """The mission of a document that is read when it is called. Raises MissionError."""
     try:
         return Mission(**vars(parts_from_document(document(), folder)))
     except InputError as error:
