@@ -5,9 +5,10 @@ The entries of a file are made here for missions from Python values, too (`missi
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,6 @@ from tsplan.logic import Formula, Percent, parse
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
-from tsplan.mission.vocabulary import Language
 from tsplan.ts.io.map_files import save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
@@ -50,14 +50,8 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     else:
         yield f"map: {word(map_file)}"
     yield from _team_lines(mission)
-    yield "spec:"
-    yield f"  language: {mission.language}"
-    text = written_formula(mission.formula, mission.text, mission.language)
-    yield f"  {'must' if mission.prefer else 'formula'}: {_scalar(text)}"
-    if mission.prefer:
-        yield "  prefer:"
-        for soft in mission.prefer:
-            yield f"    - {flow(preference_entry(soft, mission.language))}"
+    read = partial(parse, language=mission.language)
+    yield from spec_lines(mission.language, (mission.formula, mission.text), mission.prefer, read)
     aims = [
         {name: mission.satisfaction} if name == "satisfaction" else name
         for name in mission.objective
@@ -68,6 +62,25 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     yield f"horizon: {mission.horizon}"
     if solver := solver_entry(mission.solver):
         yield f"solver: {flow(solver)}"
+
+
+def spec_lines(
+    language: str,
+    must: tuple[Formula, str],
+    prefer: Iterable[Preference],
+    read: Callable[[str], Formula],
+) -> Iterator[str]:
+    """What has to hold, with its text, and what is preferred; `read` reads such texts."""
+    wishes = [
+        f"    - {flow(preference_entry(soft, written_formula(soft.formula, soft.text, read)))}"
+        for soft in prefer
+    ]
+    yield "spec:"
+    yield f"  language: {language}"
+    yield f"  {'must' if wishes else 'formula'}: {_scalar(written_formula(*must, read))}"
+    if wishes:
+        yield "  prefer:"
+        yield from wishes
 
 
 def _team_lines(mission: MissionParts) -> Iterator[str]:
@@ -117,14 +130,14 @@ def swarm_entry(swarm: Group, rules: SwarmRules) -> dict[str, Any]:
     return {**entry, "capabilities": able} if able else entry
 
 
-def preference_entry(soft: Preference, language: Language) -> dict[str, Any]:
-    """The entry of a formula that is preferred."""
+def preference_entry(soft: Preference, text: str) -> dict[str, Any]:
+    """The entry of a formula that is preferred, whose text is given."""
     weight = float(soft.weight)
     if Fraction(str(weight)) != soft.weight:
         what = f"the weight {soft.weight} of '{soft.name}' has no end as a decimal number"
         raise MissionError([Finding(what, "choose a weight of at most 15 digits")])
     return {
-        "formula": written_formula(soft.formula, soft.text, language),
+        "formula": text,
         "name": soft.name,
         "weight": weight,
         "level": soft.level,
@@ -151,15 +164,15 @@ def margin_text(margin: Fraction | int) -> str:
     return text
 
 
-def written_formula(formula: Formula, text: str, language: Language) -> str:
+def written_formula(formula: Formula, text: str, read: Callable[[str], Formula]) -> str:
     """A text that is read as the formula: the one it has, or else its own print."""
     try:
-        if parse(text, language) is formula:
+        if read(text) is formula:
             return text
     except FormulaError:
         pass
     printed = str(formula)
-    parse(printed, language)  # a task, for example, cannot be written in another language
+    read(printed)  # a task, for example, cannot be written in another language
     return printed
 
 

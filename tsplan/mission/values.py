@@ -7,22 +7,31 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from numbers import Integral, Real
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from tsplan.document import parse_document
+from tsplan.document import Document, parse_document
 from tsplan.errors import Finding, InputError, MissionError
+from tsplan.logic import parse
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_draft import parts_from_document
 from tsplan.mission.mission_parts import MissionParts, Preference
-from tsplan.mission.mission_writer import FORMAT, group_entry, preference_entry, solver_entry
+from tsplan.mission.mission_writer import (
+    FORMAT,
+    group_entry,
+    preference_entry,
+    solver_entry,
+    written_formula,
+)
 from tsplan.mission.team import Group
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
+T = TypeVar("T")
 _SOURCE = "mission"
 _PAIR = re.compile(r"\\u(d[89ab]..)\\u(d[c-f]..)")  # how JSON writes a character above U+FFFF
 
@@ -42,11 +51,26 @@ def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
         **{key: value for key, value in values.items() if value is not None},
         "map": str(given) if system is None else map_to_yaml(system),
     }
+    made = from_values(
+        written,
+        _entry(values["spec"]["language"]),
+        lambda document: parts_from_document(document, Path(), system),
+    )
+    return replace(made, origin=None)  # nobody has seen that document
+
+
+def from_values(
+    written: Mapping[str, Any],
+    entry: Callable[[Any], Any],
+    read: Callable[[Document], T],
+) -> T:
+    """What is read from the document that values write; `entry` is that of a Python object.
+
+    Raises MissionError; its findings name no lines, since there is no file.
+    """
     try:
-        text = json.dumps(written, default=_entry(values["spec"]["language"]))
-        document = parse_document(_PAIR.sub(_whole, text), _SOURCE)
-        made = parts_from_document(document, Path(), system)
-        return replace(made, origin=None)  # nobody has seen that document
+        text = json.dumps(written, default=entry)
+        return read(parse_document(_PAIR.sub(_whole, text), _SOURCE))
     except InputError as error:
         raise MissionError(_without_lines(finding) for finding in error.findings) from None
 
@@ -64,14 +88,20 @@ def _entry(language: Any) -> Any:
         if isinstance(value, Group):
             return group_entry(value)
         if isinstance(value, Preference):
-            return preference_entry(value, language)
-        if isinstance(value, SolverChoice):
-            return solver_entry(value)
-        if isinstance(value, Integral | Real):
-            return int(value) if isinstance(value, Integral) else float(value)
-        return sorted(value) if isinstance(value, set | frozenset) else str(value)
+            text = written_formula(value.formula, value.text, partial(parse, language=language))
+            return preference_entry(value, text)
+        return common_entry(value)
 
     return entry
+
+
+def common_entry(value: Any) -> Any:
+    """What a file of any mission has in place of numbers, sets, formulas and choices of Python."""
+    if isinstance(value, SolverChoice):
+        return solver_entry(value)
+    if isinstance(value, Integral | Real):
+        return int(value) if isinstance(value, Integral) else float(value)
+    return sorted(value) if isinstance(value, set | frozenset) else str(value)
 
 
 def _without_lines(finding: Finding) -> Finding:
