@@ -8,7 +8,7 @@ from types import MappingProxyType
 from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Task
 from tsplan.logic.nodes import Formula
-from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted
+from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted, sum_text
 from tsplan.logic.weight_values import Weights
 
 _SIGNS: Mapping[type[Formula], str] = MappingProxyType(
@@ -72,12 +72,7 @@ def _(node: Count) -> Layout:
 
 @layout.register
 def _(node: Linear) -> Layout:
-    text = ""
-    for name, factor in node.terms:
-        sign = (" - " if factor < 0 else " + ") if text else ""
-        size = abs(factor)
-        text += sign + (quoted(name) if size == 1 else f"{number_text(size)}*{quoted(name)}")
-    return _comparison(text or "0", node.relation, number_text(node.bound))
+    return _comparison(sum_text(node.terms), node.relation, number_text(node.bound))
 
 
 @layout.register

@@ -6,7 +6,7 @@ How each class of nodes is written is told by `tsplan.logic.layouts`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from enum import IntEnum
 from functools import singledispatch
 from typing import Any, NamedTuple, TypeAlias
@@ -99,6 +99,20 @@ def quoted(name: str) -> str:
 def number_text(value: float) -> str:
     """The shortest text of a number; whole numbers without a fraction."""
     return str(int(value)) if value == int(value) and abs(value) < _EXACT else repr(value)
+
+
+def sum_text(terms: Iterable[tuple[str, float]]) -> str:
+    """A sum of signals, each with its factor.
+
+    >>> sum_text((("x", 2.0), ("y", -1.0))), sum_text((("x", -1.0),)), sum_text(())
+    ('2*x - y', '-x', '0')
+    """
+    text = ""
+    for name, factor in terms:
+        sign = ("-" if factor < 0 else "") if not text else " - " if factor < 0 else " + "
+        size = abs(factor)
+        text += sign + (quoted(name) if size == 1 else f"{number_text(size)}*{quoted(name)}")
+    return text or "0"
 
 
 @singledispatch

@@ -13,10 +13,23 @@ from typing import Any
 
 import numpy as np
 
+from tsplan.logic.text import number_text, sum_text
 from tsplan.milp.model import Floats
 
 Range = tuple[float, float]
 Terms = tuple[tuple[str, float], ...]
+
+
+def ordered(terms: Terms) -> Terms:
+    """The terms of a sum by name, each once and none that is 0.
+
+    >>> ordered((("y", 1.0), ("x", 2.0), ("y", -3.0)))
+    (('x', 2.0), ('y', -2.0))
+    """
+    merged: dict[str, float] = {}
+    for name, factor in terms:
+        merged[name] = merged.get(name, 0.0) + factor
+    return tuple((name, merged[name]) for name in sorted(merged) if merged[name])
 
 
 @dataclass(frozen=True)
@@ -34,22 +47,30 @@ class Limit:
     absolute: tuple[tuple[float, Terms], ...]
     bound: float
 
+    def __post_init__(self) -> None:
+        """Bring what means the same into one form: a sum is as large as its opposite."""
+        sized = [(factor, ordered(terms)) for factor, terms in self.absolute]
+        turned = tuple(
+            (factor, tuple((name, -each) for name, each in terms) if first < 0 else terms)
+            for factor, terms in sized
+            if (first := next((each for _, each in terms), 0.0))
+        )
+        object.__setattr__(self, "terms", ordered(self.terms))
+        object.__setattr__(self, "absolute", turned)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The signals and controls that it names, in the order of the text."""
+        sums = (self.terms, *(terms for _, terms in self.absolute))
+        return tuple(name for terms in sums for name, _ in terms)
+
     def __str__(self) -> str:
-        parts = [_summed(self.terms)] if self.terms else []
+        parts = [sum_text(self.terms)] if self.terms else []
         parts += [
-            ("" if factor == 1 else f"{factor:.15g}*") + f"|{_summed(terms)}|"
+            ("" if factor == 1 else f"{number_text(factor)}*") + f"|{sum_text(terms)}|"
             for factor, terms in self.absolute
         ]
-        return f"{' + '.join(parts) or '0'} <= {self.bound:.15g}"
-
-
-def _summed(terms: Terms) -> str:
-    text = ""
-    for name, factor in terms:
-        sign = ("-" if factor < 0 else "") if not text else (" - " if factor < 0 else " + ")
-        size = abs(factor)
-        text += sign + (name if size == 1 else f"{size:.15g}*{name}")
-    return text
+        return f"{' + '.join(parts) or '0'} <= {number_text(self.bound)}"
 
 
 @dataclass(frozen=True)
@@ -86,6 +107,8 @@ class System:
     outputs: Mapping[str, tuple[Terms, float]] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
+        sums = {name: (ordered(terms), more) for name, (terms, more) in self.outputs.items()}
+        object.__setattr__(self, "outputs", sums)
         for name in ("signals", "controls", "initial", "outputs"):
             object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
 
