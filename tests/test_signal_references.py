@@ -91,9 +91,9 @@ def test_weights_of_the_published_example(scene: str) -> None:
 
 def test_what_is_not_satisfied_has_a_value_too() -> None:
     mission = replace(random_signal_mission(1), objective=(ROBUST,))
-    free = replace(mission, system=signal_scenes.scene("trajectory").system)
+    system = signal_scenes.scene("trajectory").system
     for text, value in {"s1 >= 12 || s2 <= -1": -1.0, "s1 <= -2 && G[0,1] s2 >= 3": -3.0}.items():
-        asked = replace(free, formula=parse(text, "stl"), horizon=1)
+        asked = replace(mission, system=system, formula=parse(text, "stl"), horizon=1)
         for kind in (TwoSided, PerNode):
             assert answer(kind(asked).program).values == ()
             assert answer(kind(asked, -20.0).program).values == pytest.approx([-value])

@@ -21,7 +21,7 @@ CART = System(
 
 
 def test_missions_travel_between_processes():
-    aim = Aim((("robustness", 1.0),), {"state_effort": {"p": 2.0}})
+    aim = Aim((("state_effort", 1.0),), {"state_effort": {"p": 2.0}})
     box = Region(p=(7, 8))
     mission = SignalMission(CART, box.inside().eventually(0, 4), 4, (aim,), regions={"box": box})
     copy = pickle.loads(pickle.dumps(mission))

@@ -47,6 +47,8 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.protocol.simulation import simulate as simulate
     from tsplan.run.planner import plan as plan
     from tsplan.run.problem import Problem as Problem
+    from tsplan.signals.signal_files import load_signal_mission as load_signal_mission
+    from tsplan.signals.signal_mission import SignalMission as SignalMission
     from tsplan.signals.trajectory import Trajectory as Trajectory
     from tsplan.signals.trajectory_file import load_trajectory as load_trajectory
     from tsplan.signals.trajectory_file import save_trajectory as save_trajectory
@@ -86,6 +88,8 @@ _HOMES = {
     "protocol.simulation": ("Simulation", "simulate"),
     "signals.trajectory": ("Trajectory",),
     "signals.trajectory_file": ("load_trajectory", "save_trajectory"),
+    "signals.signal_files": ("load_signal_mission",),
+    "signals.signal_mission": ("SignalMission",),
     "ts": ("Edge", "State", "TransitionSystem"),
     "ts.io.map_files": ("load_map",),
 }

@@ -41,9 +41,11 @@ _BEGINNINGS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
 )
 
 MISSION, MAP, PLAN, TRAJECTORY = "a mission", "a map", "a plan", "a trajectory"
+SIGNALS = "a mission over signals"
 _KINDS_OF_MISSIONS = ("team", "swarm", "swarms")
 _MARKS = (
     ("tsplan-mission", MISSION),
+    ("tsplan-signals", SIGNALS),
     ("tsplan-plan", PLAN),
     ("tsplan-trajectory", TRAJECTORY),
 )
@@ -69,7 +71,7 @@ def kind_of_text(text: str) -> str | None:
 
 
 def kind_of_data(data: Any) -> str | None:
-    """What a document holds, by its keys: `MISSION`, `MAP`, `PLAN`, `TRAJECTORY`, or other words.
+    """What a document holds, by its keys: `MISSION`, `SIGNALS`, `MAP`, `PLAN` or other words.
 
     None where the keys do not tell.
 
@@ -105,11 +107,15 @@ _REMEDIES: Mapping[tuple[str, str], str] = {
     (MISSION, PLAN): "name the mission that was planned",
     (MAP, MISSION): "name the map that it uses, or write that map into a file of its own",
     (MAP, PLAN): "name the map of its mission",
+    (MISSION, SIGNALS): "what is wanted has a team on a map instead of signals",
+    (SIGNALS, MISSION): "what is wanted has signals instead of a team on a map",
+    (SIGNALS, TRAJECTORY): "name the mission that it was made for",
     (MISSION, TRAJECTORY): "name the mission that it was made for",
 }
 _GEOGRAPHIC = ("FeatureCollection", "Feature", "GeometryCollection", "Topology")
 _KEYS: tuple[tuple[frozenset[str], str], ...] = (
     (frozenset({"status", "horizon", "objective"}), PLAN),
+    (frozenset({"signals", "spec"}), SIGNALS),
     (frozenset({"nodes", "links"}), "a graph in networkx's node-link JSON"),
     (frozenset({"directed", "multigraph", "nodes"}), "a graph in networkx's node-link JSON"),
     (frozenset({"adjacency", "nodes"}), "a graph in networkx's adjacency JSON"),

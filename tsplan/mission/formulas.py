@@ -127,6 +127,11 @@ class Formulas:
             if read is not None:
                 yield preferred(number), read[0]
 
+    @property
+    def complete(self) -> bool:
+        """Whether every formula of the file could be read."""
+        return self.formula is not None and None not in self.soft.values()
+
     def place(self, fault: Fault) -> tuple[int | None, int | None]:
         """Line and column of what is wrong in the mission, or in a part of a formula."""
         if fault.node is not None and len(self.findings) <= MOST_TOLD:  # nobody is told more

@@ -65,6 +65,7 @@ def _aim(value: Any) -> Any:
 
 
 Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
+Title = Annotated[str, BeforeValidator(_name)]
 Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
 Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
 
@@ -133,7 +134,7 @@ class MissionFile(Part):
     """A whole mission file."""
 
     format: Literal["tsplan-mission/1"]
-    name: Annotated[str, BeforeValidator(_name)] = ""
+    name: Title = ""
     map: Any
     team: Annotated[list[Member], Field(min_length=1)] = []
     swarm: Swarm | None = None

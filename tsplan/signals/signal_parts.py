@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from tsplan.document import Document
 from tsplan.errors import Finding
@@ -29,6 +29,7 @@ class SignalParts:
     horizon: int
     objective: tuple[Aim, ...] = ()
     weighting: Weighting = "product"
+    weights: Mapping[str, Any] = field(default_factory=dict, hash=False)
     satisfaction: Order | None = None
     prefer: tuple[Preference, ...] = ()
     regions: Mapping[str, Region] = field(default_factory=dict, hash=False)

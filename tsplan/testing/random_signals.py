@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from random import Random
 
-from tsplan.logic import Language, horizon, linear, parse
+from tsplan.logic import horizon, linear, parse
 from tsplan.signals.aims import Aim
 from tsplan.signals.linear_system import Dynamics, Limit, Range, System
 from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.signal_parts import SignalLanguage
 from tsplan.testing.random_missions import random_formula
 
 _WEIGHTS = (0.2, 0.5, 1.0, 2.0, 3.0)
@@ -27,7 +28,7 @@ _AIMS: tuple[tuple[dict[str, float], ...], ...] = (
 
 
 def random_signal_mission(
-    seed: int, *, language: Language = "stl", steps: int = 6
+    seed: int, *, language: SignalLanguage = "stl", steps: int = 6
 ) -> SignalMission:
     """A mission over one or two signals and at most as many controls, of at most `steps` steps.
 
