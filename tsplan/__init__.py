@@ -49,6 +49,8 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.run.problem import Problem as Problem
     from tsplan.signals.signal_files import load_signal_mission as load_signal_mission
     from tsplan.signals.signal_mission import SignalMission as SignalMission
+    from tsplan.signals.synthesis import Synthesis as Synthesis
+    from tsplan.signals.synthesiser import synthesise as synthesise
     from tsplan.signals.trajectory import Trajectory as Trajectory
     from tsplan.signals.trajectory_file import load_trajectory as load_trajectory
     from tsplan.signals.trajectory_file import save_trajectory as save_trajectory
@@ -86,6 +88,8 @@ _HOMES = {
     "checking.plan_check": ("check",),
     "protocol.margin_size": ("margin_for",),
     "protocol.simulation": ("Simulation", "simulate"),
+    "signals.synthesiser": ("synthesise",),
+    "signals.synthesis": ("Synthesis",),
     "signals.trajectory": ("Trajectory",),
     "signals.trajectory_file": ("load_trajectory", "save_trajectory"),
     "signals.signal_files": ("load_signal_mission",),

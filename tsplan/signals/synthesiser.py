@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import time
 from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from tsplan.errors import SolverError
+from tsplan.logic import Formula
 from tsplan.logic.evaluation import holds
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
@@ -17,9 +20,11 @@ from tsplan.run.run import Listener, Run
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
 from tsplan.signals.equalities import approximate
+from tsplan.signals.linear_system import System
 from tsplan.signals.motion_check import settled
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_objectives import SignalPoint
+from tsplan.signals.signal_parts import Weighting
 from tsplan.signals.synthesis import Synthesis
 from tsplan.signals.trajectory import Trajectory
 from tsplan.signals.trajectory_check import certify
@@ -152,3 +157,45 @@ def synthesise_mission(
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Synthesis) else Synthesis(mission, tuning)
     return SynthesisRun(problem, choice, on_event).result()
+
+
+def synthesise(
+    formula: Formula | str | SignalMission | Synthesis,
+    system: System | None = None,
+    *,
+    start: Mapping[str, float | tuple[float, float]] | None = None,
+    horizon: int | None = None,
+    objective: Any = None,
+    weighting: Weighting = "product",
+    **options: Any,
+) -> Trajectory:
+    """The best trajectory of a system that satisfies a formula, verified; or that there is none.
+
+    A mission or a `Synthesis` stands for a formula and all that goes with it. Otherwise `start`
+    says where signals begin, `horizon` is the last step (by default the formula's own) and
+    `objective` is what a mission file has: `{"robustness": 1, "control_effort": 0.1}` for a
+    weighted sum, `["robustness", "control_effort"]` for one after the other, `[]` for any
+    trajectory; by default robustness is maximised. `options` are those of `tsplan.plan`:
+    `time_limit` in seconds, `solver`, `gap`, `threads`, `seed`, `encoding`, `on_event`.
+
+    Raises MissionError with everything that does not fit together, and what `tsplan.plan` raises.
+
+    >>> from tsplan.signals import Region, double_integrator
+    >>> system = double_integrator(("x", "y"), position=(0, 10), speed=1, push=0.5)
+    >>> goal, wall = Region(x=(7, 8), y=(8, 9)), Region(x=(3, 5), y=(4, 6))
+    >>> reach = goal.inside().eventually(0, 12) & wall.outside().always(0, 12)
+    >>> found = synthesise(reach, system, start={"x": 1, "y": 2})
+    >>> found.status.value, round(found.robustness, 6), found["x"].shape
+    ('optimal', 0.5, (13,))
+    """
+    if isinstance(formula, SignalMission | Synthesis):
+        return synthesise_mission(formula, **options)
+    mission = SignalMission.of(
+        system=system,
+        start=start,
+        formula=formula,
+        horizon=horizon,
+        objective=objective,
+        weighting=weighting,
+    )
+    return synthesise_mission(mission, **options)
