@@ -13,7 +13,7 @@ pairs : '{' (pair (',' pair)*)? '}' ;
 
 pair : '(' name ',' number ')' ;
 
-reserved : letter | SUM | MIN | MAX | TASK | LIMIT ;
+reserved : word | SUM | MIN | MAX | TASK | LIMIT ;
 
 TASK  : 'T' ;
 LIMIT : 'L' ;

@@ -23,13 +23,15 @@ connective
     ;
 
 // Not greedy: where 'X' could be a name as well as the operator, it is a name.
-unary : prefix*? comparison ;
+unary : prefix*? (comparison | joined) ;
 
 prefix
     : NOT
     | NEXT
-    | (EVENTUALLY | DIAMOND | ALWAYS | BOX) interval
+    | (EVENTUALLY | DIAMOND | ALWAYS | BOX | ONE | ALL) interval
     ;
+
+joined : (ONE | ALL) parts ;
 
 // One level is a formula or number in parentheses; several are the parts of an operator before them.
 parts
@@ -45,7 +47,7 @@ relation : GE | LE | GT | LT | EQ | NE ;
 constant : TRUE | FALSE ;
 
 name : NAME | STRING | reserved ;
-letter : EVENTUALLY | ALWAYS | UNTIL | RELEASE | NEXT ;
+word : EVENTUALLY | ALWAYS | UNTIL | RELEASE | NEXT | ONE | ALL ;
 
 // --- tokens ---
 
@@ -72,6 +74,8 @@ ALWAYS     : 'G' ;
 UNTIL      : 'U' ;
 RELEASE    : 'R' ;
 NEXT       : 'X' ;
+ONE        : 'one' ;
+ALL        : 'all' ;
 
 OPEN    : '(' ;
 CLOSE   : ')' ;

@@ -19,7 +19,7 @@ atom : count | name ;
 
 count : (SUM | MIN | MAX) '(' name (',' name)? ')' ;
 
-reserved : letter | SUM | MIN | MAX ;
+reserved : word | SUM | MIN | MAX ;
 
 SUM : 'sum' ;
 MIN : 'min' ;

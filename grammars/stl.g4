@@ -23,7 +23,7 @@ operand
 // in(goal), or in(robot, goal) where several robots have the same signals.
 region : (IN | OUT | CLEAR) '(' name (',' name)? ')' ;
 
-reserved : letter | IN | OUT | CLEAR ;
+reserved : word | IN | OUT | CLEAR ;
 
 IN    : 'in' ;
 OUT   : 'out' ;

@@ -11,15 +11,17 @@ connective
     | (UNTIL | RELEASE) interval weight?
     ;
 
-unary : prefix*? (comparison | joined) ;
-
 prefix
     : NOT
     | NEXT
     | (EVENTUALLY | DIAMOND | ALWAYS | BOX) interval weight?
+    | (ONE | ALL) interval
     ;
 
-joined : (AND | OR) weight? parts ;
+joined
+    : (AND | OR) weight? parts
+    | (ONE | ALL) parts
+    ;
 
 weight
     : HAT name

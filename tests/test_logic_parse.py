@@ -138,7 +138,7 @@ def test_given_weights_that_do_not_fit(weights, message):
 
 @pytest.mark.parametrize(
     "name",
-    ["F", "G", "U", "R", "X", "T", "L", "F1", "Gx", "_x", "sum", "min", "max", "TRUE", "Not"],
+    [*"FGURXTL", "F1", "Gx", "_x", "sum", "min", "max", "one", "all", "in", "out", "TRUE", "Not"],
 )
 def test_reserved_words_are_names_where_they_are_no_operators(name):
     label = Count("sum", name, None, ">=", 1)

@@ -19,7 +19,7 @@ STATES = 4
 PLACES = {"a": (0,), "b": (1, 2), "depot": (0, 2, 3)}
 """The states with each label in a random trace of counts."""
 
-_TROUBLE = ("a", "b1", "_x", *"FGURXTL", "F1", "sum", "min", "max", "TRUE", "true")
+_TROUBLE = ("a", "b1", "_x", *"FGURXTL", "F1", "sum", "min", "max", "one", "in", "TRUE", "true")
 _ANY_NAME = st.one_of(
     st.sampled_from(_TROUBLE), st.text(alphabet='ab_1 ."\\-äF(', min_size=1, max_size=5)
 )

@@ -10,78 +10,80 @@ else:
 
 def serializedATN():
     return [
-        4,1,43,206,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
+        4,1,45,213,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
         6,2,7,7,7,2,8,7,8,2,9,7,9,2,10,7,10,2,11,7,11,2,12,7,12,2,13,7,13,
         2,14,7,14,2,15,7,15,2,16,7,16,2,17,7,17,2,18,7,18,2,19,7,19,2,20,
-        7,20,2,21,7,21,1,0,1,0,1,0,1,0,3,0,49,8,0,1,1,1,1,1,1,1,1,1,1,1,
-        1,1,1,1,1,1,1,3,1,60,8,1,1,1,1,1,1,2,1,2,1,2,1,2,1,2,1,2,1,2,1,3,
-        1,3,1,3,1,3,5,3,75,8,3,10,3,12,3,78,9,3,3,3,80,8,3,1,3,1,3,1,4,1,
-        4,1,4,1,4,1,4,1,4,1,5,1,5,1,5,1,5,1,5,1,5,3,5,96,8,5,1,6,1,6,1,6,
-        1,6,5,6,102,8,6,10,6,12,6,105,9,6,1,7,1,7,1,7,1,7,3,7,111,8,7,1,
-        8,3,8,114,8,8,1,8,1,8,3,8,118,8,8,1,9,1,9,1,9,1,9,1,9,3,9,125,8,
-        9,1,9,1,9,1,10,1,10,1,10,5,10,132,8,10,10,10,12,10,135,9,10,1,10,
-        1,10,1,11,1,11,1,11,1,11,5,11,143,8,11,10,11,12,11,146,9,11,1,12,
-        1,12,1,12,1,12,1,12,1,12,3,12,154,8,12,1,13,5,13,157,8,13,10,13,
-        12,13,160,9,13,1,13,1,13,1,14,1,14,1,14,1,14,3,14,168,8,14,1,15,
-        1,15,1,15,1,15,1,15,5,15,175,8,15,10,15,12,15,178,9,15,1,15,1,15,
-        3,15,182,8,15,1,16,1,16,1,16,1,16,1,16,1,16,1,17,3,17,191,8,17,1,
-        17,1,17,1,18,1,18,1,19,1,19,1,20,1,20,1,20,3,20,202,8,20,1,21,1,
-        21,1,21,1,158,0,22,0,2,4,6,8,10,12,14,16,18,20,22,24,26,28,30,32,
-        34,36,38,40,42,0,6,1,0,3,5,1,0,23,24,2,0,11,12,21,22,1,0,13,18,1,
-        0,19,20,1,0,21,25,215,0,48,1,0,0,0,2,50,1,0,0,0,4,63,1,0,0,0,6,70,
-        1,0,0,0,8,83,1,0,0,0,10,95,1,0,0,0,12,97,1,0,0,0,14,110,1,0,0,0,
-        16,113,1,0,0,0,18,119,1,0,0,0,20,128,1,0,0,0,22,138,1,0,0,0,24,153,
-        1,0,0,0,26,158,1,0,0,0,28,167,1,0,0,0,30,181,1,0,0,0,32,183,1,0,
-        0,0,34,190,1,0,0,0,36,194,1,0,0,0,38,196,1,0,0,0,40,201,1,0,0,0,
-        42,203,1,0,0,0,44,49,3,18,9,0,45,49,3,2,1,0,46,49,3,4,2,0,47,49,
-        3,40,20,0,48,44,1,0,0,0,48,45,1,0,0,0,48,46,1,0,0,0,48,47,1,0,0,
-        0,49,1,1,0,0,0,50,51,5,1,0,0,51,52,5,26,0,0,52,53,3,16,8,0,53,54,
-        5,33,0,0,54,55,3,40,20,0,55,56,5,33,0,0,56,59,3,6,3,0,57,58,5,33,
-        0,0,58,60,3,6,3,0,59,57,1,0,0,0,59,60,1,0,0,0,60,61,1,0,0,0,61,62,
-        5,27,0,0,62,3,1,0,0,0,63,64,5,2,0,0,64,65,5,26,0,0,65,66,3,40,20,
-        0,66,67,5,33,0,0,67,68,3,6,3,0,68,69,5,27,0,0,69,5,1,0,0,0,70,79,
-        5,36,0,0,71,76,3,8,4,0,72,73,5,33,0,0,73,75,3,8,4,0,74,72,1,0,0,
-        0,75,78,1,0,0,0,76,74,1,0,0,0,76,77,1,0,0,0,77,80,1,0,0,0,78,76,
-        1,0,0,0,79,71,1,0,0,0,79,80,1,0,0,0,80,81,1,0,0,0,81,82,5,37,0,0,
-        82,7,1,0,0,0,83,84,5,26,0,0,84,85,3,40,20,0,85,86,5,33,0,0,86,87,
-        3,16,8,0,87,88,5,27,0,0,88,9,1,0,0,0,89,96,3,42,21,0,90,96,5,3,0,
-        0,91,96,5,4,0,0,92,96,5,5,0,0,93,96,5,1,0,0,94,96,5,2,0,0,95,89,
-        1,0,0,0,95,90,1,0,0,0,95,91,1,0,0,0,95,92,1,0,0,0,95,93,1,0,0,0,
-        95,94,1,0,0,0,96,11,1,0,0,0,97,103,3,14,7,0,98,99,3,36,18,0,99,100,
-        3,14,7,0,100,102,1,0,0,0,101,98,1,0,0,0,102,105,1,0,0,0,103,101,
-        1,0,0,0,103,104,1,0,0,0,104,13,1,0,0,0,105,103,1,0,0,0,106,111,3,
-        38,19,0,107,111,3,16,8,0,108,111,3,0,0,0,109,111,3,30,15,0,110,106,
-        1,0,0,0,110,107,1,0,0,0,110,108,1,0,0,0,110,109,1,0,0,0,111,15,1,
-        0,0,0,112,114,5,29,0,0,113,112,1,0,0,0,113,114,1,0,0,0,114,115,1,
-        0,0,0,115,117,5,38,0,0,116,118,5,32,0,0,117,116,1,0,0,0,117,118,
-        1,0,0,0,118,17,1,0,0,0,119,120,7,0,0,0,120,121,5,26,0,0,121,124,
-        3,40,20,0,122,123,5,33,0,0,123,125,3,40,20,0,124,122,1,0,0,0,124,
-        125,1,0,0,0,125,126,1,0,0,0,126,127,5,27,0,0,127,19,1,0,0,0,128,
-        133,3,22,11,0,129,130,5,33,0,0,130,132,3,22,11,0,131,129,1,0,0,0,
-        132,135,1,0,0,0,133,131,1,0,0,0,133,134,1,0,0,0,134,136,1,0,0,0,
-        135,133,1,0,0,0,136,137,5,0,0,1,137,21,1,0,0,0,138,144,3,26,13,0,
-        139,140,3,24,12,0,140,141,3,26,13,0,141,143,1,0,0,0,142,139,1,0,
-        0,0,143,146,1,0,0,0,144,142,1,0,0,0,144,145,1,0,0,0,145,23,1,0,0,
-        0,146,144,1,0,0,0,147,154,5,6,0,0,148,154,5,7,0,0,149,154,5,9,0,
-        0,150,154,5,10,0,0,151,152,7,1,0,0,152,154,3,32,16,0,153,147,1,0,
-        0,0,153,148,1,0,0,0,153,149,1,0,0,0,153,150,1,0,0,0,153,151,1,0,
-        0,0,154,25,1,0,0,0,155,157,3,28,14,0,156,155,1,0,0,0,157,160,1,0,
-        0,0,158,159,1,0,0,0,158,156,1,0,0,0,159,161,1,0,0,0,160,158,1,0,
-        0,0,161,162,3,12,6,0,162,27,1,0,0,0,163,168,5,8,0,0,164,168,5,25,
-        0,0,165,166,7,2,0,0,166,168,3,32,16,0,167,163,1,0,0,0,167,164,1,
-        0,0,0,167,165,1,0,0,0,168,29,1,0,0,0,169,182,5,43,0,0,170,171,5,
-        26,0,0,171,176,3,22,11,0,172,173,5,33,0,0,173,175,3,22,11,0,174,
-        172,1,0,0,0,175,178,1,0,0,0,176,174,1,0,0,0,176,177,1,0,0,0,177,
-        179,1,0,0,0,178,176,1,0,0,0,179,180,5,27,0,0,180,182,1,0,0,0,181,
-        169,1,0,0,0,181,170,1,0,0,0,182,31,1,0,0,0,183,184,5,34,0,0,184,
-        185,3,34,17,0,185,186,5,33,0,0,186,187,3,34,17,0,187,188,5,35,0,
-        0,188,33,1,0,0,0,189,191,5,29,0,0,190,189,1,0,0,0,190,191,1,0,0,
-        0,191,192,1,0,0,0,192,193,5,38,0,0,193,35,1,0,0,0,194,195,7,3,0,
-        0,195,37,1,0,0,0,196,197,7,4,0,0,197,39,1,0,0,0,198,202,5,39,0,0,
-        199,202,5,40,0,0,200,202,3,10,5,0,201,198,1,0,0,0,201,199,1,0,0,
-        0,201,200,1,0,0,0,202,41,1,0,0,0,203,204,7,5,0,0,204,43,1,0,0,0,
-        19,48,59,76,79,95,103,110,113,117,124,133,144,153,158,167,176,181,
-        190,201
+        7,20,2,21,7,21,2,22,7,22,1,0,1,0,1,0,1,0,3,0,51,8,0,1,1,1,1,1,1,
+        1,1,1,1,1,1,1,1,1,1,1,1,3,1,62,8,1,1,1,1,1,1,2,1,2,1,2,1,2,1,2,1,
+        2,1,2,1,3,1,3,1,3,1,3,5,3,77,8,3,10,3,12,3,80,9,3,3,3,82,8,3,1,3,
+        1,3,1,4,1,4,1,4,1,4,1,4,1,4,1,5,1,5,1,5,1,5,1,5,1,5,3,5,98,8,5,1,
+        6,1,6,1,6,1,6,5,6,104,8,6,10,6,12,6,107,9,6,1,7,1,7,1,7,1,7,3,7,
+        113,8,7,1,8,3,8,116,8,8,1,8,1,8,3,8,120,8,8,1,9,1,9,1,9,1,9,1,9,
+        3,9,127,8,9,1,9,1,9,1,10,1,10,1,10,5,10,134,8,10,10,10,12,10,137,
+        9,10,1,10,1,10,1,11,1,11,1,11,1,11,5,11,145,8,11,10,11,12,11,148,
+        9,11,1,12,1,12,1,12,1,12,1,12,1,12,3,12,156,8,12,1,13,5,13,159,8,
+        13,10,13,12,13,162,9,13,1,13,1,13,3,13,166,8,13,1,14,1,14,1,14,1,
+        14,3,14,172,8,14,1,15,1,15,1,15,1,16,1,16,1,16,1,16,1,16,5,16,182,
+        8,16,10,16,12,16,185,9,16,1,16,1,16,3,16,189,8,16,1,17,1,17,1,17,
+        1,17,1,17,1,17,1,18,3,18,198,8,18,1,18,1,18,1,19,1,19,1,20,1,20,
+        1,21,1,21,1,21,3,21,209,8,21,1,22,1,22,1,22,1,160,0,23,0,2,4,6,8,
+        10,12,14,16,18,20,22,24,26,28,30,32,34,36,38,40,42,44,0,7,1,0,3,
+        5,1,0,23,24,3,0,11,12,21,22,26,27,1,0,26,27,1,0,13,18,1,0,19,20,
+        1,0,21,27,222,0,50,1,0,0,0,2,52,1,0,0,0,4,65,1,0,0,0,6,72,1,0,0,
+        0,8,85,1,0,0,0,10,97,1,0,0,0,12,99,1,0,0,0,14,112,1,0,0,0,16,115,
+        1,0,0,0,18,121,1,0,0,0,20,130,1,0,0,0,22,140,1,0,0,0,24,155,1,0,
+        0,0,26,160,1,0,0,0,28,171,1,0,0,0,30,173,1,0,0,0,32,188,1,0,0,0,
+        34,190,1,0,0,0,36,197,1,0,0,0,38,201,1,0,0,0,40,203,1,0,0,0,42,208,
+        1,0,0,0,44,210,1,0,0,0,46,51,3,18,9,0,47,51,3,2,1,0,48,51,3,4,2,
+        0,49,51,3,42,21,0,50,46,1,0,0,0,50,47,1,0,0,0,50,48,1,0,0,0,50,49,
+        1,0,0,0,51,1,1,0,0,0,52,53,5,1,0,0,53,54,5,28,0,0,54,55,3,16,8,0,
+        55,56,5,35,0,0,56,57,3,42,21,0,57,58,5,35,0,0,58,61,3,6,3,0,59,60,
+        5,35,0,0,60,62,3,6,3,0,61,59,1,0,0,0,61,62,1,0,0,0,62,63,1,0,0,0,
+        63,64,5,29,0,0,64,3,1,0,0,0,65,66,5,2,0,0,66,67,5,28,0,0,67,68,3,
+        42,21,0,68,69,5,35,0,0,69,70,3,6,3,0,70,71,5,29,0,0,71,5,1,0,0,0,
+        72,81,5,38,0,0,73,78,3,8,4,0,74,75,5,35,0,0,75,77,3,8,4,0,76,74,
+        1,0,0,0,77,80,1,0,0,0,78,76,1,0,0,0,78,79,1,0,0,0,79,82,1,0,0,0,
+        80,78,1,0,0,0,81,73,1,0,0,0,81,82,1,0,0,0,82,83,1,0,0,0,83,84,5,
+        39,0,0,84,7,1,0,0,0,85,86,5,28,0,0,86,87,3,42,21,0,87,88,5,35,0,
+        0,88,89,3,16,8,0,89,90,5,29,0,0,90,9,1,0,0,0,91,98,3,44,22,0,92,
+        98,5,3,0,0,93,98,5,4,0,0,94,98,5,5,0,0,95,98,5,1,0,0,96,98,5,2,0,
+        0,97,91,1,0,0,0,97,92,1,0,0,0,97,93,1,0,0,0,97,94,1,0,0,0,97,95,
+        1,0,0,0,97,96,1,0,0,0,98,11,1,0,0,0,99,105,3,14,7,0,100,101,3,38,
+        19,0,101,102,3,14,7,0,102,104,1,0,0,0,103,100,1,0,0,0,104,107,1,
+        0,0,0,105,103,1,0,0,0,105,106,1,0,0,0,106,13,1,0,0,0,107,105,1,0,
+        0,0,108,113,3,40,20,0,109,113,3,16,8,0,110,113,3,0,0,0,111,113,3,
+        32,16,0,112,108,1,0,0,0,112,109,1,0,0,0,112,110,1,0,0,0,112,111,
+        1,0,0,0,113,15,1,0,0,0,114,116,5,31,0,0,115,114,1,0,0,0,115,116,
+        1,0,0,0,116,117,1,0,0,0,117,119,5,40,0,0,118,120,5,34,0,0,119,118,
+        1,0,0,0,119,120,1,0,0,0,120,17,1,0,0,0,121,122,7,0,0,0,122,123,5,
+        28,0,0,123,126,3,42,21,0,124,125,5,35,0,0,125,127,3,42,21,0,126,
+        124,1,0,0,0,126,127,1,0,0,0,127,128,1,0,0,0,128,129,5,29,0,0,129,
+        19,1,0,0,0,130,135,3,22,11,0,131,132,5,35,0,0,132,134,3,22,11,0,
+        133,131,1,0,0,0,134,137,1,0,0,0,135,133,1,0,0,0,135,136,1,0,0,0,
+        136,138,1,0,0,0,137,135,1,0,0,0,138,139,5,0,0,1,139,21,1,0,0,0,140,
+        146,3,26,13,0,141,142,3,24,12,0,142,143,3,26,13,0,143,145,1,0,0,
+        0,144,141,1,0,0,0,145,148,1,0,0,0,146,144,1,0,0,0,146,147,1,0,0,
+        0,147,23,1,0,0,0,148,146,1,0,0,0,149,156,5,6,0,0,150,156,5,7,0,0,
+        151,156,5,9,0,0,152,156,5,10,0,0,153,154,7,1,0,0,154,156,3,34,17,
+        0,155,149,1,0,0,0,155,150,1,0,0,0,155,151,1,0,0,0,155,152,1,0,0,
+        0,155,153,1,0,0,0,156,25,1,0,0,0,157,159,3,28,14,0,158,157,1,0,0,
+        0,159,162,1,0,0,0,160,161,1,0,0,0,160,158,1,0,0,0,161,165,1,0,0,
+        0,162,160,1,0,0,0,163,166,3,12,6,0,164,166,3,30,15,0,165,163,1,0,
+        0,0,165,164,1,0,0,0,166,27,1,0,0,0,167,172,5,8,0,0,168,172,5,25,
+        0,0,169,170,7,2,0,0,170,172,3,34,17,0,171,167,1,0,0,0,171,168,1,
+        0,0,0,171,169,1,0,0,0,172,29,1,0,0,0,173,174,7,3,0,0,174,175,3,32,
+        16,0,175,31,1,0,0,0,176,189,5,45,0,0,177,178,5,28,0,0,178,183,3,
+        22,11,0,179,180,5,35,0,0,180,182,3,22,11,0,181,179,1,0,0,0,182,185,
+        1,0,0,0,183,181,1,0,0,0,183,184,1,0,0,0,184,186,1,0,0,0,185,183,
+        1,0,0,0,186,187,5,29,0,0,187,189,1,0,0,0,188,176,1,0,0,0,188,177,
+        1,0,0,0,189,33,1,0,0,0,190,191,5,36,0,0,191,192,3,36,18,0,192,193,
+        5,35,0,0,193,194,3,36,18,0,194,195,5,37,0,0,195,35,1,0,0,0,196,198,
+        5,31,0,0,197,196,1,0,0,0,197,198,1,0,0,0,198,199,1,0,0,0,199,200,
+        5,40,0,0,200,37,1,0,0,0,201,202,7,4,0,0,202,39,1,0,0,0,203,204,7,
+        5,0,0,204,41,1,0,0,0,205,209,5,41,0,0,206,209,5,42,0,0,207,209,3,
+        10,5,0,208,205,1,0,0,0,208,206,1,0,0,0,208,207,1,0,0,0,209,43,1,
+        0,0,0,210,211,7,6,0,0,211,45,1,0,0,0,20,50,61,78,81,97,105,112,115,
+        119,126,135,146,155,160,165,171,183,188,197,208
     ]
 
 class catlParser ( Parser ):
@@ -98,18 +100,18 @@ class catlParser ( Parser ):
                      "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
                      "<INVALID>", "'<>'", "'[]'", "'>='", "'<='", "'>'", 
                      "'<'", "<INVALID>", "'!='", "<INVALID>", "<INVALID>", 
-                     "'F'", "'G'", "'U'", "'R'", "'X'", "'('", "')'", "'+'", 
-                     "'-'", "'*'", "'/'", "'%'", "','", "'['", "']'", "'{'", 
-                     "'}'" ]
+                     "'F'", "'G'", "'U'", "'R'", "'X'", "'one'", "'all'", 
+                     "'('", "')'", "'+'", "'-'", "'*'", "'/'", "'%'", "','", 
+                     "'['", "']'", "'{'", "'}'" ]
 
     symbolicNames = [ "<INVALID>", "TASK", "LIMIT", "SUM", "MIN", "MAX", 
                       "AND", "OR", "NOT", "IMPLIES", "IFF", "DIAMOND", "BOX", 
                       "GE", "LE", "GT", "LT", "EQ", "NE", "TRUE", "FALSE", 
                       "EVENTUALLY", "ALWAYS", "UNTIL", "RELEASE", "NEXT", 
-                      "OPEN", "CLOSE", "PLUS", "MINUS", "STAR", "SLASH", 
-                      "PERCENT", "COMMA", "LBRACKET", "RBRACKET", "LBRACE", 
-                      "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", "STRAY", 
-                      "GROUP" ]
+                      "ONE", "ALL", "OPEN", "CLOSE", "PLUS", "MINUS", "STAR", 
+                      "SLASH", "PERCENT", "COMMA", "LBRACKET", "RBRACKET", 
+                      "LBRACE", "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", 
+                      "STRAY", "GROUP" ]
 
     RULE_atom = 0
     RULE_task = 1
@@ -126,18 +128,20 @@ class catlParser ( Parser ):
     RULE_connective = 12
     RULE_unary = 13
     RULE_prefix = 14
-    RULE_parts = 15
-    RULE_interval = 16
-    RULE_bound = 17
-    RULE_relation = 18
-    RULE_constant = 19
-    RULE_name = 20
-    RULE_letter = 21
+    RULE_joined = 15
+    RULE_parts = 16
+    RULE_interval = 17
+    RULE_bound = 18
+    RULE_relation = 19
+    RULE_constant = 20
+    RULE_name = 21
+    RULE_word = 22
 
     ruleNames =  [ "atom", "task", "limit", "pairs", "pair", "reserved", 
                    "comparison", "operand", "number", "count", "formula", 
-                   "level", "connective", "unary", "prefix", "parts", "interval", 
-                   "bound", "relation", "constant", "name", "letter" ]
+                   "level", "connective", "unary", "prefix", "joined", "parts", 
+                   "interval", "bound", "relation", "constant", "name", 
+                   "word" ]
 
     EOF = Token.EOF
     TASK=1
@@ -165,24 +169,26 @@ class catlParser ( Parser ):
     UNTIL=23
     RELEASE=24
     NEXT=25
-    OPEN=26
-    CLOSE=27
-    PLUS=28
-    MINUS=29
-    STAR=30
-    SLASH=31
-    PERCENT=32
-    COMMA=33
-    LBRACKET=34
-    RBRACKET=35
-    LBRACE=36
-    RBRACE=37
-    NUMBER=38
-    NAME=39
-    STRING=40
-    SPACE=41
-    STRAY=42
-    GROUP=43
+    ONE=26
+    ALL=27
+    OPEN=28
+    CLOSE=29
+    PLUS=30
+    MINUS=31
+    STAR=32
+    SLASH=33
+    PERCENT=34
+    COMMA=35
+    LBRACKET=36
+    RBRACKET=37
+    LBRACE=38
+    RBRACE=39
+    NUMBER=40
+    NAME=41
+    STRING=42
+    SPACE=43
+    STRAY=44
+    GROUP=45
 
     def __init__(self, input:TokenStream, output:TextIO = sys.stdout):
         super().__init__(input, output)
@@ -227,30 +233,30 @@ class catlParser ( Parser ):
         localctx = catlParser.AtomContext(self, self._ctx, self.state)
         self.enterRule(localctx, 0, self.RULE_atom)
         try:
-            self.state = 48
+            self.state = 50
             self._errHandler.sync(self)
             la_ = self._interp.adaptivePredict(self._input,0,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 44
+                self.state = 46
                 self.count()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 45
+                self.state = 47
                 self.task()
                 pass
 
             elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 46
+                self.state = 48
                 self.limit()
                 pass
 
             elif la_ == 4:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 47
+                self.state = 49
                 self.name()
                 pass
 
@@ -314,31 +320,31 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 50
-            self.match(catlParser.TASK)
-            self.state = 51
-            self.match(catlParser.OPEN)
             self.state = 52
-            self.number()
+            self.match(catlParser.TASK)
             self.state = 53
-            self.match(catlParser.COMMA)
+            self.match(catlParser.OPEN)
             self.state = 54
-            self.name()
+            self.number()
             self.state = 55
             self.match(catlParser.COMMA)
             self.state = 56
+            self.name()
+            self.state = 57
+            self.match(catlParser.COMMA)
+            self.state = 58
             self.pairs()
-            self.state = 59
+            self.state = 61
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==33:
-                self.state = 57
+            if _la==35:
+                self.state = 59
                 self.match(catlParser.COMMA)
-                self.state = 58
+                self.state = 60
                 self.pairs()
 
 
-            self.state = 61
+            self.state = 63
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -388,17 +394,17 @@ class catlParser ( Parser ):
         self.enterRule(localctx, 4, self.RULE_limit)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 63
-            self.match(catlParser.LIMIT)
-            self.state = 64
-            self.match(catlParser.OPEN)
             self.state = 65
-            self.name()
+            self.match(catlParser.LIMIT)
             self.state = 66
-            self.match(catlParser.COMMA)
+            self.match(catlParser.OPEN)
             self.state = 67
-            self.pairs()
+            self.name()
             self.state = 68
+            self.match(catlParser.COMMA)
+            self.state = 69
+            self.pairs()
+            self.state = 70
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -448,29 +454,29 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 70
+            self.state = 72
             self.match(catlParser.LBRACE)
-            self.state = 79
+            self.state = 81
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==26:
-                self.state = 71
+            if _la==28:
+                self.state = 73
                 self.pair()
-                self.state = 76
+                self.state = 78
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==33:
-                    self.state = 72
+                while _la==35:
+                    self.state = 74
                     self.match(catlParser.COMMA)
-                    self.state = 73
+                    self.state = 75
                     self.pair()
-                    self.state = 78
+                    self.state = 80
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
 
 
-            self.state = 81
+            self.state = 83
             self.match(catlParser.RBRACE)
         except RecognitionException as re:
             localctx.exception = re
@@ -517,15 +523,15 @@ class catlParser ( Parser ):
         self.enterRule(localctx, 8, self.RULE_pair)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 83
-            self.match(catlParser.OPEN)
-            self.state = 84
-            self.name()
             self.state = 85
-            self.match(catlParser.COMMA)
+            self.match(catlParser.OPEN)
             self.state = 86
-            self.number()
+            self.name()
             self.state = 87
+            self.match(catlParser.COMMA)
+            self.state = 88
+            self.number()
+            self.state = 89
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -543,8 +549,8 @@ class catlParser ( Parser ):
             super().__init__(parent, invokingState)
             self.parser = parser
 
-        def letter(self):
-            return self.getTypedRuleContext(catlParser.LetterContext,0)
+        def word(self):
+            return self.getTypedRuleContext(catlParser.WordContext,0)
 
 
         def SUM(self):
@@ -573,37 +579,37 @@ class catlParser ( Parser ):
         localctx = catlParser.ReservedContext(self, self._ctx, self.state)
         self.enterRule(localctx, 10, self.RULE_reserved)
         try:
-            self.state = 95
+            self.state = 97
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [21, 22, 23, 24, 25]:
+            if token in [21, 22, 23, 24, 25, 26, 27]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 89
-                self.letter()
+                self.state = 91
+                self.word()
                 pass
             elif token in [3]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 90
+                self.state = 92
                 self.match(catlParser.SUM)
                 pass
             elif token in [4]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 91
+                self.state = 93
                 self.match(catlParser.MIN)
                 pass
             elif token in [5]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 92
+                self.state = 94
                 self.match(catlParser.MAX)
                 pass
             elif token in [1]:
                 self.enterOuterAlt(localctx, 5)
-                self.state = 93
+                self.state = 95
                 self.match(catlParser.TASK)
                 pass
             elif token in [2]:
                 self.enterOuterAlt(localctx, 6)
-                self.state = 94
+                self.state = 96
                 self.match(catlParser.LIMIT)
                 pass
             else:
@@ -652,17 +658,17 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 97
+            self.state = 99
             self.operand()
-            self.state = 103
+            self.state = 105
             self._errHandler.sync(self)
             _la = self._input.LA(1)
             while (((_la) & ~0x3f) == 0 and ((1 << _la) & 516096) != 0):
-                self.state = 98
+                self.state = 100
                 self.relation()
-                self.state = 99
+                self.state = 101
                 self.operand()
-                self.state = 105
+                self.state = 107
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -709,27 +715,27 @@ class catlParser ( Parser ):
         localctx = catlParser.OperandContext(self, self._ctx, self.state)
         self.enterRule(localctx, 14, self.RULE_operand)
         try:
-            self.state = 110
+            self.state = 112
             self._errHandler.sync(self)
             token = self._input.LA(1)
             if token in [19, 20]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 106
+                self.state = 108
                 self.constant()
                 pass
-            elif token in [29, 38]:
+            elif token in [31, 40]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 107
+                self.state = 109
                 self.number()
                 pass
-            elif token in [1, 2, 3, 4, 5, 21, 22, 23, 24, 25, 39, 40]:
+            elif token in [1, 2, 3, 4, 5, 21, 22, 23, 24, 25, 26, 27, 41, 42]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 108
+                self.state = 110
                 self.atom()
                 pass
-            elif token in [26, 43]:
+            elif token in [28, 45]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 109
+                self.state = 111
                 self.parts()
                 pass
             else:
@@ -773,21 +779,21 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 113
+            self.state = 115
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==29:
-                self.state = 112
+            if _la==31:
+                self.state = 114
                 self.match(catlParser.MINUS)
 
 
-            self.state = 115
-            self.match(catlParser.NUMBER)
             self.state = 117
+            self.match(catlParser.NUMBER)
+            self.state = 119
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==32:
-                self.state = 116
+            if _la==34:
+                self.state = 118
                 self.match(catlParser.PERCENT)
 
 
@@ -845,28 +851,28 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 119
+            self.state = 121
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 56) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
                 self.consume()
-            self.state = 120
+            self.state = 122
             self.match(catlParser.OPEN)
-            self.state = 121
+            self.state = 123
             self.name()
-            self.state = 124
+            self.state = 126
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==33:
-                self.state = 122
+            if _la==35:
+                self.state = 124
                 self.match(catlParser.COMMA)
-                self.state = 123
+                self.state = 125
                 self.name()
 
 
-            self.state = 126
+            self.state = 128
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -913,21 +919,21 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 128
+            self.state = 130
             self.level()
-            self.state = 133
+            self.state = 135
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==33:
-                self.state = 129
+            while _la==35:
+                self.state = 131
                 self.match(catlParser.COMMA)
-                self.state = 130
+                self.state = 132
                 self.level()
-                self.state = 135
+                self.state = 137
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 136
+            self.state = 138
             self.match(catlParser.EOF)
         except RecognitionException as re:
             localctx.exception = re
@@ -972,17 +978,17 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 138
+            self.state = 140
             self.unary()
-            self.state = 144
+            self.state = 146
             self._errHandler.sync(self)
             _la = self._input.LA(1)
             while (((_la) & ~0x3f) == 0 and ((1 << _la) & 25167552) != 0):
-                self.state = 139
+                self.state = 141
                 self.connective()
-                self.state = 140
+                self.state = 142
                 self.unary()
-                self.state = 146
+                self.state = 148
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -1036,39 +1042,39 @@ class catlParser ( Parser ):
         self.enterRule(localctx, 24, self.RULE_connective)
         self._la = 0 # Token type
         try:
-            self.state = 153
+            self.state = 155
             self._errHandler.sync(self)
             token = self._input.LA(1)
             if token in [6]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 147
+                self.state = 149
                 self.match(catlParser.AND)
                 pass
             elif token in [7]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 148
+                self.state = 150
                 self.match(catlParser.OR)
                 pass
             elif token in [9]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 149
+                self.state = 151
                 self.match(catlParser.IMPLIES)
                 pass
             elif token in [10]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 150
+                self.state = 152
                 self.match(catlParser.IFF)
                 pass
             elif token in [23, 24]:
                 self.enterOuterAlt(localctx, 5)
-                self.state = 151
+                self.state = 153
                 _la = self._input.LA(1)
                 if not(_la==23 or _la==24):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 152
+                self.state = 154
                 self.interval()
                 pass
             else:
@@ -1094,6 +1100,10 @@ class catlParser ( Parser ):
             return self.getTypedRuleContext(catlParser.ComparisonContext,0)
 
 
+        def joined(self):
+            return self.getTypedRuleContext(catlParser.JoinedContext,0)
+
+
         def prefix(self, i:int=None):
             if i is None:
                 return self.getTypedRuleContexts(catlParser.PrefixContext)
@@ -1113,19 +1123,31 @@ class catlParser ( Parser ):
         self.enterRule(localctx, 26, self.RULE_unary)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 158
+            self.state = 160
             self._errHandler.sync(self)
             _alt = self._interp.adaptivePredict(self._input,13,self._ctx)
             while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
                 if _alt==1+1:
-                    self.state = 155
+                    self.state = 157
                     self.prefix() 
-                self.state = 160
+                self.state = 162
                 self._errHandler.sync(self)
                 _alt = self._interp.adaptivePredict(self._input,13,self._ctx)
 
-            self.state = 161
-            self.comparison()
+            self.state = 165
+            self._errHandler.sync(self)
+            la_ = self._interp.adaptivePredict(self._input,14,self._ctx)
+            if la_ == 1:
+                self.state = 163
+                self.comparison()
+                pass
+
+            elif la_ == 2:
+                self.state = 164
+                self.joined()
+                pass
+
+
         except RecognitionException as re:
             localctx.exception = re
             self._errHandler.reportError(self, re)
@@ -1164,6 +1186,12 @@ class catlParser ( Parser ):
         def BOX(self):
             return self.getToken(catlParser.BOX, 0)
 
+        def ONE(self):
+            return self.getToken(catlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(catlParser.ALL, 0)
+
         def getRuleIndex(self):
             return catlParser.RULE_prefix
 
@@ -1176,34 +1204,82 @@ class catlParser ( Parser ):
         self.enterRule(localctx, 28, self.RULE_prefix)
         self._la = 0 # Token type
         try:
-            self.state = 167
+            self.state = 171
             self._errHandler.sync(self)
             token = self._input.LA(1)
             if token in [8]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 163
+                self.state = 167
                 self.match(catlParser.NOT)
                 pass
             elif token in [25]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 164
+                self.state = 168
                 self.match(catlParser.NEXT)
                 pass
-            elif token in [11, 12, 21, 22]:
+            elif token in [11, 12, 21, 22, 26, 27]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 165
+                self.state = 169
                 _la = self._input.LA(1)
-                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 6297600) != 0)):
+                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 207624192) != 0)):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 166
+                self.state = 170
                 self.interval()
                 pass
             else:
                 raise NoViableAltException(self)
 
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class JoinedContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def parts(self):
+            return self.getTypedRuleContext(catlParser.PartsContext,0)
+
+
+        def ONE(self):
+            return self.getToken(catlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(catlParser.ALL, 0)
+
+        def getRuleIndex(self):
+            return catlParser.RULE_joined
+
+
+
+
+    def joined(self):
+
+        localctx = catlParser.JoinedContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 30, self.RULE_joined)
+        self._la = 0 # Token type
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 173
+            _la = self._input.LA(1)
+            if not(_la==26 or _la==27):
+                self._errHandler.recoverInline(self)
+            else:
+                self._errHandler.reportMatch(self)
+                self.consume()
+            self.state = 174
+            self.parts()
         except RecognitionException as re:
             localctx.exception = re
             self._errHandler.reportError(self, re)
@@ -1251,36 +1327,36 @@ class catlParser ( Parser ):
     def parts(self):
 
         localctx = catlParser.PartsContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 30, self.RULE_parts)
+        self.enterRule(localctx, 32, self.RULE_parts)
         self._la = 0 # Token type
         try:
-            self.state = 181
+            self.state = 188
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [43]:
+            if token in [45]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 169
+                self.state = 176
                 self.match(catlParser.GROUP)
                 pass
-            elif token in [26]:
+            elif token in [28]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 170
+                self.state = 177
                 self.match(catlParser.OPEN)
-                self.state = 171
+                self.state = 178
                 self.level()
-                self.state = 176
+                self.state = 183
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==33:
-                    self.state = 172
+                while _la==35:
+                    self.state = 179
                     self.match(catlParser.COMMA)
-                    self.state = 173
+                    self.state = 180
                     self.level()
-                    self.state = 178
+                    self.state = 185
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 179
+                self.state = 186
                 self.match(catlParser.CLOSE)
                 pass
             else:
@@ -1327,18 +1403,18 @@ class catlParser ( Parser ):
     def interval(self):
 
         localctx = catlParser.IntervalContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 32, self.RULE_interval)
+        self.enterRule(localctx, 34, self.RULE_interval)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 183
+            self.state = 190
             self.match(catlParser.LBRACKET)
-            self.state = 184
+            self.state = 191
             self.bound()
-            self.state = 185
+            self.state = 192
             self.match(catlParser.COMMA)
-            self.state = 186
+            self.state = 193
             self.bound()
-            self.state = 187
+            self.state = 194
             self.match(catlParser.RBRACKET)
         except RecognitionException as re:
             localctx.exception = re
@@ -1371,19 +1447,19 @@ class catlParser ( Parser ):
     def bound(self):
 
         localctx = catlParser.BoundContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 34, self.RULE_bound)
+        self.enterRule(localctx, 36, self.RULE_bound)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 190
+            self.state = 197
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==29:
-                self.state = 189
+            if _la==31:
+                self.state = 196
                 self.match(catlParser.MINUS)
 
 
-            self.state = 192
+            self.state = 199
             self.match(catlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -1428,11 +1504,11 @@ class catlParser ( Parser ):
     def relation(self):
 
         localctx = catlParser.RelationContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 36, self.RULE_relation)
+        self.enterRule(localctx, 38, self.RULE_relation)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 194
+            self.state = 201
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 516096) != 0)):
                 self._errHandler.recoverInline(self)
@@ -1470,11 +1546,11 @@ class catlParser ( Parser ):
     def constant(self):
 
         localctx = catlParser.ConstantContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 38, self.RULE_constant)
+        self.enterRule(localctx, 40, self.RULE_constant)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 196
+            self.state = 203
             _la = self._input.LA(1)
             if not(_la==19 or _la==20):
                 self._errHandler.recoverInline(self)
@@ -1516,24 +1592,24 @@ class catlParser ( Parser ):
     def name(self):
 
         localctx = catlParser.NameContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 40, self.RULE_name)
+        self.enterRule(localctx, 42, self.RULE_name)
         try:
-            self.state = 201
+            self.state = 208
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [39]:
+            if token in [41]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 198
+                self.state = 205
                 self.match(catlParser.NAME)
                 pass
-            elif token in [40]:
+            elif token in [42]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 199
+                self.state = 206
                 self.match(catlParser.STRING)
                 pass
-            elif token in [1, 2, 3, 4, 5, 21, 22, 23, 24, 25]:
+            elif token in [1, 2, 3, 4, 5, 21, 22, 23, 24, 25, 26, 27]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 200
+                self.state = 207
                 self.reserved()
                 pass
             else:
@@ -1548,7 +1624,7 @@ class catlParser ( Parser ):
         return localctx
 
 
-    class LetterContext(ParserRuleContext):
+    class WordContext(ParserRuleContext):
         __slots__ = 'parser'
 
         def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
@@ -1570,22 +1646,28 @@ class catlParser ( Parser ):
         def NEXT(self):
             return self.getToken(catlParser.NEXT, 0)
 
+        def ONE(self):
+            return self.getToken(catlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(catlParser.ALL, 0)
+
         def getRuleIndex(self):
-            return catlParser.RULE_letter
+            return catlParser.RULE_word
 
 
 
 
-    def letter(self):
+    def word(self):
 
-        localctx = catlParser.LetterContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 42, self.RULE_letter)
+        localctx = catlParser.WordContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 44, self.RULE_word)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 203
+            self.state = 210
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 65011712) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 266338304) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)

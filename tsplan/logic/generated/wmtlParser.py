@@ -10,76 +10,78 @@ else:
 
 def serializedATN():
     return [
-        4,1,42,200,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
+        4,1,44,205,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
         6,2,7,7,7,2,8,7,8,2,9,7,9,2,10,7,10,2,11,7,11,2,12,7,12,2,13,7,13,
         2,14,7,14,2,15,7,15,2,16,7,16,2,17,7,17,2,18,7,18,2,19,7,19,2,20,
         7,20,1,0,1,0,3,0,45,8,0,1,0,1,0,1,0,1,0,1,0,3,0,52,8,0,3,0,54,8,
-        0,1,1,5,1,57,8,1,10,1,12,1,60,9,1,1,1,1,1,3,1,64,8,1,1,2,1,2,1,2,
-        1,2,1,2,3,2,71,8,2,3,2,73,8,2,1,3,1,3,3,3,77,8,3,1,3,1,3,1,4,1,4,
-        1,4,1,4,1,4,1,4,1,4,1,4,1,4,5,4,90,8,4,10,4,12,4,93,9,4,1,4,1,4,
-        3,4,97,8,4,1,5,3,5,100,8,5,1,5,1,5,1,6,1,6,1,6,1,6,5,6,108,8,6,10,
-        6,12,6,111,9,6,1,7,1,7,1,7,1,7,3,7,117,8,7,1,8,3,8,120,8,8,1,8,1,
-        8,3,8,124,8,8,1,9,1,9,3,9,128,8,9,1,10,1,10,1,10,1,10,1,10,3,10,
-        135,8,10,1,10,1,10,1,11,1,11,1,11,1,11,3,11,143,8,11,1,12,1,12,1,
-        12,5,12,148,8,12,10,12,12,12,151,9,12,1,12,1,12,1,13,1,13,1,13,1,
-        13,5,13,159,8,13,10,13,12,13,162,9,13,1,14,1,14,1,14,1,14,1,14,5,
-        14,169,8,14,10,14,12,14,172,9,14,1,14,1,14,3,14,176,8,14,1,15,1,
-        15,1,15,1,15,1,15,1,15,1,16,3,16,185,8,16,1,16,1,16,1,17,1,17,1,
-        18,1,18,1,19,1,19,1,19,3,19,196,8,19,1,20,1,20,1,20,1,58,0,21,0,
-        2,4,6,8,10,12,14,16,18,20,22,24,26,28,30,32,34,36,38,40,0,7,1,0,
-        5,6,1,0,22,23,2,0,10,11,20,21,1,0,2,4,1,0,12,17,1,0,18,19,1,0,20,
-        24,211,0,53,1,0,0,0,2,58,1,0,0,0,4,72,1,0,0,0,6,74,1,0,0,0,8,96,
-        1,0,0,0,10,99,1,0,0,0,12,103,1,0,0,0,14,116,1,0,0,0,16,119,1,0,0,
-        0,18,127,1,0,0,0,20,129,1,0,0,0,22,142,1,0,0,0,24,144,1,0,0,0,26,
-        154,1,0,0,0,28,175,1,0,0,0,30,177,1,0,0,0,32,184,1,0,0,0,34,188,
-        1,0,0,0,36,190,1,0,0,0,38,195,1,0,0,0,40,197,1,0,0,0,42,44,7,0,0,
-        0,43,45,3,8,4,0,44,43,1,0,0,0,44,45,1,0,0,0,45,54,1,0,0,0,46,54,
-        5,8,0,0,47,54,5,9,0,0,48,49,7,1,0,0,49,51,3,30,15,0,50,52,3,8,4,
-        0,51,50,1,0,0,0,51,52,1,0,0,0,52,54,1,0,0,0,53,42,1,0,0,0,53,46,
-        1,0,0,0,53,47,1,0,0,0,53,48,1,0,0,0,54,1,1,0,0,0,55,57,3,4,2,0,56,
-        55,1,0,0,0,57,60,1,0,0,0,58,59,1,0,0,0,58,56,1,0,0,0,59,63,1,0,0,
-        0,60,58,1,0,0,0,61,64,3,12,6,0,62,64,3,6,3,0,63,61,1,0,0,0,63,62,
-        1,0,0,0,64,3,1,0,0,0,65,73,5,7,0,0,66,73,5,24,0,0,67,68,7,2,0,0,
-        68,70,3,30,15,0,69,71,3,8,4,0,70,69,1,0,0,0,70,71,1,0,0,0,71,73,
-        1,0,0,0,72,65,1,0,0,0,72,66,1,0,0,0,72,67,1,0,0,0,73,5,1,0,0,0,74,
-        76,7,0,0,0,75,77,3,8,4,0,76,75,1,0,0,0,76,77,1,0,0,0,77,78,1,0,0,
-        0,78,79,3,28,14,0,79,7,1,0,0,0,80,81,5,1,0,0,81,97,3,38,19,0,82,
-        83,5,1,0,0,83,97,3,10,5,0,84,85,5,1,0,0,85,86,5,33,0,0,86,91,3,10,
-        5,0,87,88,5,32,0,0,88,90,3,10,5,0,89,87,1,0,0,0,90,93,1,0,0,0,91,
-        89,1,0,0,0,91,92,1,0,0,0,92,94,1,0,0,0,93,91,1,0,0,0,94,95,5,34,
-        0,0,95,97,1,0,0,0,96,80,1,0,0,0,96,82,1,0,0,0,96,84,1,0,0,0,97,9,
-        1,0,0,0,98,100,5,28,0,0,99,98,1,0,0,0,99,100,1,0,0,0,100,101,1,0,
-        0,0,101,102,5,37,0,0,102,11,1,0,0,0,103,109,3,14,7,0,104,105,3,34,
-        17,0,105,106,3,14,7,0,106,108,1,0,0,0,107,104,1,0,0,0,108,111,1,
-        0,0,0,109,107,1,0,0,0,109,110,1,0,0,0,110,13,1,0,0,0,111,109,1,0,
-        0,0,112,117,3,36,18,0,113,117,3,16,8,0,114,117,3,18,9,0,115,117,
-        3,28,14,0,116,112,1,0,0,0,116,113,1,0,0,0,116,114,1,0,0,0,116,115,
-        1,0,0,0,117,15,1,0,0,0,118,120,5,28,0,0,119,118,1,0,0,0,119,120,
-        1,0,0,0,120,121,1,0,0,0,121,123,5,37,0,0,122,124,5,31,0,0,123,122,
-        1,0,0,0,123,124,1,0,0,0,124,17,1,0,0,0,125,128,3,20,10,0,126,128,
-        3,38,19,0,127,125,1,0,0,0,127,126,1,0,0,0,128,19,1,0,0,0,129,130,
-        7,3,0,0,130,131,5,25,0,0,131,134,3,38,19,0,132,133,5,32,0,0,133,
-        135,3,38,19,0,134,132,1,0,0,0,134,135,1,0,0,0,135,136,1,0,0,0,136,
-        137,5,26,0,0,137,21,1,0,0,0,138,143,3,40,20,0,139,143,5,2,0,0,140,
-        143,5,3,0,0,141,143,5,4,0,0,142,138,1,0,0,0,142,139,1,0,0,0,142,
-        140,1,0,0,0,142,141,1,0,0,0,143,23,1,0,0,0,144,149,3,26,13,0,145,
-        146,5,32,0,0,146,148,3,26,13,0,147,145,1,0,0,0,148,151,1,0,0,0,149,
-        147,1,0,0,0,149,150,1,0,0,0,150,152,1,0,0,0,151,149,1,0,0,0,152,
-        153,5,0,0,1,153,25,1,0,0,0,154,160,3,2,1,0,155,156,3,0,0,0,156,157,
-        3,2,1,0,157,159,1,0,0,0,158,155,1,0,0,0,159,162,1,0,0,0,160,158,
-        1,0,0,0,160,161,1,0,0,0,161,27,1,0,0,0,162,160,1,0,0,0,163,176,5,
-        42,0,0,164,165,5,25,0,0,165,170,3,26,13,0,166,167,5,32,0,0,167,169,
-        3,26,13,0,168,166,1,0,0,0,169,172,1,0,0,0,170,168,1,0,0,0,170,171,
-        1,0,0,0,171,173,1,0,0,0,172,170,1,0,0,0,173,174,5,26,0,0,174,176,
-        1,0,0,0,175,163,1,0,0,0,175,164,1,0,0,0,176,29,1,0,0,0,177,178,5,
-        33,0,0,178,179,3,32,16,0,179,180,5,32,0,0,180,181,3,32,16,0,181,
-        182,5,34,0,0,182,31,1,0,0,0,183,185,5,28,0,0,184,183,1,0,0,0,184,
-        185,1,0,0,0,185,186,1,0,0,0,186,187,5,37,0,0,187,33,1,0,0,0,188,
-        189,7,4,0,0,189,35,1,0,0,0,190,191,7,5,0,0,191,37,1,0,0,0,192,196,
-        5,38,0,0,193,196,5,39,0,0,194,196,3,22,11,0,195,192,1,0,0,0,195,
-        193,1,0,0,0,195,194,1,0,0,0,196,39,1,0,0,0,197,198,7,6,0,0,198,41,
-        1,0,0,0,24,44,51,53,58,63,70,72,76,91,96,99,109,116,119,123,127,
-        134,142,149,160,170,175,184,195
+        0,1,1,1,1,1,1,1,1,1,1,3,1,61,8,1,1,1,1,1,3,1,65,8,1,1,2,1,2,3,2,
+        69,8,2,1,2,1,2,1,2,3,2,74,8,2,1,3,1,3,1,3,1,3,1,3,1,3,1,3,1,3,1,
+        3,5,3,85,8,3,10,3,12,3,88,9,3,1,3,1,3,3,3,92,8,3,1,4,3,4,95,8,4,
+        1,4,1,4,1,5,1,5,1,5,1,5,5,5,103,8,5,10,5,12,5,106,9,5,1,6,1,6,1,
+        6,1,6,3,6,112,8,6,1,7,3,7,115,8,7,1,7,1,7,3,7,119,8,7,1,8,1,8,3,
+        8,123,8,8,1,9,1,9,1,9,1,9,1,9,3,9,130,8,9,1,9,1,9,1,10,1,10,1,10,
+        1,10,3,10,138,8,10,1,11,1,11,1,11,5,11,143,8,11,10,11,12,11,146,
+        9,11,1,11,1,11,1,12,1,12,1,12,1,12,5,12,154,8,12,10,12,12,12,157,
+        9,12,1,13,5,13,160,8,13,10,13,12,13,163,9,13,1,13,1,13,3,13,167,
+        8,13,1,14,1,14,1,14,1,14,1,14,5,14,174,8,14,10,14,12,14,177,9,14,
+        1,14,1,14,3,14,181,8,14,1,15,1,15,1,15,1,15,1,15,1,15,1,16,3,16,
+        190,8,16,1,16,1,16,1,17,1,17,1,18,1,18,1,19,1,19,1,19,3,19,201,8,
+        19,1,20,1,20,1,20,1,161,0,21,0,2,4,6,8,10,12,14,16,18,20,22,24,26,
+        28,30,32,34,36,38,40,0,8,1,0,5,6,1,0,22,23,2,0,10,11,20,21,1,0,25,
+        26,1,0,2,4,1,0,12,17,1,0,18,19,1,0,20,26,218,0,53,1,0,0,0,2,64,1,
+        0,0,0,4,73,1,0,0,0,6,91,1,0,0,0,8,94,1,0,0,0,10,98,1,0,0,0,12,111,
+        1,0,0,0,14,114,1,0,0,0,16,122,1,0,0,0,18,124,1,0,0,0,20,137,1,0,
+        0,0,22,139,1,0,0,0,24,149,1,0,0,0,26,161,1,0,0,0,28,180,1,0,0,0,
+        30,182,1,0,0,0,32,189,1,0,0,0,34,193,1,0,0,0,36,195,1,0,0,0,38,200,
+        1,0,0,0,40,202,1,0,0,0,42,44,7,0,0,0,43,45,3,6,3,0,44,43,1,0,0,0,
+        44,45,1,0,0,0,45,54,1,0,0,0,46,54,5,8,0,0,47,54,5,9,0,0,48,49,7,
+        1,0,0,49,51,3,30,15,0,50,52,3,6,3,0,51,50,1,0,0,0,51,52,1,0,0,0,
+        52,54,1,0,0,0,53,42,1,0,0,0,53,46,1,0,0,0,53,47,1,0,0,0,53,48,1,
+        0,0,0,54,1,1,0,0,0,55,65,5,7,0,0,56,65,5,24,0,0,57,58,7,2,0,0,58,
+        60,3,30,15,0,59,61,3,6,3,0,60,59,1,0,0,0,60,61,1,0,0,0,61,65,1,0,
+        0,0,62,63,7,3,0,0,63,65,3,30,15,0,64,55,1,0,0,0,64,56,1,0,0,0,64,
+        57,1,0,0,0,64,62,1,0,0,0,65,3,1,0,0,0,66,68,7,0,0,0,67,69,3,6,3,
+        0,68,67,1,0,0,0,68,69,1,0,0,0,69,70,1,0,0,0,70,74,3,28,14,0,71,72,
+        7,3,0,0,72,74,3,28,14,0,73,66,1,0,0,0,73,71,1,0,0,0,74,5,1,0,0,0,
+        75,76,5,1,0,0,76,92,3,38,19,0,77,78,5,1,0,0,78,92,3,8,4,0,79,80,
+        5,1,0,0,80,81,5,35,0,0,81,86,3,8,4,0,82,83,5,34,0,0,83,85,3,8,4,
+        0,84,82,1,0,0,0,85,88,1,0,0,0,86,84,1,0,0,0,86,87,1,0,0,0,87,89,
+        1,0,0,0,88,86,1,0,0,0,89,90,5,36,0,0,90,92,1,0,0,0,91,75,1,0,0,0,
+        91,77,1,0,0,0,91,79,1,0,0,0,92,7,1,0,0,0,93,95,5,30,0,0,94,93,1,
+        0,0,0,94,95,1,0,0,0,95,96,1,0,0,0,96,97,5,39,0,0,97,9,1,0,0,0,98,
+        104,3,12,6,0,99,100,3,34,17,0,100,101,3,12,6,0,101,103,1,0,0,0,102,
+        99,1,0,0,0,103,106,1,0,0,0,104,102,1,0,0,0,104,105,1,0,0,0,105,11,
+        1,0,0,0,106,104,1,0,0,0,107,112,3,36,18,0,108,112,3,14,7,0,109,112,
+        3,16,8,0,110,112,3,28,14,0,111,107,1,0,0,0,111,108,1,0,0,0,111,109,
+        1,0,0,0,111,110,1,0,0,0,112,13,1,0,0,0,113,115,5,30,0,0,114,113,
+        1,0,0,0,114,115,1,0,0,0,115,116,1,0,0,0,116,118,5,39,0,0,117,119,
+        5,33,0,0,118,117,1,0,0,0,118,119,1,0,0,0,119,15,1,0,0,0,120,123,
+        3,18,9,0,121,123,3,38,19,0,122,120,1,0,0,0,122,121,1,0,0,0,123,17,
+        1,0,0,0,124,125,7,4,0,0,125,126,5,27,0,0,126,129,3,38,19,0,127,128,
+        5,34,0,0,128,130,3,38,19,0,129,127,1,0,0,0,129,130,1,0,0,0,130,131,
+        1,0,0,0,131,132,5,28,0,0,132,19,1,0,0,0,133,138,3,40,20,0,134,138,
+        5,2,0,0,135,138,5,3,0,0,136,138,5,4,0,0,137,133,1,0,0,0,137,134,
+        1,0,0,0,137,135,1,0,0,0,137,136,1,0,0,0,138,21,1,0,0,0,139,144,3,
+        24,12,0,140,141,5,34,0,0,141,143,3,24,12,0,142,140,1,0,0,0,143,146,
+        1,0,0,0,144,142,1,0,0,0,144,145,1,0,0,0,145,147,1,0,0,0,146,144,
+        1,0,0,0,147,148,5,0,0,1,148,23,1,0,0,0,149,155,3,26,13,0,150,151,
+        3,0,0,0,151,152,3,26,13,0,152,154,1,0,0,0,153,150,1,0,0,0,154,157,
+        1,0,0,0,155,153,1,0,0,0,155,156,1,0,0,0,156,25,1,0,0,0,157,155,1,
+        0,0,0,158,160,3,2,1,0,159,158,1,0,0,0,160,163,1,0,0,0,161,162,1,
+        0,0,0,161,159,1,0,0,0,162,166,1,0,0,0,163,161,1,0,0,0,164,167,3,
+        10,5,0,165,167,3,4,2,0,166,164,1,0,0,0,166,165,1,0,0,0,167,27,1,
+        0,0,0,168,181,5,44,0,0,169,170,5,27,0,0,170,175,3,24,12,0,171,172,
+        5,34,0,0,172,174,3,24,12,0,173,171,1,0,0,0,174,177,1,0,0,0,175,173,
+        1,0,0,0,175,176,1,0,0,0,176,178,1,0,0,0,177,175,1,0,0,0,178,179,
+        5,28,0,0,179,181,1,0,0,0,180,168,1,0,0,0,180,169,1,0,0,0,181,29,
+        1,0,0,0,182,183,5,35,0,0,183,184,3,32,16,0,184,185,5,34,0,0,185,
+        186,3,32,16,0,186,187,5,36,0,0,187,31,1,0,0,0,188,190,5,30,0,0,189,
+        188,1,0,0,0,189,190,1,0,0,0,190,191,1,0,0,0,191,192,5,39,0,0,192,
+        33,1,0,0,0,193,194,7,5,0,0,194,35,1,0,0,0,195,196,7,6,0,0,196,37,
+        1,0,0,0,197,201,5,40,0,0,198,201,5,41,0,0,199,201,3,20,10,0,200,
+        197,1,0,0,0,200,198,1,0,0,0,200,199,1,0,0,0,201,39,1,0,0,0,202,203,
+        7,7,0,0,203,41,1,0,0,0,25,44,51,53,60,64,68,73,86,91,94,104,111,
+        114,118,122,129,137,144,155,161,166,175,180,189,200
     ]
 
 class wmtlParser ( Parser ):
@@ -96,43 +98,45 @@ class wmtlParser ( Parser ):
                      "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
                      "'<>'", "'[]'", "'>='", "'<='", "'>'", "'<'", "<INVALID>", 
                      "'!='", "<INVALID>", "<INVALID>", "'F'", "'G'", "'U'", 
-                     "'R'", "'X'", "'('", "')'", "'+'", "'-'", "'*'", "'/'", 
-                     "'%'", "','", "'['", "']'", "'{'", "'}'" ]
+                     "'R'", "'X'", "'one'", "'all'", "'('", "')'", "'+'", 
+                     "'-'", "'*'", "'/'", "'%'", "','", "'['", "']'", "'{'", 
+                     "'}'" ]
 
     symbolicNames = [ "<INVALID>", "HAT", "SUM", "MIN", "MAX", "AND", "OR", 
                       "NOT", "IMPLIES", "IFF", "DIAMOND", "BOX", "GE", "LE", 
                       "GT", "LT", "EQ", "NE", "TRUE", "FALSE", "EVENTUALLY", 
-                      "ALWAYS", "UNTIL", "RELEASE", "NEXT", "OPEN", "CLOSE", 
-                      "PLUS", "MINUS", "STAR", "SLASH", "PERCENT", "COMMA", 
-                      "LBRACKET", "RBRACKET", "LBRACE", "RBRACE", "NUMBER", 
-                      "NAME", "STRING", "SPACE", "STRAY", "GROUP" ]
+                      "ALWAYS", "UNTIL", "RELEASE", "NEXT", "ONE", "ALL", 
+                      "OPEN", "CLOSE", "PLUS", "MINUS", "STAR", "SLASH", 
+                      "PERCENT", "COMMA", "LBRACKET", "RBRACKET", "LBRACE", 
+                      "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", "STRAY", 
+                      "GROUP" ]
 
     RULE_connective = 0
-    RULE_unary = 1
-    RULE_prefix = 2
-    RULE_joined = 3
-    RULE_weight = 4
-    RULE_value = 5
-    RULE_comparison = 6
-    RULE_operand = 7
-    RULE_number = 8
-    RULE_atom = 9
-    RULE_count = 10
-    RULE_reserved = 11
-    RULE_formula = 12
-    RULE_level = 13
+    RULE_prefix = 1
+    RULE_joined = 2
+    RULE_weight = 3
+    RULE_value = 4
+    RULE_comparison = 5
+    RULE_operand = 6
+    RULE_number = 7
+    RULE_atom = 8
+    RULE_count = 9
+    RULE_reserved = 10
+    RULE_formula = 11
+    RULE_level = 12
+    RULE_unary = 13
     RULE_parts = 14
     RULE_interval = 15
     RULE_bound = 16
     RULE_relation = 17
     RULE_constant = 18
     RULE_name = 19
-    RULE_letter = 20
+    RULE_word = 20
 
-    ruleNames =  [ "connective", "unary", "prefix", "joined", "weight", 
-                   "value", "comparison", "operand", "number", "atom", "count", 
-                   "reserved", "formula", "level", "parts", "interval", 
-                   "bound", "relation", "constant", "name", "letter" ]
+    ruleNames =  [ "connective", "prefix", "joined", "weight", "value", 
+                   "comparison", "operand", "number", "atom", "count", "reserved", 
+                   "formula", "level", "unary", "parts", "interval", "bound", 
+                   "relation", "constant", "name", "word" ]
 
     EOF = Token.EOF
     HAT=1
@@ -159,24 +163,26 @@ class wmtlParser ( Parser ):
     UNTIL=22
     RELEASE=23
     NEXT=24
-    OPEN=25
-    CLOSE=26
-    PLUS=27
-    MINUS=28
-    STAR=29
-    SLASH=30
-    PERCENT=31
-    COMMA=32
-    LBRACKET=33
-    RBRACKET=34
-    LBRACE=35
-    RBRACE=36
-    NUMBER=37
-    NAME=38
-    STRING=39
-    SPACE=40
-    STRAY=41
-    GROUP=42
+    ONE=25
+    ALL=26
+    OPEN=27
+    CLOSE=28
+    PLUS=29
+    MINUS=30
+    STAR=31
+    SLASH=32
+    PERCENT=33
+    COMMA=34
+    LBRACKET=35
+    RBRACKET=36
+    LBRACE=37
+    RBRACE=38
+    NUMBER=39
+    NAME=40
+    STRING=41
+    SPACE=42
+    STRAY=43
+    GROUP=44
 
     def __init__(self, input:TokenStream, output:TextIO = sys.stdout):
         super().__init__(input, output)
@@ -295,74 +301,6 @@ class wmtlParser ( Parser ):
         return localctx
 
 
-    class UnaryContext(ParserRuleContext):
-        __slots__ = 'parser'
-
-        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
-            super().__init__(parent, invokingState)
-            self.parser = parser
-
-        def comparison(self):
-            return self.getTypedRuleContext(wmtlParser.ComparisonContext,0)
-
-
-        def joined(self):
-            return self.getTypedRuleContext(wmtlParser.JoinedContext,0)
-
-
-        def prefix(self, i:int=None):
-            if i is None:
-                return self.getTypedRuleContexts(wmtlParser.PrefixContext)
-            else:
-                return self.getTypedRuleContext(wmtlParser.PrefixContext,i)
-
-
-        def getRuleIndex(self):
-            return wmtlParser.RULE_unary
-
-
-
-
-    def unary(self):
-
-        localctx = wmtlParser.UnaryContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 2, self.RULE_unary)
-        try:
-            self.enterOuterAlt(localctx, 1)
-            self.state = 58
-            self._errHandler.sync(self)
-            _alt = self._interp.adaptivePredict(self._input,3,self._ctx)
-            while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
-                if _alt==1+1:
-                    self.state = 55
-                    self.prefix() 
-                self.state = 60
-                self._errHandler.sync(self)
-                _alt = self._interp.adaptivePredict(self._input,3,self._ctx)
-
-            self.state = 63
-            self._errHandler.sync(self)
-            token = self._input.LA(1)
-            if token in [2, 3, 4, 18, 19, 20, 21, 22, 23, 24, 25, 28, 37, 38, 39, 42]:
-                self.state = 61
-                self.comparison()
-                pass
-            elif token in [5, 6]:
-                self.state = 62
-                self.joined()
-                pass
-            else:
-                raise NoViableAltException(self)
-
-        except RecognitionException as re:
-            localctx.exception = re
-            self._errHandler.reportError(self, re)
-            self._errHandler.recover(self, re)
-        finally:
-            self.exitRule()
-        return localctx
-
-
     class PrefixContext(ParserRuleContext):
         __slots__ = 'parser'
 
@@ -396,6 +334,12 @@ class wmtlParser ( Parser ):
             return self.getTypedRuleContext(wmtlParser.WeightContext,0)
 
 
+        def ONE(self):
+            return self.getToken(wmtlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(wmtlParser.ALL, 0)
+
         def getRuleIndex(self):
             return wmtlParser.RULE_prefix
 
@@ -405,41 +349,53 @@ class wmtlParser ( Parser ):
     def prefix(self):
 
         localctx = wmtlParser.PrefixContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 4, self.RULE_prefix)
+        self.enterRule(localctx, 2, self.RULE_prefix)
         self._la = 0 # Token type
         try:
-            self.state = 72
+            self.state = 64
             self._errHandler.sync(self)
             token = self._input.LA(1)
             if token in [7]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 65
+                self.state = 55
                 self.match(wmtlParser.NOT)
                 pass
             elif token in [24]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 66
+                self.state = 56
                 self.match(wmtlParser.NEXT)
                 pass
             elif token in [10, 11, 20, 21]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 67
+                self.state = 57
                 _la = self._input.LA(1)
                 if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 3148800) != 0)):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 68
+                self.state = 58
                 self.interval()
-                self.state = 70
+                self.state = 60
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 69
+                    self.state = 59
                     self.weight()
 
 
+                pass
+            elif token in [25, 26]:
+                self.enterOuterAlt(localctx, 4)
+                self.state = 62
+                _la = self._input.LA(1)
+                if not(_la==25 or _la==26):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 63
+                self.interval()
                 pass
             else:
                 raise NoViableAltException(self)
@@ -474,6 +430,12 @@ class wmtlParser ( Parser ):
             return self.getTypedRuleContext(wmtlParser.WeightContext,0)
 
 
+        def ONE(self):
+            return self.getToken(wmtlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(wmtlParser.ALL, 0)
+
         def getRuleIndex(self):
             return wmtlParser.RULE_joined
 
@@ -483,27 +445,47 @@ class wmtlParser ( Parser ):
     def joined(self):
 
         localctx = wmtlParser.JoinedContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 6, self.RULE_joined)
+        self.enterRule(localctx, 4, self.RULE_joined)
         self._la = 0 # Token type
         try:
-            self.enterOuterAlt(localctx, 1)
-            self.state = 74
-            _la = self._input.LA(1)
-            if not(_la==5 or _la==6):
-                self._errHandler.recoverInline(self)
-            else:
-                self._errHandler.reportMatch(self)
-                self.consume()
-            self.state = 76
+            self.state = 73
             self._errHandler.sync(self)
-            _la = self._input.LA(1)
-            if _la==1:
-                self.state = 75
-                self.weight()
+            token = self._input.LA(1)
+            if token in [5, 6]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 66
+                _la = self._input.LA(1)
+                if not(_la==5 or _la==6):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 68
+                self._errHandler.sync(self)
+                _la = self._input.LA(1)
+                if _la==1:
+                    self.state = 67
+                    self.weight()
 
 
-            self.state = 78
-            self.parts()
+                self.state = 70
+                self.parts()
+                pass
+            elif token in [25, 26]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 71
+                _la = self._input.LA(1)
+                if not(_la==25 or _la==26):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 72
+                self.parts()
+                pass
+            else:
+                raise NoViableAltException(self)
+
         except RecognitionException as re:
             localctx.exception = re
             self._errHandler.reportError(self, re)
@@ -555,49 +537,49 @@ class wmtlParser ( Parser ):
     def weight(self):
 
         localctx = wmtlParser.WeightContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 8, self.RULE_weight)
+        self.enterRule(localctx, 6, self.RULE_weight)
         self._la = 0 # Token type
         try:
-            self.state = 96
+            self.state = 91
             self._errHandler.sync(self)
-            la_ = self._interp.adaptivePredict(self._input,9,self._ctx)
+            la_ = self._interp.adaptivePredict(self._input,8,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 80
+                self.state = 75
                 self.match(wmtlParser.HAT)
-                self.state = 81
+                self.state = 76
                 self.name()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 82
+                self.state = 77
                 self.match(wmtlParser.HAT)
-                self.state = 83
+                self.state = 78
                 self.value()
                 pass
 
             elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 84
+                self.state = 79
                 self.match(wmtlParser.HAT)
-                self.state = 85
+                self.state = 80
                 self.match(wmtlParser.LBRACKET)
-                self.state = 86
+                self.state = 81
                 self.value()
-                self.state = 91
+                self.state = 86
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==32:
-                    self.state = 87
+                while _la==34:
+                    self.state = 82
                     self.match(wmtlParser.COMMA)
-                    self.state = 88
+                    self.state = 83
                     self.value()
-                    self.state = 93
+                    self.state = 88
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 94
+                self.state = 89
                 self.match(wmtlParser.RBRACKET)
                 pass
 
@@ -633,19 +615,19 @@ class wmtlParser ( Parser ):
     def value(self):
 
         localctx = wmtlParser.ValueContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 10, self.RULE_value)
+        self.enterRule(localctx, 8, self.RULE_value)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 99
+            self.state = 94
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==28:
-                self.state = 98
+            if _la==30:
+                self.state = 93
                 self.match(wmtlParser.MINUS)
 
 
-            self.state = 101
+            self.state = 96
             self.match(wmtlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -686,21 +668,21 @@ class wmtlParser ( Parser ):
     def comparison(self):
 
         localctx = wmtlParser.ComparisonContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 12, self.RULE_comparison)
+        self.enterRule(localctx, 10, self.RULE_comparison)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 103
+            self.state = 98
             self.operand()
-            self.state = 109
+            self.state = 104
             self._errHandler.sync(self)
             _la = self._input.LA(1)
             while (((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0):
-                self.state = 104
+                self.state = 99
                 self.relation()
-                self.state = 105
+                self.state = 100
                 self.operand()
-                self.state = 111
+                self.state = 106
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -745,29 +727,29 @@ class wmtlParser ( Parser ):
     def operand(self):
 
         localctx = wmtlParser.OperandContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 14, self.RULE_operand)
+        self.enterRule(localctx, 12, self.RULE_operand)
         try:
-            self.state = 116
+            self.state = 111
             self._errHandler.sync(self)
             token = self._input.LA(1)
             if token in [18, 19]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 112
+                self.state = 107
                 self.constant()
                 pass
-            elif token in [28, 37]:
+            elif token in [30, 39]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 113
+                self.state = 108
                 self.number()
                 pass
-            elif token in [2, 3, 4, 20, 21, 22, 23, 24, 38, 39]:
+            elif token in [2, 3, 4, 20, 21, 22, 23, 24, 25, 26, 40, 41]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 114
+                self.state = 109
                 self.atom()
                 pass
-            elif token in [25, 42]:
+            elif token in [27, 44]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 115
+                self.state = 110
                 self.parts()
                 pass
             else:
@@ -807,25 +789,25 @@ class wmtlParser ( Parser ):
     def number(self):
 
         localctx = wmtlParser.NumberContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 16, self.RULE_number)
+        self.enterRule(localctx, 14, self.RULE_number)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 119
+            self.state = 114
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==28:
-                self.state = 118
+            if _la==30:
+                self.state = 113
                 self.match(wmtlParser.MINUS)
 
 
-            self.state = 121
+            self.state = 116
             self.match(wmtlParser.NUMBER)
-            self.state = 123
+            self.state = 118
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==31:
-                self.state = 122
+            if _la==33:
+                self.state = 117
                 self.match(wmtlParser.PERCENT)
 
 
@@ -862,20 +844,20 @@ class wmtlParser ( Parser ):
     def atom(self):
 
         localctx = wmtlParser.AtomContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 18, self.RULE_atom)
+        self.enterRule(localctx, 16, self.RULE_atom)
         try:
-            self.state = 127
+            self.state = 122
             self._errHandler.sync(self)
-            la_ = self._interp.adaptivePredict(self._input,15,self._ctx)
+            la_ = self._interp.adaptivePredict(self._input,14,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 125
+                self.state = 120
                 self.count()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 126
+                self.state = 121
                 self.name()
                 pass
 
@@ -930,32 +912,32 @@ class wmtlParser ( Parser ):
     def count(self):
 
         localctx = wmtlParser.CountContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 20, self.RULE_count)
+        self.enterRule(localctx, 18, self.RULE_count)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 129
+            self.state = 124
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 28) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
                 self.consume()
-            self.state = 130
+            self.state = 125
             self.match(wmtlParser.OPEN)
-            self.state = 131
+            self.state = 126
             self.name()
-            self.state = 134
+            self.state = 129
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==32:
-                self.state = 132
+            if _la==34:
+                self.state = 127
                 self.match(wmtlParser.COMMA)
-                self.state = 133
+                self.state = 128
                 self.name()
 
 
-            self.state = 136
+            self.state = 131
             self.match(wmtlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -973,8 +955,8 @@ class wmtlParser ( Parser ):
             super().__init__(parent, invokingState)
             self.parser = parser
 
-        def letter(self):
-            return self.getTypedRuleContext(wmtlParser.LetterContext,0)
+        def word(self):
+            return self.getTypedRuleContext(wmtlParser.WordContext,0)
 
 
         def SUM(self):
@@ -995,29 +977,29 @@ class wmtlParser ( Parser ):
     def reserved(self):
 
         localctx = wmtlParser.ReservedContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 22, self.RULE_reserved)
+        self.enterRule(localctx, 20, self.RULE_reserved)
         try:
-            self.state = 142
+            self.state = 137
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [20, 21, 22, 23, 24]:
+            if token in [20, 21, 22, 23, 24, 25, 26]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 138
-                self.letter()
+                self.state = 133
+                self.word()
                 pass
             elif token in [2]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 139
+                self.state = 134
                 self.match(wmtlParser.SUM)
                 pass
             elif token in [3]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 140
+                self.state = 135
                 self.match(wmtlParser.MIN)
                 pass
             elif token in [4]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 141
+                self.state = 136
                 self.match(wmtlParser.MAX)
                 pass
             else:
@@ -1064,25 +1046,25 @@ class wmtlParser ( Parser ):
     def formula(self):
 
         localctx = wmtlParser.FormulaContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 24, self.RULE_formula)
+        self.enterRule(localctx, 22, self.RULE_formula)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 144
+            self.state = 139
             self.level()
-            self.state = 149
+            self.state = 144
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==32:
-                self.state = 145
+            while _la==34:
+                self.state = 140
                 self.match(wmtlParser.COMMA)
-                self.state = 146
+                self.state = 141
                 self.level()
-                self.state = 151
+                self.state = 146
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 152
+            self.state = 147
             self.match(wmtlParser.EOF)
         except RecognitionException as re:
             localctx.exception = re
@@ -1123,23 +1105,91 @@ class wmtlParser ( Parser ):
     def level(self):
 
         localctx = wmtlParser.LevelContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 26, self.RULE_level)
+        self.enterRule(localctx, 24, self.RULE_level)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 154
+            self.state = 149
             self.unary()
-            self.state = 160
+            self.state = 155
             self._errHandler.sync(self)
             _la = self._input.LA(1)
             while (((_la) & ~0x3f) == 0 and ((1 << _la) & 12583776) != 0):
-                self.state = 155
+                self.state = 150
                 self.connective()
-                self.state = 156
+                self.state = 151
                 self.unary()
-                self.state = 162
+                self.state = 157
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class UnaryContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def comparison(self):
+            return self.getTypedRuleContext(wmtlParser.ComparisonContext,0)
+
+
+        def joined(self):
+            return self.getTypedRuleContext(wmtlParser.JoinedContext,0)
+
+
+        def prefix(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(wmtlParser.PrefixContext)
+            else:
+                return self.getTypedRuleContext(wmtlParser.PrefixContext,i)
+
+
+        def getRuleIndex(self):
+            return wmtlParser.RULE_unary
+
+
+
+
+    def unary(self):
+
+        localctx = wmtlParser.UnaryContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 26, self.RULE_unary)
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 161
+            self._errHandler.sync(self)
+            _alt = self._interp.adaptivePredict(self._input,19,self._ctx)
+            while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
+                if _alt==1+1:
+                    self.state = 158
+                    self.prefix() 
+                self.state = 163
+                self._errHandler.sync(self)
+                _alt = self._interp.adaptivePredict(self._input,19,self._ctx)
+
+            self.state = 166
+            self._errHandler.sync(self)
+            la_ = self._interp.adaptivePredict(self._input,20,self._ctx)
+            if la_ == 1:
+                self.state = 164
+                self.comparison()
+                pass
+
+            elif la_ == 2:
+                self.state = 165
+                self.joined()
+                pass
+
 
         except RecognitionException as re:
             localctx.exception = re
@@ -1191,33 +1241,33 @@ class wmtlParser ( Parser ):
         self.enterRule(localctx, 28, self.RULE_parts)
         self._la = 0 # Token type
         try:
-            self.state = 175
+            self.state = 180
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [42]:
+            if token in [44]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 163
+                self.state = 168
                 self.match(wmtlParser.GROUP)
                 pass
-            elif token in [25]:
+            elif token in [27]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 164
+                self.state = 169
                 self.match(wmtlParser.OPEN)
-                self.state = 165
-                self.level()
                 self.state = 170
+                self.level()
+                self.state = 175
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==32:
-                    self.state = 166
+                while _la==34:
+                    self.state = 171
                     self.match(wmtlParser.COMMA)
-                    self.state = 167
-                    self.level()
                     self.state = 172
+                    self.level()
+                    self.state = 177
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 173
+                self.state = 178
                 self.match(wmtlParser.CLOSE)
                 pass
             else:
@@ -1267,15 +1317,15 @@ class wmtlParser ( Parser ):
         self.enterRule(localctx, 30, self.RULE_interval)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 177
+            self.state = 182
             self.match(wmtlParser.LBRACKET)
-            self.state = 178
+            self.state = 183
             self.bound()
-            self.state = 179
+            self.state = 184
             self.match(wmtlParser.COMMA)
-            self.state = 180
+            self.state = 185
             self.bound()
-            self.state = 181
+            self.state = 186
             self.match(wmtlParser.RBRACKET)
         except RecognitionException as re:
             localctx.exception = re
@@ -1312,15 +1362,15 @@ class wmtlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 184
+            self.state = 189
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==28:
-                self.state = 183
+            if _la==30:
+                self.state = 188
                 self.match(wmtlParser.MINUS)
 
 
-            self.state = 186
+            self.state = 191
             self.match(wmtlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -1369,7 +1419,7 @@ class wmtlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 188
+            self.state = 193
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0)):
                 self._errHandler.recoverInline(self)
@@ -1411,7 +1461,7 @@ class wmtlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 190
+            self.state = 195
             _la = self._input.LA(1)
             if not(_la==18 or _la==19):
                 self._errHandler.recoverInline(self)
@@ -1455,22 +1505,22 @@ class wmtlParser ( Parser ):
         localctx = wmtlParser.NameContext(self, self._ctx, self.state)
         self.enterRule(localctx, 38, self.RULE_name)
         try:
-            self.state = 195
+            self.state = 200
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [38]:
+            if token in [40]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 192
+                self.state = 197
                 self.match(wmtlParser.NAME)
                 pass
-            elif token in [39]:
+            elif token in [41]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 193
+                self.state = 198
                 self.match(wmtlParser.STRING)
                 pass
-            elif token in [2, 3, 4, 20, 21, 22, 23, 24]:
+            elif token in [2, 3, 4, 20, 21, 22, 23, 24, 25, 26]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 194
+                self.state = 199
                 self.reserved()
                 pass
             else:
@@ -1485,7 +1535,7 @@ class wmtlParser ( Parser ):
         return localctx
 
 
-    class LetterContext(ParserRuleContext):
+    class WordContext(ParserRuleContext):
         __slots__ = 'parser'
 
         def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
@@ -1507,22 +1557,28 @@ class wmtlParser ( Parser ):
         def NEXT(self):
             return self.getToken(wmtlParser.NEXT, 0)
 
+        def ONE(self):
+            return self.getToken(wmtlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(wmtlParser.ALL, 0)
+
         def getRuleIndex(self):
-            return wmtlParser.RULE_letter
+            return wmtlParser.RULE_word
 
 
 
 
-    def letter(self):
+    def word(self):
 
-        localctx = wmtlParser.LetterContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 40, self.RULE_letter)
+        localctx = wmtlParser.WordContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 40, self.RULE_word)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 197
+            self.state = 202
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 32505856) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 133169152) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)

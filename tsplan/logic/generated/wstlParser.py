@@ -10,82 +10,84 @@ else:
 
 def serializedATN():
     return [
-        4,1,42,216,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
+        4,1,44,221,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
         6,2,7,7,7,2,8,7,8,2,9,7,9,2,10,7,10,2,11,7,11,2,12,7,12,2,13,7,13,
         2,14,7,14,2,15,7,15,2,16,7,16,2,17,7,17,2,18,7,18,2,19,7,19,2,20,
         7,20,2,21,7,21,1,0,1,0,3,0,47,8,0,1,0,1,0,1,0,1,0,1,0,3,0,54,8,0,
-        3,0,56,8,0,1,1,5,1,59,8,1,10,1,12,1,62,9,1,1,1,1,1,3,1,66,8,1,1,
-        2,1,2,1,2,1,2,1,2,3,2,73,8,2,3,2,75,8,2,1,3,1,3,3,3,79,8,3,1,3,1,
-        3,1,4,1,4,1,4,1,4,1,4,1,4,1,4,1,4,1,4,5,4,92,8,4,10,4,12,4,95,9,
-        4,1,4,1,4,3,4,99,8,4,1,5,3,5,102,8,5,1,5,1,5,1,6,1,6,1,6,1,6,5,6,
-        110,8,6,10,6,12,6,113,9,6,1,7,1,7,1,7,5,7,118,8,7,10,7,12,7,121,
-        9,7,1,8,1,8,1,8,5,8,126,8,8,10,8,12,8,129,9,8,1,9,5,9,132,8,9,10,
-        9,12,9,135,9,9,1,9,1,9,1,10,1,10,1,10,1,10,1,10,3,10,144,8,10,1,
-        11,1,11,1,11,1,11,1,11,3,11,151,8,11,1,11,1,11,1,12,1,12,1,12,1,
-        12,3,12,159,8,12,1,13,1,13,1,13,5,13,164,8,13,10,13,12,13,167,9,
-        13,1,13,1,13,1,14,1,14,1,14,1,14,5,14,175,8,14,10,14,12,14,178,9,
-        14,1,15,1,15,1,15,1,15,1,15,5,15,185,8,15,10,15,12,15,188,9,15,1,
-        15,1,15,3,15,192,8,15,1,16,1,16,1,16,1,16,1,16,1,16,1,17,3,17,201,
-        8,17,1,17,1,17,1,18,1,18,1,19,1,19,1,20,1,20,1,20,3,20,212,8,20,
-        1,21,1,21,1,21,1,60,0,22,0,2,4,6,8,10,12,14,16,18,20,22,24,26,28,
-        30,32,34,36,38,40,42,0,9,1,0,5,6,1,0,22,23,2,0,10,11,20,21,1,0,27,
-        28,1,0,29,30,1,0,2,4,1,0,12,17,1,0,18,19,1,0,20,24,227,0,55,1,0,
-        0,0,2,60,1,0,0,0,4,74,1,0,0,0,6,76,1,0,0,0,8,98,1,0,0,0,10,101,1,
-        0,0,0,12,105,1,0,0,0,14,114,1,0,0,0,16,122,1,0,0,0,18,133,1,0,0,
-        0,20,143,1,0,0,0,22,145,1,0,0,0,24,158,1,0,0,0,26,160,1,0,0,0,28,
-        170,1,0,0,0,30,191,1,0,0,0,32,193,1,0,0,0,34,200,1,0,0,0,36,204,
-        1,0,0,0,38,206,1,0,0,0,40,211,1,0,0,0,42,213,1,0,0,0,44,46,7,0,0,
-        0,45,47,3,8,4,0,46,45,1,0,0,0,46,47,1,0,0,0,47,56,1,0,0,0,48,56,
-        5,8,0,0,49,56,5,9,0,0,50,51,7,1,0,0,51,53,3,32,16,0,52,54,3,8,4,
-        0,53,52,1,0,0,0,53,54,1,0,0,0,54,56,1,0,0,0,55,44,1,0,0,0,55,48,
-        1,0,0,0,55,49,1,0,0,0,55,50,1,0,0,0,56,1,1,0,0,0,57,59,3,4,2,0,58,
-        57,1,0,0,0,59,62,1,0,0,0,60,61,1,0,0,0,60,58,1,0,0,0,61,65,1,0,0,
-        0,62,60,1,0,0,0,63,66,3,12,6,0,64,66,3,6,3,0,65,63,1,0,0,0,65,64,
-        1,0,0,0,66,3,1,0,0,0,67,75,5,7,0,0,68,75,5,24,0,0,69,70,7,2,0,0,
-        70,72,3,32,16,0,71,73,3,8,4,0,72,71,1,0,0,0,72,73,1,0,0,0,73,75,
-        1,0,0,0,74,67,1,0,0,0,74,68,1,0,0,0,74,69,1,0,0,0,75,5,1,0,0,0,76,
-        78,7,0,0,0,77,79,3,8,4,0,78,77,1,0,0,0,78,79,1,0,0,0,79,80,1,0,0,
-        0,80,81,3,30,15,0,81,7,1,0,0,0,82,83,5,1,0,0,83,99,3,40,20,0,84,
-        85,5,1,0,0,85,99,3,10,5,0,86,87,5,1,0,0,87,88,5,33,0,0,88,93,3,10,
-        5,0,89,90,5,32,0,0,90,92,3,10,5,0,91,89,1,0,0,0,92,95,1,0,0,0,93,
-        91,1,0,0,0,93,94,1,0,0,0,94,96,1,0,0,0,95,93,1,0,0,0,96,97,5,34,
-        0,0,97,99,1,0,0,0,98,82,1,0,0,0,98,84,1,0,0,0,98,86,1,0,0,0,99,9,
-        1,0,0,0,100,102,5,28,0,0,101,100,1,0,0,0,101,102,1,0,0,0,102,103,
-        1,0,0,0,103,104,5,37,0,0,104,11,1,0,0,0,105,111,3,14,7,0,106,107,
-        3,36,18,0,107,108,3,14,7,0,108,110,1,0,0,0,109,106,1,0,0,0,110,113,
-        1,0,0,0,111,109,1,0,0,0,111,112,1,0,0,0,112,13,1,0,0,0,113,111,1,
-        0,0,0,114,119,3,16,8,0,115,116,7,3,0,0,116,118,3,16,8,0,117,115,
-        1,0,0,0,118,121,1,0,0,0,119,117,1,0,0,0,119,120,1,0,0,0,120,15,1,
-        0,0,0,121,119,1,0,0,0,122,127,3,18,9,0,123,124,7,4,0,0,124,126,3,
-        18,9,0,125,123,1,0,0,0,126,129,1,0,0,0,127,125,1,0,0,0,127,128,1,
-        0,0,0,128,17,1,0,0,0,129,127,1,0,0,0,130,132,7,3,0,0,131,130,1,0,
-        0,0,132,135,1,0,0,0,133,131,1,0,0,0,133,134,1,0,0,0,134,136,1,0,
-        0,0,135,133,1,0,0,0,136,137,3,20,10,0,137,19,1,0,0,0,138,144,3,38,
-        19,0,139,144,5,37,0,0,140,144,3,40,20,0,141,144,3,22,11,0,142,144,
-        3,30,15,0,143,138,1,0,0,0,143,139,1,0,0,0,143,140,1,0,0,0,143,141,
-        1,0,0,0,143,142,1,0,0,0,144,21,1,0,0,0,145,146,7,5,0,0,146,147,5,
-        25,0,0,147,150,3,40,20,0,148,149,5,32,0,0,149,151,3,40,20,0,150,
-        148,1,0,0,0,150,151,1,0,0,0,151,152,1,0,0,0,152,153,5,26,0,0,153,
-        23,1,0,0,0,154,159,3,42,21,0,155,159,5,2,0,0,156,159,5,3,0,0,157,
-        159,5,4,0,0,158,154,1,0,0,0,158,155,1,0,0,0,158,156,1,0,0,0,158,
-        157,1,0,0,0,159,25,1,0,0,0,160,165,3,28,14,0,161,162,5,32,0,0,162,
-        164,3,28,14,0,163,161,1,0,0,0,164,167,1,0,0,0,165,163,1,0,0,0,165,
-        166,1,0,0,0,166,168,1,0,0,0,167,165,1,0,0,0,168,169,5,0,0,1,169,
-        27,1,0,0,0,170,176,3,2,1,0,171,172,3,0,0,0,172,173,3,2,1,0,173,175,
-        1,0,0,0,174,171,1,0,0,0,175,178,1,0,0,0,176,174,1,0,0,0,176,177,
-        1,0,0,0,177,29,1,0,0,0,178,176,1,0,0,0,179,192,5,42,0,0,180,181,
-        5,25,0,0,181,186,3,28,14,0,182,183,5,32,0,0,183,185,3,28,14,0,184,
-        182,1,0,0,0,185,188,1,0,0,0,186,184,1,0,0,0,186,187,1,0,0,0,187,
-        189,1,0,0,0,188,186,1,0,0,0,189,190,5,26,0,0,190,192,1,0,0,0,191,
-        179,1,0,0,0,191,180,1,0,0,0,192,31,1,0,0,0,193,194,5,33,0,0,194,
-        195,3,34,17,0,195,196,5,32,0,0,196,197,3,34,17,0,197,198,5,34,0,
-        0,198,33,1,0,0,0,199,201,5,28,0,0,200,199,1,0,0,0,200,201,1,0,0,
-        0,201,202,1,0,0,0,202,203,5,37,0,0,203,35,1,0,0,0,204,205,7,6,0,
-        0,205,37,1,0,0,0,206,207,7,7,0,0,207,39,1,0,0,0,208,212,5,38,0,0,
-        209,212,5,39,0,0,210,212,3,24,12,0,211,208,1,0,0,0,211,209,1,0,0,
-        0,211,210,1,0,0,0,212,41,1,0,0,0,213,214,7,8,0,0,214,43,1,0,0,0,
-        24,46,53,55,60,65,72,74,78,93,98,101,111,119,127,133,143,150,158,
-        165,176,186,191,200,211
+        3,0,56,8,0,1,1,1,1,1,1,1,1,1,1,3,1,63,8,1,1,1,1,1,3,1,67,8,1,1,2,
+        1,2,3,2,71,8,2,1,2,1,2,1,2,3,2,76,8,2,1,3,1,3,1,3,1,3,1,3,1,3,1,
+        3,1,3,1,3,5,3,87,8,3,10,3,12,3,90,9,3,1,3,1,3,3,3,94,8,3,1,4,3,4,
+        97,8,4,1,4,1,4,1,5,1,5,1,5,1,5,5,5,105,8,5,10,5,12,5,108,9,5,1,6,
+        1,6,1,6,5,6,113,8,6,10,6,12,6,116,9,6,1,7,1,7,1,7,5,7,121,8,7,10,
+        7,12,7,124,9,7,1,8,5,8,127,8,8,10,8,12,8,130,9,8,1,8,1,8,1,9,1,9,
+        1,9,1,9,1,9,3,9,139,8,9,1,10,1,10,1,10,1,10,1,10,3,10,146,8,10,1,
+        10,1,10,1,11,1,11,1,11,1,11,3,11,154,8,11,1,12,1,12,1,12,5,12,159,
+        8,12,10,12,12,12,162,9,12,1,12,1,12,1,13,1,13,1,13,1,13,5,13,170,
+        8,13,10,13,12,13,173,9,13,1,14,5,14,176,8,14,10,14,12,14,179,9,14,
+        1,14,1,14,3,14,183,8,14,1,15,1,15,1,15,1,15,1,15,5,15,190,8,15,10,
+        15,12,15,193,9,15,1,15,1,15,3,15,197,8,15,1,16,1,16,1,16,1,16,1,
+        16,1,16,1,17,3,17,206,8,17,1,17,1,17,1,18,1,18,1,19,1,19,1,20,1,
+        20,1,20,3,20,217,8,20,1,21,1,21,1,21,1,177,0,22,0,2,4,6,8,10,12,
+        14,16,18,20,22,24,26,28,30,32,34,36,38,40,42,0,10,1,0,5,6,1,0,22,
+        23,2,0,10,11,20,21,1,0,25,26,1,0,29,30,1,0,31,32,1,0,2,4,1,0,12,
+        17,1,0,18,19,1,0,20,26,234,0,55,1,0,0,0,2,66,1,0,0,0,4,75,1,0,0,
+        0,6,93,1,0,0,0,8,96,1,0,0,0,10,100,1,0,0,0,12,109,1,0,0,0,14,117,
+        1,0,0,0,16,128,1,0,0,0,18,138,1,0,0,0,20,140,1,0,0,0,22,153,1,0,
+        0,0,24,155,1,0,0,0,26,165,1,0,0,0,28,177,1,0,0,0,30,196,1,0,0,0,
+        32,198,1,0,0,0,34,205,1,0,0,0,36,209,1,0,0,0,38,211,1,0,0,0,40,216,
+        1,0,0,0,42,218,1,0,0,0,44,46,7,0,0,0,45,47,3,6,3,0,46,45,1,0,0,0,
+        46,47,1,0,0,0,47,56,1,0,0,0,48,56,5,8,0,0,49,56,5,9,0,0,50,51,7,
+        1,0,0,51,53,3,32,16,0,52,54,3,6,3,0,53,52,1,0,0,0,53,54,1,0,0,0,
+        54,56,1,0,0,0,55,44,1,0,0,0,55,48,1,0,0,0,55,49,1,0,0,0,55,50,1,
+        0,0,0,56,1,1,0,0,0,57,67,5,7,0,0,58,67,5,24,0,0,59,60,7,2,0,0,60,
+        62,3,32,16,0,61,63,3,6,3,0,62,61,1,0,0,0,62,63,1,0,0,0,63,67,1,0,
+        0,0,64,65,7,3,0,0,65,67,3,32,16,0,66,57,1,0,0,0,66,58,1,0,0,0,66,
+        59,1,0,0,0,66,64,1,0,0,0,67,3,1,0,0,0,68,70,7,0,0,0,69,71,3,6,3,
+        0,70,69,1,0,0,0,70,71,1,0,0,0,71,72,1,0,0,0,72,76,3,30,15,0,73,74,
+        7,3,0,0,74,76,3,30,15,0,75,68,1,0,0,0,75,73,1,0,0,0,76,5,1,0,0,0,
+        77,78,5,1,0,0,78,94,3,40,20,0,79,80,5,1,0,0,80,94,3,8,4,0,81,82,
+        5,1,0,0,82,83,5,35,0,0,83,88,3,8,4,0,84,85,5,34,0,0,85,87,3,8,4,
+        0,86,84,1,0,0,0,87,90,1,0,0,0,88,86,1,0,0,0,88,89,1,0,0,0,89,91,
+        1,0,0,0,90,88,1,0,0,0,91,92,5,36,0,0,92,94,1,0,0,0,93,77,1,0,0,0,
+        93,79,1,0,0,0,93,81,1,0,0,0,94,7,1,0,0,0,95,97,5,30,0,0,96,95,1,
+        0,0,0,96,97,1,0,0,0,97,98,1,0,0,0,98,99,5,39,0,0,99,9,1,0,0,0,100,
+        106,3,12,6,0,101,102,3,36,18,0,102,103,3,12,6,0,103,105,1,0,0,0,
+        104,101,1,0,0,0,105,108,1,0,0,0,106,104,1,0,0,0,106,107,1,0,0,0,
+        107,11,1,0,0,0,108,106,1,0,0,0,109,114,3,14,7,0,110,111,7,4,0,0,
+        111,113,3,14,7,0,112,110,1,0,0,0,113,116,1,0,0,0,114,112,1,0,0,0,
+        114,115,1,0,0,0,115,13,1,0,0,0,116,114,1,0,0,0,117,122,3,16,8,0,
+        118,119,7,5,0,0,119,121,3,16,8,0,120,118,1,0,0,0,121,124,1,0,0,0,
+        122,120,1,0,0,0,122,123,1,0,0,0,123,15,1,0,0,0,124,122,1,0,0,0,125,
+        127,7,4,0,0,126,125,1,0,0,0,127,130,1,0,0,0,128,126,1,0,0,0,128,
+        129,1,0,0,0,129,131,1,0,0,0,130,128,1,0,0,0,131,132,3,18,9,0,132,
+        17,1,0,0,0,133,139,3,38,19,0,134,139,5,39,0,0,135,139,3,40,20,0,
+        136,139,3,20,10,0,137,139,3,30,15,0,138,133,1,0,0,0,138,134,1,0,
+        0,0,138,135,1,0,0,0,138,136,1,0,0,0,138,137,1,0,0,0,139,19,1,0,0,
+        0,140,141,7,6,0,0,141,142,5,27,0,0,142,145,3,40,20,0,143,144,5,34,
+        0,0,144,146,3,40,20,0,145,143,1,0,0,0,145,146,1,0,0,0,146,147,1,
+        0,0,0,147,148,5,28,0,0,148,21,1,0,0,0,149,154,3,42,21,0,150,154,
+        5,2,0,0,151,154,5,3,0,0,152,154,5,4,0,0,153,149,1,0,0,0,153,150,
+        1,0,0,0,153,151,1,0,0,0,153,152,1,0,0,0,154,23,1,0,0,0,155,160,3,
+        26,13,0,156,157,5,34,0,0,157,159,3,26,13,0,158,156,1,0,0,0,159,162,
+        1,0,0,0,160,158,1,0,0,0,160,161,1,0,0,0,161,163,1,0,0,0,162,160,
+        1,0,0,0,163,164,5,0,0,1,164,25,1,0,0,0,165,171,3,28,14,0,166,167,
+        3,0,0,0,167,168,3,28,14,0,168,170,1,0,0,0,169,166,1,0,0,0,170,173,
+        1,0,0,0,171,169,1,0,0,0,171,172,1,0,0,0,172,27,1,0,0,0,173,171,1,
+        0,0,0,174,176,3,2,1,0,175,174,1,0,0,0,176,179,1,0,0,0,177,178,1,
+        0,0,0,177,175,1,0,0,0,178,182,1,0,0,0,179,177,1,0,0,0,180,183,3,
+        10,5,0,181,183,3,4,2,0,182,180,1,0,0,0,182,181,1,0,0,0,183,29,1,
+        0,0,0,184,197,5,44,0,0,185,186,5,27,0,0,186,191,3,26,13,0,187,188,
+        5,34,0,0,188,190,3,26,13,0,189,187,1,0,0,0,190,193,1,0,0,0,191,189,
+        1,0,0,0,191,192,1,0,0,0,192,194,1,0,0,0,193,191,1,0,0,0,194,195,
+        5,28,0,0,195,197,1,0,0,0,196,184,1,0,0,0,196,185,1,0,0,0,197,31,
+        1,0,0,0,198,199,5,35,0,0,199,200,3,34,17,0,200,201,5,34,0,0,201,
+        202,3,34,17,0,202,203,5,36,0,0,203,33,1,0,0,0,204,206,5,30,0,0,205,
+        204,1,0,0,0,205,206,1,0,0,0,206,207,1,0,0,0,207,208,5,39,0,0,208,
+        35,1,0,0,0,209,210,7,7,0,0,210,37,1,0,0,0,211,212,7,8,0,0,212,39,
+        1,0,0,0,213,217,5,40,0,0,214,217,5,41,0,0,215,217,3,22,11,0,216,
+        213,1,0,0,0,216,214,1,0,0,0,216,215,1,0,0,0,217,41,1,0,0,0,218,219,
+        7,9,0,0,219,43,1,0,0,0,25,46,53,55,62,66,70,75,88,93,96,106,114,
+        122,128,138,145,153,160,171,177,182,191,196,205,216
     ]
 
 class wstlParser ( Parser ):
@@ -102,44 +104,46 @@ class wstlParser ( Parser ):
                      "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
                      "'<>'", "'[]'", "'>='", "'<='", "'>'", "'<'", "<INVALID>", 
                      "'!='", "<INVALID>", "<INVALID>", "'F'", "'G'", "'U'", 
-                     "'R'", "'X'", "'('", "')'", "'+'", "'-'", "'*'", "'/'", 
-                     "'%'", "','", "'['", "']'", "'{'", "'}'" ]
+                     "'R'", "'X'", "'one'", "'all'", "'('", "')'", "'+'", 
+                     "'-'", "'*'", "'/'", "'%'", "','", "'['", "']'", "'{'", 
+                     "'}'" ]
 
     symbolicNames = [ "<INVALID>", "HAT", "IN", "OUT", "CLEAR", "AND", "OR", 
                       "NOT", "IMPLIES", "IFF", "DIAMOND", "BOX", "GE", "LE", 
                       "GT", "LT", "EQ", "NE", "TRUE", "FALSE", "EVENTUALLY", 
-                      "ALWAYS", "UNTIL", "RELEASE", "NEXT", "OPEN", "CLOSE", 
-                      "PLUS", "MINUS", "STAR", "SLASH", "PERCENT", "COMMA", 
-                      "LBRACKET", "RBRACKET", "LBRACE", "RBRACE", "NUMBER", 
-                      "NAME", "STRING", "SPACE", "STRAY", "GROUP" ]
+                      "ALWAYS", "UNTIL", "RELEASE", "NEXT", "ONE", "ALL", 
+                      "OPEN", "CLOSE", "PLUS", "MINUS", "STAR", "SLASH", 
+                      "PERCENT", "COMMA", "LBRACKET", "RBRACKET", "LBRACE", 
+                      "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", "STRAY", 
+                      "GROUP" ]
 
     RULE_connective = 0
-    RULE_unary = 1
-    RULE_prefix = 2
-    RULE_joined = 3
-    RULE_weight = 4
-    RULE_value = 5
-    RULE_comparison = 6
-    RULE_total = 7
-    RULE_term = 8
-    RULE_factor = 9
-    RULE_operand = 10
-    RULE_region = 11
-    RULE_reserved = 12
-    RULE_formula = 13
-    RULE_level = 14
+    RULE_prefix = 1
+    RULE_joined = 2
+    RULE_weight = 3
+    RULE_value = 4
+    RULE_comparison = 5
+    RULE_total = 6
+    RULE_term = 7
+    RULE_factor = 8
+    RULE_operand = 9
+    RULE_region = 10
+    RULE_reserved = 11
+    RULE_formula = 12
+    RULE_level = 13
+    RULE_unary = 14
     RULE_parts = 15
     RULE_interval = 16
     RULE_bound = 17
     RULE_relation = 18
     RULE_constant = 19
     RULE_name = 20
-    RULE_letter = 21
+    RULE_word = 21
 
-    ruleNames =  [ "connective", "unary", "prefix", "joined", "weight", 
-                   "value", "comparison", "total", "term", "factor", "operand", 
-                   "region", "reserved", "formula", "level", "parts", "interval", 
-                   "bound", "relation", "constant", "name", "letter" ]
+    ruleNames =  [ "connective", "prefix", "joined", "weight", "value", 
+                   "comparison", "total", "term", "factor", "operand", "region", 
+                   "reserved", "formula", "level", "unary", "parts", "interval", 
+                   "bound", "relation", "constant", "name", "word" ]
 
     EOF = Token.EOF
     HAT=1
@@ -166,24 +170,26 @@ class wstlParser ( Parser ):
     UNTIL=22
     RELEASE=23
     NEXT=24
-    OPEN=25
-    CLOSE=26
-    PLUS=27
-    MINUS=28
-    STAR=29
-    SLASH=30
-    PERCENT=31
-    COMMA=32
-    LBRACKET=33
-    RBRACKET=34
-    LBRACE=35
-    RBRACE=36
-    NUMBER=37
-    NAME=38
-    STRING=39
-    SPACE=40
-    STRAY=41
-    GROUP=42
+    ONE=25
+    ALL=26
+    OPEN=27
+    CLOSE=28
+    PLUS=29
+    MINUS=30
+    STAR=31
+    SLASH=32
+    PERCENT=33
+    COMMA=34
+    LBRACKET=35
+    RBRACKET=36
+    LBRACE=37
+    RBRACE=38
+    NUMBER=39
+    NAME=40
+    STRING=41
+    SPACE=42
+    STRAY=43
+    GROUP=44
 
     def __init__(self, input:TokenStream, output:TextIO = sys.stdout):
         super().__init__(input, output)
@@ -302,74 +308,6 @@ class wstlParser ( Parser ):
         return localctx
 
 
-    class UnaryContext(ParserRuleContext):
-        __slots__ = 'parser'
-
-        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
-            super().__init__(parent, invokingState)
-            self.parser = parser
-
-        def comparison(self):
-            return self.getTypedRuleContext(wstlParser.ComparisonContext,0)
-
-
-        def joined(self):
-            return self.getTypedRuleContext(wstlParser.JoinedContext,0)
-
-
-        def prefix(self, i:int=None):
-            if i is None:
-                return self.getTypedRuleContexts(wstlParser.PrefixContext)
-            else:
-                return self.getTypedRuleContext(wstlParser.PrefixContext,i)
-
-
-        def getRuleIndex(self):
-            return wstlParser.RULE_unary
-
-
-
-
-    def unary(self):
-
-        localctx = wstlParser.UnaryContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 2, self.RULE_unary)
-        try:
-            self.enterOuterAlt(localctx, 1)
-            self.state = 60
-            self._errHandler.sync(self)
-            _alt = self._interp.adaptivePredict(self._input,3,self._ctx)
-            while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
-                if _alt==1+1:
-                    self.state = 57
-                    self.prefix() 
-                self.state = 62
-                self._errHandler.sync(self)
-                _alt = self._interp.adaptivePredict(self._input,3,self._ctx)
-
-            self.state = 65
-            self._errHandler.sync(self)
-            token = self._input.LA(1)
-            if token in [2, 3, 4, 18, 19, 20, 21, 22, 23, 24, 25, 27, 28, 37, 38, 39, 42]:
-                self.state = 63
-                self.comparison()
-                pass
-            elif token in [5, 6]:
-                self.state = 64
-                self.joined()
-                pass
-            else:
-                raise NoViableAltException(self)
-
-        except RecognitionException as re:
-            localctx.exception = re
-            self._errHandler.reportError(self, re)
-            self._errHandler.recover(self, re)
-        finally:
-            self.exitRule()
-        return localctx
-
-
     class PrefixContext(ParserRuleContext):
         __slots__ = 'parser'
 
@@ -403,6 +341,12 @@ class wstlParser ( Parser ):
             return self.getTypedRuleContext(wstlParser.WeightContext,0)
 
 
+        def ONE(self):
+            return self.getToken(wstlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(wstlParser.ALL, 0)
+
         def getRuleIndex(self):
             return wstlParser.RULE_prefix
 
@@ -412,41 +356,53 @@ class wstlParser ( Parser ):
     def prefix(self):
 
         localctx = wstlParser.PrefixContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 4, self.RULE_prefix)
+        self.enterRule(localctx, 2, self.RULE_prefix)
         self._la = 0 # Token type
         try:
-            self.state = 74
+            self.state = 66
             self._errHandler.sync(self)
             token = self._input.LA(1)
             if token in [7]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 67
+                self.state = 57
                 self.match(wstlParser.NOT)
                 pass
             elif token in [24]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 68
+                self.state = 58
                 self.match(wstlParser.NEXT)
                 pass
             elif token in [10, 11, 20, 21]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 69
+                self.state = 59
                 _la = self._input.LA(1)
                 if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 3148800) != 0)):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 70
+                self.state = 60
                 self.interval()
-                self.state = 72
+                self.state = 62
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 71
+                    self.state = 61
                     self.weight()
 
 
+                pass
+            elif token in [25, 26]:
+                self.enterOuterAlt(localctx, 4)
+                self.state = 64
+                _la = self._input.LA(1)
+                if not(_la==25 or _la==26):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 65
+                self.interval()
                 pass
             else:
                 raise NoViableAltException(self)
@@ -481,6 +437,12 @@ class wstlParser ( Parser ):
             return self.getTypedRuleContext(wstlParser.WeightContext,0)
 
 
+        def ONE(self):
+            return self.getToken(wstlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(wstlParser.ALL, 0)
+
         def getRuleIndex(self):
             return wstlParser.RULE_joined
 
@@ -490,27 +452,47 @@ class wstlParser ( Parser ):
     def joined(self):
 
         localctx = wstlParser.JoinedContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 6, self.RULE_joined)
+        self.enterRule(localctx, 4, self.RULE_joined)
         self._la = 0 # Token type
         try:
-            self.enterOuterAlt(localctx, 1)
-            self.state = 76
-            _la = self._input.LA(1)
-            if not(_la==5 or _la==6):
-                self._errHandler.recoverInline(self)
-            else:
-                self._errHandler.reportMatch(self)
-                self.consume()
-            self.state = 78
+            self.state = 75
             self._errHandler.sync(self)
-            _la = self._input.LA(1)
-            if _la==1:
-                self.state = 77
-                self.weight()
+            token = self._input.LA(1)
+            if token in [5, 6]:
+                self.enterOuterAlt(localctx, 1)
+                self.state = 68
+                _la = self._input.LA(1)
+                if not(_la==5 or _la==6):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 70
+                self._errHandler.sync(self)
+                _la = self._input.LA(1)
+                if _la==1:
+                    self.state = 69
+                    self.weight()
 
 
-            self.state = 80
-            self.parts()
+                self.state = 72
+                self.parts()
+                pass
+            elif token in [25, 26]:
+                self.enterOuterAlt(localctx, 2)
+                self.state = 73
+                _la = self._input.LA(1)
+                if not(_la==25 or _la==26):
+                    self._errHandler.recoverInline(self)
+                else:
+                    self._errHandler.reportMatch(self)
+                    self.consume()
+                self.state = 74
+                self.parts()
+                pass
+            else:
+                raise NoViableAltException(self)
+
         except RecognitionException as re:
             localctx.exception = re
             self._errHandler.reportError(self, re)
@@ -562,49 +544,49 @@ class wstlParser ( Parser ):
     def weight(self):
 
         localctx = wstlParser.WeightContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 8, self.RULE_weight)
+        self.enterRule(localctx, 6, self.RULE_weight)
         self._la = 0 # Token type
         try:
-            self.state = 98
+            self.state = 93
             self._errHandler.sync(self)
-            la_ = self._interp.adaptivePredict(self._input,9,self._ctx)
+            la_ = self._interp.adaptivePredict(self._input,8,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 82
+                self.state = 77
                 self.match(wstlParser.HAT)
-                self.state = 83
+                self.state = 78
                 self.name()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 84
+                self.state = 79
                 self.match(wstlParser.HAT)
-                self.state = 85
+                self.state = 80
                 self.value()
                 pass
 
             elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 86
+                self.state = 81
                 self.match(wstlParser.HAT)
-                self.state = 87
+                self.state = 82
                 self.match(wstlParser.LBRACKET)
-                self.state = 88
+                self.state = 83
                 self.value()
-                self.state = 93
+                self.state = 88
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==32:
-                    self.state = 89
+                while _la==34:
+                    self.state = 84
                     self.match(wstlParser.COMMA)
-                    self.state = 90
+                    self.state = 85
                     self.value()
-                    self.state = 95
+                    self.state = 90
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 96
+                self.state = 91
                 self.match(wstlParser.RBRACKET)
                 pass
 
@@ -640,19 +622,19 @@ class wstlParser ( Parser ):
     def value(self):
 
         localctx = wstlParser.ValueContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 10, self.RULE_value)
+        self.enterRule(localctx, 8, self.RULE_value)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 101
+            self.state = 96
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==28:
-                self.state = 100
+            if _la==30:
+                self.state = 95
                 self.match(wstlParser.MINUS)
 
 
-            self.state = 103
+            self.state = 98
             self.match(wstlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -693,21 +675,21 @@ class wstlParser ( Parser ):
     def comparison(self):
 
         localctx = wstlParser.ComparisonContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 12, self.RULE_comparison)
+        self.enterRule(localctx, 10, self.RULE_comparison)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 105
+            self.state = 100
             self.total()
-            self.state = 111
+            self.state = 106
             self._errHandler.sync(self)
             _la = self._input.LA(1)
             while (((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0):
-                self.state = 106
+                self.state = 101
                 self.relation()
-                self.state = 107
+                self.state = 102
                 self.total()
-                self.state = 113
+                self.state = 108
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -755,26 +737,26 @@ class wstlParser ( Parser ):
     def total(self):
 
         localctx = wstlParser.TotalContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 14, self.RULE_total)
+        self.enterRule(localctx, 12, self.RULE_total)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 114
+            self.state = 109
             self.term()
-            self.state = 119
+            self.state = 114
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==27 or _la==28:
-                self.state = 115
+            while _la==29 or _la==30:
+                self.state = 110
                 _la = self._input.LA(1)
-                if not(_la==27 or _la==28):
+                if not(_la==29 or _la==30):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 116
+                self.state = 111
                 self.term()
-                self.state = 121
+                self.state = 116
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -822,26 +804,26 @@ class wstlParser ( Parser ):
     def term(self):
 
         localctx = wstlParser.TermContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 16, self.RULE_term)
+        self.enterRule(localctx, 14, self.RULE_term)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 122
+            self.state = 117
             self.factor()
-            self.state = 127
+            self.state = 122
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==29 or _la==30:
-                self.state = 123
+            while _la==31 or _la==32:
+                self.state = 118
                 _la = self._input.LA(1)
-                if not(_la==29 or _la==30):
+                if not(_la==31 or _la==32):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 124
+                self.state = 119
                 self.factor()
-                self.state = 129
+                self.state = 124
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -886,26 +868,26 @@ class wstlParser ( Parser ):
     def factor(self):
 
         localctx = wstlParser.FactorContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 18, self.RULE_factor)
+        self.enterRule(localctx, 16, self.RULE_factor)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 133
+            self.state = 128
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==27 or _la==28:
-                self.state = 130
+            while _la==29 or _la==30:
+                self.state = 125
                 _la = self._input.LA(1)
-                if not(_la==27 or _la==28):
+                if not(_la==29 or _la==30):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 135
+                self.state = 130
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 136
+            self.state = 131
             self.operand()
         except RecognitionException as re:
             localctx.exception = re
@@ -951,38 +933,38 @@ class wstlParser ( Parser ):
     def operand(self):
 
         localctx = wstlParser.OperandContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 20, self.RULE_operand)
+        self.enterRule(localctx, 18, self.RULE_operand)
         try:
-            self.state = 143
+            self.state = 138
             self._errHandler.sync(self)
-            la_ = self._interp.adaptivePredict(self._input,15,self._ctx)
+            la_ = self._interp.adaptivePredict(self._input,14,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 138
+                self.state = 133
                 self.constant()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 139
+                self.state = 134
                 self.match(wstlParser.NUMBER)
                 pass
 
             elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 140
+                self.state = 135
                 self.name()
                 pass
 
             elif la_ == 4:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 141
+                self.state = 136
                 self.region()
                 pass
 
             elif la_ == 5:
                 self.enterOuterAlt(localctx, 5)
-                self.state = 142
+                self.state = 137
                 self.parts()
                 pass
 
@@ -1037,32 +1019,32 @@ class wstlParser ( Parser ):
     def region(self):
 
         localctx = wstlParser.RegionContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 22, self.RULE_region)
+        self.enterRule(localctx, 20, self.RULE_region)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 145
+            self.state = 140
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 28) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
                 self.consume()
-            self.state = 146
+            self.state = 141
             self.match(wstlParser.OPEN)
-            self.state = 147
+            self.state = 142
             self.name()
-            self.state = 150
+            self.state = 145
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==32:
-                self.state = 148
+            if _la==34:
+                self.state = 143
                 self.match(wstlParser.COMMA)
-                self.state = 149
+                self.state = 144
                 self.name()
 
 
-            self.state = 152
+            self.state = 147
             self.match(wstlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -1080,8 +1062,8 @@ class wstlParser ( Parser ):
             super().__init__(parent, invokingState)
             self.parser = parser
 
-        def letter(self):
-            return self.getTypedRuleContext(wstlParser.LetterContext,0)
+        def word(self):
+            return self.getTypedRuleContext(wstlParser.WordContext,0)
 
 
         def IN(self):
@@ -1102,29 +1084,29 @@ class wstlParser ( Parser ):
     def reserved(self):
 
         localctx = wstlParser.ReservedContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 24, self.RULE_reserved)
+        self.enterRule(localctx, 22, self.RULE_reserved)
         try:
-            self.state = 158
+            self.state = 153
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [20, 21, 22, 23, 24]:
+            if token in [20, 21, 22, 23, 24, 25, 26]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 154
-                self.letter()
+                self.state = 149
+                self.word()
                 pass
             elif token in [2]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 155
+                self.state = 150
                 self.match(wstlParser.IN)
                 pass
             elif token in [3]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 156
+                self.state = 151
                 self.match(wstlParser.OUT)
                 pass
             elif token in [4]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 157
+                self.state = 152
                 self.match(wstlParser.CLEAR)
                 pass
             else:
@@ -1171,25 +1153,25 @@ class wstlParser ( Parser ):
     def formula(self):
 
         localctx = wstlParser.FormulaContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 26, self.RULE_formula)
+        self.enterRule(localctx, 24, self.RULE_formula)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 160
+            self.state = 155
             self.level()
-            self.state = 165
+            self.state = 160
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==32:
-                self.state = 161
+            while _la==34:
+                self.state = 156
                 self.match(wstlParser.COMMA)
-                self.state = 162
+                self.state = 157
                 self.level()
-                self.state = 167
+                self.state = 162
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 168
+            self.state = 163
             self.match(wstlParser.EOF)
         except RecognitionException as re:
             localctx.exception = re
@@ -1230,23 +1212,91 @@ class wstlParser ( Parser ):
     def level(self):
 
         localctx = wstlParser.LevelContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 28, self.RULE_level)
+        self.enterRule(localctx, 26, self.RULE_level)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 170
+            self.state = 165
             self.unary()
-            self.state = 176
+            self.state = 171
             self._errHandler.sync(self)
             _la = self._input.LA(1)
             while (((_la) & ~0x3f) == 0 and ((1 << _la) & 12583776) != 0):
-                self.state = 171
+                self.state = 166
                 self.connective()
-                self.state = 172
+                self.state = 167
                 self.unary()
-                self.state = 178
+                self.state = 173
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
+
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class UnaryContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def comparison(self):
+            return self.getTypedRuleContext(wstlParser.ComparisonContext,0)
+
+
+        def joined(self):
+            return self.getTypedRuleContext(wstlParser.JoinedContext,0)
+
+
+        def prefix(self, i:int=None):
+            if i is None:
+                return self.getTypedRuleContexts(wstlParser.PrefixContext)
+            else:
+                return self.getTypedRuleContext(wstlParser.PrefixContext,i)
+
+
+        def getRuleIndex(self):
+            return wstlParser.RULE_unary
+
+
+
+
+    def unary(self):
+
+        localctx = wstlParser.UnaryContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 28, self.RULE_unary)
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 177
+            self._errHandler.sync(self)
+            _alt = self._interp.adaptivePredict(self._input,19,self._ctx)
+            while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
+                if _alt==1+1:
+                    self.state = 174
+                    self.prefix() 
+                self.state = 179
+                self._errHandler.sync(self)
+                _alt = self._interp.adaptivePredict(self._input,19,self._ctx)
+
+            self.state = 182
+            self._errHandler.sync(self)
+            la_ = self._interp.adaptivePredict(self._input,20,self._ctx)
+            if la_ == 1:
+                self.state = 180
+                self.comparison()
+                pass
+
+            elif la_ == 2:
+                self.state = 181
+                self.joined()
+                pass
+
 
         except RecognitionException as re:
             localctx.exception = re
@@ -1298,33 +1348,33 @@ class wstlParser ( Parser ):
         self.enterRule(localctx, 30, self.RULE_parts)
         self._la = 0 # Token type
         try:
-            self.state = 191
+            self.state = 196
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [42]:
+            if token in [44]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 179
+                self.state = 184
                 self.match(wstlParser.GROUP)
                 pass
-            elif token in [25]:
+            elif token in [27]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 180
+                self.state = 185
                 self.match(wstlParser.OPEN)
-                self.state = 181
-                self.level()
                 self.state = 186
+                self.level()
+                self.state = 191
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==32:
-                    self.state = 182
+                while _la==34:
+                    self.state = 187
                     self.match(wstlParser.COMMA)
-                    self.state = 183
-                    self.level()
                     self.state = 188
+                    self.level()
+                    self.state = 193
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 189
+                self.state = 194
                 self.match(wstlParser.CLOSE)
                 pass
             else:
@@ -1374,15 +1424,15 @@ class wstlParser ( Parser ):
         self.enterRule(localctx, 32, self.RULE_interval)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 193
+            self.state = 198
             self.match(wstlParser.LBRACKET)
-            self.state = 194
+            self.state = 199
             self.bound()
-            self.state = 195
+            self.state = 200
             self.match(wstlParser.COMMA)
-            self.state = 196
+            self.state = 201
             self.bound()
-            self.state = 197
+            self.state = 202
             self.match(wstlParser.RBRACKET)
         except RecognitionException as re:
             localctx.exception = re
@@ -1419,15 +1469,15 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 200
+            self.state = 205
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==28:
-                self.state = 199
+            if _la==30:
+                self.state = 204
                 self.match(wstlParser.MINUS)
 
 
-            self.state = 202
+            self.state = 207
             self.match(wstlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -1476,7 +1526,7 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 204
+            self.state = 209
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0)):
                 self._errHandler.recoverInline(self)
@@ -1518,7 +1568,7 @@ class wstlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 206
+            self.state = 211
             _la = self._input.LA(1)
             if not(_la==18 or _la==19):
                 self._errHandler.recoverInline(self)
@@ -1562,22 +1612,22 @@ class wstlParser ( Parser ):
         localctx = wstlParser.NameContext(self, self._ctx, self.state)
         self.enterRule(localctx, 40, self.RULE_name)
         try:
-            self.state = 211
+            self.state = 216
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [38]:
+            if token in [40]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 208
+                self.state = 213
                 self.match(wstlParser.NAME)
                 pass
-            elif token in [39]:
+            elif token in [41]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 209
+                self.state = 214
                 self.match(wstlParser.STRING)
                 pass
-            elif token in [2, 3, 4, 20, 21, 22, 23, 24]:
+            elif token in [2, 3, 4, 20, 21, 22, 23, 24, 25, 26]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 210
+                self.state = 215
                 self.reserved()
                 pass
             else:
@@ -1592,7 +1642,7 @@ class wstlParser ( Parser ):
         return localctx
 
 
-    class LetterContext(ParserRuleContext):
+    class WordContext(ParserRuleContext):
         __slots__ = 'parser'
 
         def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
@@ -1614,22 +1664,28 @@ class wstlParser ( Parser ):
         def NEXT(self):
             return self.getToken(wstlParser.NEXT, 0)
 
+        def ONE(self):
+            return self.getToken(wstlParser.ONE, 0)
+
+        def ALL(self):
+            return self.getToken(wstlParser.ALL, 0)
+
         def getRuleIndex(self):
-            return wstlParser.RULE_letter
+            return wstlParser.RULE_word
 
 
 
 
-    def letter(self):
+    def word(self):
 
-        localctx = wstlParser.LetterContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 42, self.RULE_letter)
+        localctx = wstlParser.WordContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 42, self.RULE_word)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 213
+            self.state = 218
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 32505856) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 133169152) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)

@@ -10,7 +10,8 @@ from typing import Any, TypeAlias, cast
 from tsplan.limits import LARGEST
 from tsplan.logic.atoms import MIRRORED, Count, Function, Limit, Percent, Relation, Task, at_least
 from tsplan.logic.parser.numerals import exact, whole
-from tsplan.logic.parser.tree_reader import Reader, reach
+from tsplan.logic.parser.reading import reach
+from tsplan.logic.parser.tree_reader import Reader
 from tsplan.logic.text_spans import Span, Way, Written
 
 Pairs: TypeAlias = "list[tuple[str, Number, Any]]"

@@ -12,7 +12,8 @@ from tsplan.logic.atoms import Linear, Relation
 from tsplan.logic.boxes import PLACES, checked
 from tsplan.logic.parser.count_reader import relation_of
 from tsplan.logic.parser.numerals import exact, written
-from tsplan.logic.parser.tree_reader import Reader, reach
+from tsplan.logic.parser.reading import reach
+from tsplan.logic.parser.tree_reader import Reader
 from tsplan.logic.text_spans import Way, Written
 from tsplan.words import nfc
 

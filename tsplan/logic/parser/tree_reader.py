@@ -14,18 +14,14 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from antlr4.tree.Tree import ErrorNode
-
-from tsplan.errors import Finding, nearest
 from tsplan.logic import nodes
+from tsplan.logic.derived import DERIVED, stands_for
 from tsplan.logic.nodes import FALSE, TRUE, Formula
-from tsplan.logic.parser.given import Given
 from tsplan.logic.parser.numerals import exact, whole
-from tsplan.logic.parser.source import Source
-from tsplan.logic.parser.weight_marks import Mark
-from tsplan.logic.text_spans import Span, Way, Written
-from tsplan.logic.weight_values import weights_for
-from tsplan.words import nfc
+from tsplan.logic.parser.reading import reach
+from tsplan.logic.parser.weight_reader import Interval, WeightReader
+from tsplan.logic.text_spans import Span, Written
+from tsplan.logic.traversal import fold
 
 PREFIXES: Mapping[str, type[Formula]] = MappingProxyType(
     {
@@ -48,17 +44,6 @@ JOINS: Mapping[str, type[Formula]] = MappingProxyType({"AND": nodes.And, "OR": n
 """Operators before a list of parts."""
 
 
-class Interval(NamedTuple):
-    """The steps of an operator, if it has any, with their weights; and what is written of them.
-
-    A `mark` holds weights for parts whose number is not known yet.
-    """
-
-    steps: tuple[Any, ...] = ()
-    parts: Mapping[Way, Span] = MappingProxyType({})
-    mark: Mark | None = None
-
-
 class Listed(NamedTuple):
     """Several values in parentheses, with their parts of the tree."""
 
@@ -70,17 +55,8 @@ IMPLIED: Mapping[str, Interval] = MappingProxyType({"NEXT": Interval((1, 1))})
 """What operators mean that have no interval in the text, if that is any."""
 
 
-class Reader(ABC):
-    """Reads the syntax trees of one text, stream after stream.
-
-    `groups` holds the values of parts that were cut out, by the offset of their parenthesis.
-    """
-
-    def __init__(self, source: Source, given: Given) -> None:
-        self.source = source
-        self.given = given
-        self.findings: list[Finding] = []
-        self.groups: dict[int, Any] = {}
+class Reader(WeightReader, ABC):
+    """Reads the rules of the shared grammar."""
 
     quantities: tuple[type, ...]
     """Classes of values that are numbers rather than formulas."""
@@ -88,31 +64,6 @@ class Reader(ABC):
     @abstractmethod
     def formula(self, value: Any, part: Any) -> Written | None:
         """The value as a formula; if it is none, a finding says so."""
-
-    def read(self, part: Any) -> Any:
-        """The value of a part of the syntax tree; None if something in it is wrong."""
-        children = part.children or ()
-        if part.exception is not None or any(isinstance(child, ErrorNode) for child in children):
-            # words such as operators are read by the rule above them and have no reader
-            for child in children:
-                if hasattr(child, "getRuleIndex") and hasattr(self, _reader_of(child)):
-                    self.read(child)
-            return None
-        return getattr(self, _reader_of(part))(part)
-
-    def complain(self, part: Any, message: str, remedy: str = "") -> None:
-        """Note that a part of the tree, or a token, is wrong."""
-        start = getattr(part, "start", part)
-        offset = start if isinstance(start, int) else start.start
-        self.findings.append(self.source.finding(offset, message, remedy))
-
-    def quote(self, first: Any, last: Any) -> str:
-        """The text from one part of the tree to another; an ellipsis for one that is missing."""
-        if last.stop is None:
-            return "..."
-        return self.source.quote(first.start.start, last.stop.stop)
-
-    # --- rules of the shared grammar ---
 
     def read_formula(self, part: Any) -> Any:
         """Read a whole stream; the value is not yet asked to be a formula."""
@@ -162,8 +113,13 @@ class Reader(ABC):
         if formula is None or None in intervals:
             return None
         for prefix, interval in zip(reversed(prefixes), reversed(intervals), strict=True):
-            operator = PREFIXES[_kind(prefix)]
-            formula = _applied(operator, interval, [formula], reach(prefix, part))
+            word, span = prefix.start.text, reach(prefix, part)
+            if word in DERIVED:
+                formula = self._derived(prefix, [formula], span, interval.steps)
+            else:
+                formula = _applied(PREFIXES[_kind(prefix)], interval, [formula], span)
+            if formula is None:
+                return None
         return formula
 
     def read_prefix(self, part: Any) -> Interval | None:
@@ -171,7 +127,7 @@ class Reader(ABC):
         interval = IMPLIED.get(_kind(part), Interval())
         if part.interval():
             interval = self.read(part.interval())
-        weight = part.weight() if hasattr(part, "weight") else None
+        weight = _weight(part)
         if weight is None:
             return interval
         mark = self.read(weight)
@@ -180,44 +136,27 @@ class Reader(ABC):
         if not interval.steps:
             return interval._replace(mark=mark)
         low, high = interval.steps
-        return self._weighed(interval, mark, range(low, high + 1), "step")
+        return self.weighed(interval, mark, range(low, high + 1), "step")
 
     read_connective = read_prefix
 
-    def read_weight(self, part: Any) -> Mark | None:
-        """Read a name of weights that are given, or numbers."""
-        if not part.name():
-            values = [self.read(value) for value in part.value()]
-            if None in values:
-                return None
-            return Mark(part, reach(part), None, tuple(values) if part.LBRACKET() else values[0])
-        name, known = self.read(part.name()), self.given.weights
-        if name is None:
-            return None
-        name = nfc(name)
-        if name not in known:
-            remedy = nearest(name, known) if known else "give them, or write numbers: ^[1, 2]"
-            self.complain(part, f"no weights '{name}' are given", remedy)
-            return None
-        return Mark(part, reach(part), name, known[name])
-
-    def read_value(self, part: Any) -> float:
-        """Read a number with its sign."""
-        return float("".join(part.getText().split()))
-
     def read_joined(self, part: Any) -> Written | None:
         """Read a list of parts that the operator before them joins."""
-        mark = self.read(part.weight()) if part.weight() else None
+        weight, word = _weight(part), part.start.text
+        mark = None if weight is None else self.read(weight)
         listed = self.read(part.parts())
-        if listed is None or (part.weight() and mark is None):
+        if listed is None or (weight is not None and mark is None):
             return None
         operands = [self.formula(*each) for each in zip(*listed, strict=True)]
-        if len(operands) == 1 and operands[0] is not None:
-            remedy = f"write two or more, such as {part.start.text} (a, b)"
-            self.complain(part, f"'{part.start.text}' joins one formula alone", remedy)
+        sure = [operand for operand in operands if operand is not None]
+        if len(sure) < len(operands):
             return None
-        interval = Interval(mark=mark)
-        return self._joined(JOINS[_kind(part)], operands, reach(part), [(part, interval)])
+        if len(sure) == 1:
+            self.complain(part, f"'{word}' joins one formula alone", f"write two: {word} (a, b)")
+            return None
+        if word in DERIVED:
+            return self._derived(part, sure, reach(part))
+        return self._joined(JOINS[_kind(part)], sure, reach(part), [(part, Interval(mark=mark))])
 
     def read_parts(self, part: Any) -> Listed | None:
         """Read a list in parentheses, of one or more; what a GROUP token stands for."""
@@ -330,30 +269,27 @@ class Reader(ABC):
                 self.complain(join, f"{signs} join parts of one level", remedy)
                 return None
         if interval.mark is not None:
-            made = self._weighed(Interval(), interval.mark, range(len(operands)), "part")
+            made = self.weighed(Interval(), interval.mark, range(len(operands)), "part")
             return None if made is None else _applied(kind, made, sure, span)
         return _applied(kind, interval, sure, span)
 
-    def _weighed(
-        self, interval: Interval, mark: Mark, indices: range, what: str
-    ) -> Interval | None:
-        """An interval with the weights of its steps, or one of no steps with those of parts."""
+    def _derived(
+        self, part: Any, operands: Sequence[Written], span: Span, steps: Sequence[int] = ()
+    ) -> Written | None:
+        """What a derived operator stands for; its operands stay where they are written."""
         try:
-            weights = weights_for(mark.given, indices, what)
-        except (TypeError, ValueError) as error:
-            named = "" if mark.name is None else f"'{mark.name}' does not fit: "
-            remedy = (
-                f"give a number above 0 for each {what} from {indices[0]} to {indices[-1]}, "
-                "or one number for all"
-            )
-            self.complain(mark.part, f"{named}{error}", remedy)
+            formula = stands_for(part.start.text, [each.formula for each in operands], steps)
+        except ValueError as error:
+            remedy = "write it for fewer parts or steps, or say in another way what is meant"
+            self.complain(part, str(error), remedy)
             return None
-        return Interval((*interval.steps, weights), {**interval.parts, **mark.parts})
+        known = {each.formula: each for each in operands}
 
+        def written(node: Formula, below: tuple[Written, ...]) -> Written:
+            return known.get(node) or Written(node, span, below)
 
-def reach(*parts: Any) -> Span:
-    """Where a part of the tree stands, or all from the first to the last."""
-    return Span(parts[0].start.start, parts[-1].stop.stop + 1)
+        whole = fold(formula, written)
+        return Written(formula, span, whole.children)
 
 
 def _applied(
@@ -364,6 +300,11 @@ def _applied(
     return Written(formula, span, tuple(operands), interval.parts)
 
 
+def _weight(part: Any) -> Any:
+    """The weight after an operator; None where it has none, as in languages without weights."""
+    return part.weight() if hasattr(part, "weight") else None
+
+
 def _key(interval: Interval) -> object:
     return None if interval.mark is None else interval.mark.key
 
@@ -372,8 +313,3 @@ def _kind(part: Any) -> str:
     """Name of the token that an operator begins with."""
     name: str = part.parser.symbolicNames[part.start.type]
     return name
-
-
-def _reader_of(part: Any) -> str:
-    """The name of the method that reads parts of this rule."""
-    return f"read_{part.parser.ruleNames[part.getRuleIndex()]}"
