@@ -10,6 +10,7 @@ import tsplan
 from tests.command_line import command, printed
 from tests.missions import MAP, MISSION
 from tsplan.cli import main
+from tsplan.logic import LANGUAGES
 
 
 def write(folder, **changes):
@@ -77,6 +78,19 @@ def test_parse_prints_every_form(capsys):
     assert "sum(red) <= 0" in rows["positive"]
     assert main(["parse", rows["text"].split(maxsplit=1)[1], "--language", "catl"]) == 0
     assert capsys.readouterr().out == out
+
+
+def test_parse_knows_every_language(capsys):
+    for language in LANGUAGES:
+        atom = "x > 1" if language.endswith("stl") else "a"
+        assert main(["parse", f"one({atom}, F[0,2] {atom})", "--language", language]) == 0
+    capsys.readouterr()
+    assert main(["parse", "F[0,1]^[1, 3] x > 1 ||^2 y > 0", "--language", "wstl"]) == 0
+    out = capsys.readouterr().out
+    assert "  or ^2\n    eventually [0,1]^[1, 3]\n      x > 1\n" in out
+    assert "text      ||^2 (F[0,1]^[1, 3] (x > 1), y > 0)\n" in out
+    assert main(["parse", "F[0,1]^w x > 1", "--language", "wstl"]) == 2
+    assert "1:7: no weights 'w' are given" in capsys.readouterr().err
 
 
 def test_parse_points_at_mistakes(capsys):

@@ -133,7 +133,7 @@ def _simulate(commands: Commands) -> None:
 def _parse(commands: Commands) -> None:
     add = _command(commands, "parse", "show what a formula means")
     add("formula", metavar="FORMULA", help="the formula's text")
-    add("--language", choices=("catl", "mtl", "stl"), required=True)
+    add("--language", choices=("catl", "mtl", "stl", "wmtl", "wstl"), required=True)
 
 
 def _show(commands: Commands) -> None:

@@ -8,12 +8,14 @@ from tsplan import logic
 from tsplan.cli.arguments import Exit
 from tsplan.cli.output import say
 from tsplan.errors import FormulaError, InputError
+from tsplan.logic.text import operator_text
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Iterator
 
 DEEPEST_INDENT = 40
+_SIGNS = "FGUR&|!<=>"
 
 
 def run(options: argparse.Namespace) -> Exit:
@@ -45,8 +47,8 @@ def tree(formula: logic.Formula) -> Iterator[str]:
     r"""One line a node, indented by its depth.
 
     >>> from tsplan.logic import parse
-    >>> print("\n".join(tree(parse("F[0,2] a && !b"))))
-    and
+    >>> print("\n".join(tree(parse("F[0,2] a &&^[1, 3] !b", "wmtl"))))
+    and ^[1, 3]
       eventually [0,2]
         a
       not
@@ -62,8 +64,6 @@ def tree(formula: logic.Formula) -> Iterator[str]:
 def _headline(node: logic.Formula) -> str:
     if not node.children:
         return str(node)
-    interval = f" [{node.low},{node.high}]" if isinstance(node, _TIMED) else ""
-    return type(node).__name__.lower() + interval
-
-
-_TIMED = (logic.Eventually, logic.Always, logic.Until, logic.Release)
+    sign = operator_text(node)
+    after = sign.lstrip(_SIGNS)  # the window and the weights
+    return f"{type(node).__name__.lower()} {after}".rstrip()

@@ -1,7 +1,7 @@
 """Formulas over teams and signals: nodes, texts, normal forms, horizon, meaning on traces.
 
-Three languages share one tree: `mtl` counts agents at labels, `catl` adds tasks and limits, `stl`
-compares real signals. `parse` reads a text, `str` writes it again.
+The languages share one tree: `mtl` counts agents at labels, `catl` adds tasks and limits, `stl`
+compares real signals, `wmtl` and `wstl` add weights. `parse` reads a text, `str` writes it again.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from tsplan.logic.atoms import (
     task,
 )
 from tsplan.logic.catl import resolve_percent, translate
+from tsplan.logic.derived import all_or_no_steps, all_or_none_of, one_of, one_step
 from tsplan.logic.margin import tighten
 from tsplan.logic.nodes import (
     FALSE,
@@ -88,6 +89,8 @@ __all__ = [
     "Task",
     "Until",
     "Window",
+    "all_or_no_steps",
+    "all_or_none_of",
     "at_least",
     "at_most",
     "capabilities",
@@ -102,6 +105,8 @@ __all__ = [
     "limit",
     "linear",
     "negation",
+    "one_of",
+    "one_step",
     "parse",
     "parse_with_places",
     "positive",
