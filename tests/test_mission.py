@@ -137,7 +137,7 @@ def test_missions_can_be_sent_to_another_process(folder):
         ("G[0,9]", "G[0,9999999]", "10:12", ["9,999,999 steps"]),
         ("horizon: 12", "horizon: 2000000", "14:10", ["2,000,000 steps"]),
         ("horizon: 12", "horizon: -1", "14:10", ["at least 0"]),
-        ("language: catl", "language: ltl", "9:13", ["'catl', 'mtl' or 'stl'"]),
+        ("language: catl", "language: ltl", "9:13", ["'catl', 'mtl', 'stl' or 'wmtl'"]),
         ("time_limit: 60", "time_limit: 0", "15:35", ["more than 0"]),
         ("gap: 0.0", "gap: -1", "15:44", ["at least 0"]),
         ("threads: 2", "thread: 2", "15:49", ["unknown key 'thread'", "'threads'"]),
@@ -308,7 +308,7 @@ def test_maps_are_found_by_path(folder):
         ({"formula": "F[0,2 A"}, "mission"),
         ({"objective": ("fun",)}, "unknown objective 'fun'"),
         ({"horizon": 1}, "shorter than the formula's, 4"),
-        ({"language": "ltl"}, "'catl', 'mtl' or 'stl'"),
+        ({"language": "ltl"}, "'catl', 'mtl', 'stl' or 'wmtl'"),
     ],
 )
 def test_mistakes_in_python_are_the_same(options, words):

@@ -46,6 +46,14 @@ class Filing:
                 made.append(Preference(*read, weight, name, entry.level, entry.partial))
         return tuple(made)
 
+    def judge_weights(self, given: Iterable[str]) -> None:
+        """Weights that no formula names (a warning)."""
+        unused = set(given) - self.formulas.weight_names if self.formulas.complete else ()
+        for name in sorted(unused):
+            what = f"no operator of the formula has the weights '{name}'"
+            remedy = f"write ^{name} after an operator, or remove them"
+            self.file(Fault(("spec", "weights", name), what, remedy, serious=False))
+
     def report(self, path: Place, message: str, remedy: str) -> None:
         """File what is wrong at a path."""
         self.file(Fault(path, message, remedy))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import islice
 
 from tsplan import logic
 from tsplan.errors import FormulaError, Nearest
@@ -112,6 +113,18 @@ def _refused(node: Formula) -> Iterator[Fault]:
     if isinstance(node, logic.Task) and node.resources:
         what = f"'{node}' asks for resources, which are not planned"
         yield Fault(FORMULA, what, "remove the last braces of the task", node=node)
+
+
+def weight_faults(formula: Formula, *, in_part: bool) -> Iterator[Fault]:
+    """Weights in a formula that holds or does not: they say what counts where it holds in part."""
+    weighed = (node for node in logic.walk(formula) if getattr(node, "weights", None) is not None)
+    for node in () if in_part else islice(weighed, 1):
+        what = "weights have no effect on a formula that must hold as a whole"
+        remedy = (
+            "ask for satisfaction: 'objective: [{satisfaction: weighted}]', or prefer it with "
+            "'partial: true'"
+        )
+        yield Fault(FORMULA, what, remedy, node=node, way=("weight",))
 
 
 def horizon_faults(

@@ -132,6 +132,11 @@ class Formulas:
         """Whether every formula of the file could be read."""
         return self.formula is not None and None not in self.soft.values()
 
+    @property
+    def weight_names(self) -> frozenset[str]:
+        """The names of weights that are written in any of them."""
+        return frozenset().union(*(text.written.weight_names for text in self.texts))
+
     def place(self, fault: Fault) -> tuple[int | None, int | None]:
         """Line and column of what is wrong in the mission, or in a part of a formula."""
         if fault.node is not None and len(self.findings) <= MOST_TOLD:  # nobody is told more

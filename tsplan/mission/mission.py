@@ -17,6 +17,7 @@ from tsplan import display, logic
 from tsplan.errors import MissionError
 from tsplan.logic import Formula
 from tsplan.logic.fraction import tree_of
+from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_checks import mission_faults
 from tsplan.mission.mission_parts import MissionParts, Preference
@@ -154,6 +155,7 @@ class Mission(MissionParts):
         must: str | bool | Formula | Sequence[str | bool] | None = None,
         prefer: Iterable[Preference | Mapping[str, Any]] = (),
         language: Language | None = None,
+        weights: Mapping[str, Weight] | None = None,
         objective: Sequence[str | Mapping[str, str]] | None = None,
         task_interval: TaskInterval = "closed",
         horizon: int | None = None,
@@ -168,7 +170,8 @@ class Mission(MissionParts):
         and `margin`.
         `formula` is a text, several texts (their conjunction) or a parsed formula; `must` is
         another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
-        and that of swarms "mtl". Raises MissionError with all findings.
+        and that of swarms "mtl". In "wmtl" formulas name `weights`, which may be functions (see
+        `tsplan.logic.parse`). Raises MissionError with all findings.
         """
         team = None if team is None else list(team)
         spec = {
@@ -176,6 +179,7 @@ class Mission(MissionParts):
             "formula": formula,
             "must": must,
             "prefer": list(prefer) or None,
+            "weights": weights,
         }
         values = {
             "name": name,

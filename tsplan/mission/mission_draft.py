@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,12 +13,18 @@ from tsplan.document.files import beside
 from tsplan.document.kinds import MISSION
 from tsplan.document.validation import salvaged, validated
 from tsplan.errors import InputError, MissionError
-from tsplan.logic import Formula
+from tsplan.logic import Formula, parse_with_places
+from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.filing import Filing
 from tsplan.mission.findings import Entry, Fault, Place, moved
-from tsplan.mission.formula_checks import formula_faults, formula_horizon, horizon_faults
+from tsplan.mission.formula_checks import (
+    formula_faults,
+    formula_horizon,
+    horizon_faults,
+    weight_faults,
+)
 from tsplan.mission.formulas import spelled_out
 from tsplan.mission.mission_checks import objective_faults, preference_faults
 from tsplan.mission.mission_parts import MissionParts
@@ -33,6 +39,7 @@ from tsplan.mission.objectives import default_objective
 from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
 from tsplan.mission.team_checks import map_faults, team_faults
 from tsplan.mission.vocabulary import ORDERS, Order, default_language
+from tsplan.mission.weight_entries import settled, weights_in
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.map_files import load_map, map_from_document
 from tsplan.words import nfc
@@ -40,10 +47,19 @@ from tsplan.words import nfc
 KINDS = ("team", "swarm", "swarms")
 
 
-def parts_from_document(
-    document: Document, folder: Path, system: TransitionSystem | None = None
-) -> MissionParts:
-    """The parts of a mission from its document. With `system`, its own map is not read."""
+@dataclass(frozen=True)
+class Beside:
+    """What a document cannot hold: a map, which it names then, and weights that are functions."""
+
+    system: TransitionSystem | None = None
+    weights: Mapping[str, Weight] = field(default_factory=dict)
+
+
+_NOTHING = Beside()
+
+
+def parts_from_document(document: Document, folder: Path, given: Beside = _NOTHING) -> MissionParts:
+    """The parts of a mission from its document, but for what is given beside it."""
     strange = document.misfit((), MISSION)
     if strange is not None:
         raise MissionError([strange])
@@ -51,14 +67,15 @@ def parts_from_document(
         document = spelled_out(document, default_language(team="team" in document.data))
     file, findings = validated(document, MissionFile)
     draft = _Draft.of(document, findings)
+    sound, faulty = (file, frozenset[str]()) if file else salvaged(document, MissionFile, STAND_INS)
     draft.judge_kind()
-    draft.system = system if system is not None else draft.read_map(folder)
+    draft.system = given.system if given.system is not None else draft.read_map(folder)
+    known = None if sound is None or "spec" in faulty else sound.spec.weights
+    draft.weights = {**weights_in(document, known), **given.weights}
+    draft.formulas.reading = partial(parse_with_places, weights=draft.weights)
     draft.formulas.read()
-    if file is not None:
-        draft.read_agents(file)
-        draft.judge(file)
-    else:
-        draft.judge_rest(*salvaged(document, MissionFile, STAND_INS))
+    draft.judge_rest(sound, faulty)
+    draft.judge_weights(draft.weights)
     formula = draft.formulas.formula
     if draft.serious or file is None or draft.system is None or formula is None:
         raise MissionError(draft.in_order())
@@ -73,6 +90,7 @@ class _Draft(Filing):
     entries: list[Entry] | None = None  # None where what is said of them is wrong
     swarm: SwarmRules | None = None
     horizon: int = 0
+    weights: Mapping[str, Weight] = field(default_factory=dict)
 
     def read_map(self, folder: Path) -> TransitionSystem | None:
         """The map, inline or from the file beside the mission."""
@@ -189,8 +207,17 @@ class _Draft(Filing):
         for fault in faults:
             self.file(fault)
         if not self.serious and self.system is not None and self.team is not None:
-            for fault in cost_faults(self.system, self.team, self.horizon, self.objective(file)):
+            late = [*cost_faults(self.system, self.team, self.horizon, self.objective(file))]
+            for where, formula in self.formulas.all():
+                late += moved(weight_faults(formula, in_part=self.in_part(file, where)), where)
+            for fault in late:
                 self.file(fault)
+
+    def in_part(self, file: MissionFile, where: Place) -> bool:
+        """Whether the formula at a place may hold in part."""
+        if where == self.formulas.where:
+            return "satisfaction" in self.objective(file)
+        return file.spec.prefer[int(where[-2])].partial
 
     def objective(self, file: MissionFile) -> tuple[str, ...]:
         """The objectives, by default those of the mission's kind."""
@@ -215,6 +242,7 @@ class _Draft(Filing):
             swarm=self.swarm,
             satisfaction=objective_order(file.objective or ()),
             prefer=self.preferences(file.spec.prefer),
+            weights=settled(self.weights),
             digest=self.document.digest,
             warnings=tuple(self.warnings),
             parse_seconds=self.formulas.seconds,

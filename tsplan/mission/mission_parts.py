@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
 from tsplan.document import Document
 from tsplan.errors import Finding
 from tsplan.logic import Formula
+from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.team import Group, SwarmBounds, SwarmRules
@@ -55,6 +57,7 @@ class MissionParts:
     swarm: SwarmRules | None = None
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()
+    weights: Mapping[str, Weight] = field(default_factory=dict, compare=False, repr=False)
     digest: str = field(default="", compare=False)
     warnings: tuple[Finding, ...] = field(default=(), compare=False)
     parse_seconds: float = field(default=0.0, compare=False, repr=False)

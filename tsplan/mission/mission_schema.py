@@ -22,6 +22,7 @@ from tsplan.limits import (
 )
 from tsplan.mission.mission_writer import FORMAT
 from tsplan.mission.vocabulary import ORDERS, Language, TaskInterval
+from tsplan.mission.weight_entries import weights_of_entry
 
 _SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
 
@@ -112,12 +113,13 @@ class SoftFormula(Part):
 
 
 class Spec(Part):
-    """The formula and its language. The formula itself is read elsewhere, with its places."""
+    """The formula, its language and weights. The formula is read elsewhere, with its places."""
 
     language: Language
     formula: Any = None
     must: Any = None
     prefer: list[SoftFormula] = []
+    weights: dict[Name, Annotated[Any, BeforeValidator(weights_of_entry)]] = {}
 
 
 class Solver(Part):

@@ -5,7 +5,7 @@ The entries of a file are made here for missions from Python values, too (`missi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict
 from fractions import Fraction
 from functools import partial
@@ -15,10 +15,13 @@ from typing import Any
 from tsplan.document.files import write_whole
 from tsplan.document.flow_style import flow, word
 from tsplan.errors import Finding, FormulaError, MissionError
-from tsplan.logic import Formula, Percent, parse
+from tsplan.logic import Formula, Percent, parse_with_places
+from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
+from tsplan.mission.vocabulary import Language
+from tsplan.mission.weight_entries import entry_of_weights
 from tsplan.ts.io.map_files import save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
@@ -50,8 +53,10 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     else:
         yield f"map: {word(map_file)}"
     yield from _team_lines(mission)
-    read = partial(parse, language=mission.language)
+    read = partial(read_formula, language=mission.language, weights=mission.weights)
     yield from spec_lines(mission.language, (mission.formula, mission.text), mission.prefer, read)
+    if weights := _named_weights(mission):
+        yield f"  weights: {flow(weights)}"
     aims = [
         {name: mission.satisfaction} if name == "satisfaction" else name
         for name in mission.objective
@@ -62,6 +67,23 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     yield f"horizon: {mission.horizon}"
     if solver := solver_entry(mission.solver):
         yield f"solver: {flow(solver)}"
+
+
+def read_formula(text: str, language: Language, weights: Mapping[str, Weight]) -> Formula:
+    """The formula of one of several texts that share their weights."""
+    return parse_with_places(text, language, weights=weights)[0]
+
+
+def _named_weights(mission: MissionParts) -> dict[str, Any]:
+    """The weights that the texts of formulas name, as far as these are written as they are."""
+    names: set[str] = set()
+    for soft in (Preference(mission.formula, mission.text), *mission.prefer):
+        try:
+            read, written = parse_with_places(soft.text, mission.language, weights=mission.weights)
+        except FormulaError:
+            continue  # its own print is written, which names none
+        names |= written.weight_names if read is soft.formula else set()
+    return {name: entry_of_weights(mission.weights[name]) for name in sorted(names)}
 
 
 def spec_lines(

@@ -16,18 +16,20 @@ from typing import Any, TypeVar
 
 from tsplan.document import Document, parse_document
 from tsplan.errors import Finding, InputError, MissionError
-from tsplan.logic import parse
+from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission.mission_draft import parts_from_document
+from tsplan.mission.mission_draft import Beside, parts_from_document
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.mission_writer import (
     FORMAT,
     group_entry,
     preference_entry,
+    read_formula,
     solver_entry,
     written_formula,
 )
 from tsplan.mission.team import Group
+from tsplan.mission.weight_entries import Recorded, entry_of_weights
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
@@ -46,15 +48,19 @@ def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
         what = f"the map is a value of type '{type(given).__name__}'"
         raise MissionError([Finding(what, "give a TransitionSystem or the path of a map file")])
     system = given if isinstance(given, TransitionSystem) else None
+    weights = values["spec"].get("weights") or {}
+    functions = {name: Recorded(weight) for name, weight in weights.items() if callable(weight)}
+    others = {n: entry_of_weights(w) for n, w in weights.items() if n not in functions}
     written = {
         "format": FORMAT,
         **{key: value for key, value in values.items() if value is not None},
+        "spec": {**values["spec"], **({"weights": others} if others else {})},
         "map": str(given) if system is None else map_to_yaml(system),
     }
     made = from_values(
         written,
-        _entry(values["spec"]["language"]),
-        lambda document: parts_from_document(document, Path(), system),
+        _entry(values["spec"]["language"], weights),
+        lambda document: parts_from_document(document, Path(), Beside(system, functions)),
     )
     return replace(made, origin=None)  # nobody has seen that document
 
@@ -81,14 +87,15 @@ def _whole(pair: re.Match[str]) -> str:
     return f"\\U{0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00):08x}"
 
 
-def _entry(language: Any) -> Any:
+def _entry(language: Any, weights: Mapping[str, Weight]) -> Any:
     """What a file has in place of Python objects: numpy's numbers, sets, groups, formulas, ..."""
 
     def entry(value: Any) -> Any:
         if isinstance(value, Group):
             return group_entry(value)
         if isinstance(value, Preference):
-            text = written_formula(value.formula, value.text, partial(parse, language=language))
+            read = partial(read_formula, language=language, weights=weights)
+            text = written_formula(value.formula, value.text, read)
             return preference_entry(value, text)
         return common_entry(value)
 

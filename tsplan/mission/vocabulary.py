@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Literal, TypeAlias
 
-Language: TypeAlias = Literal["catl", "mtl", "stl"]
+Language: TypeAlias = Literal["catl", "mtl", "stl", "wmtl"]
 TaskInterval: TypeAlias = Literal["closed", "half-open"]
 Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 
-LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl")
+LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl", "wmtl")
 TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
 ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
 

@@ -111,7 +111,7 @@ def _texts(mission: Mission) -> Iterator[_Text]:
     found = []
     for number, (place, entry) in enumerate(entries):
         text = str(entry).lower() if isinstance(entry, bool) else str(entry)
-        formula, written = parse_with_places(text, mission.language)
+        formula, written = parse_with_places(text, mission.language, weights=mission.weights)
         if len(entries) != len(expected) or formula is not expected[number]:
             return  # the mission was changed after it was read
         found.append(_Text(() if alone else (number,), place, text, written))

@@ -140,12 +140,21 @@ def _in_formula(mission: Mission, way: Way, field: str | int) -> Any:
 def _put_in_formula(mission: Mission, value: Any, way: Way, field: str | int) -> Mission:
     node: Any = node_at(mission.formula, way)
     if isinstance(field, str):
-        return with_node(mission, way, replace(node, **{field: value}))
+        changed = {field: value, **_weights(node, field)}
+        return with_node(mission, way, replace(node, **changed))
     if not node.needs:
         return with_node(mission, way, Count("max", node.label, None, "<=", value))
     needs = list(node.needs)
     needs[field] = (needs[field][0], value)
     return with_node(mission, way, replace(node, needs=tuple(needs)))
+
+
+def _weights(node: Any, field: str) -> dict[str, Any]:
+    """The weights of a window whose end moves: steps beyond it weigh as much as the nearest."""
+    weights = getattr(node, "weights", None)
+    if weights is None or field not in ("low", "high"):
+        return {}
+    return {"weights": lambda step: weights[min(max(step, node.low), node.high) - node.low]}
 
 
 # --- the team ----------------------------------------------------------------------------------
