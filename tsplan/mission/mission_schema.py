@@ -67,6 +67,7 @@ def _aim(value: Any) -> Any:
 
 Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
 Title = Annotated[str, BeforeValidator(_name)]
+WeightEntry = Annotated[Any, BeforeValidator(weights_of_entry)]
 Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
 Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
 
@@ -119,7 +120,7 @@ class Spec(Part):
     formula: Any = None
     must: Any = None
     prefer: list[SoftFormula] = []
-    weights: dict[Name, Annotated[Any, BeforeValidator(weights_of_entry)]] = {}
+    weights: dict[Name, WeightEntry] = {}
 
 
 class Solver(Part):

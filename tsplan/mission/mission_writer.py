@@ -21,7 +21,7 @@ from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 from tsplan.mission.vocabulary import Language
-from tsplan.mission.weight_entries import entry_of_weights
+from tsplan.mission.weight_entries import entries_of
 from tsplan.ts.io.map_files import save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
@@ -83,7 +83,7 @@ def _named_weights(mission: MissionParts) -> dict[str, Any]:
         except FormulaError:
             continue  # its own print is written, which names none
         names |= written.weight_names if read is soft.formula else set()
-    return {name: entry_of_weights(mission.weights[name]) for name in sorted(names)}
+    return entries_of({name: mission.weights[name] for name in sorted(names)})[0]
 
 
 def spec_lines(

@@ -29,7 +29,7 @@ from tsplan.mission.mission_writer import (
     written_formula,
 )
 from tsplan.mission.team import Group
-from tsplan.mission.weight_entries import Recorded, entry_of_weights
+from tsplan.mission.weight_entries import entries_of
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
@@ -49,8 +49,7 @@ def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
         raise MissionError([Finding(what, "give a TransitionSystem or the path of a map file")])
     system = given if isinstance(given, TransitionSystem) else None
     weights = values["spec"].get("weights") or {}
-    functions = {name: Recorded(weight) for name, weight in weights.items() if callable(weight)}
-    others = {n: entry_of_weights(w) for n, w in weights.items() if n not in functions}
+    others, functions = entries_of(weights)
     written = {
         "format": FORMAT,
         **{key: value for key, value in values.items() if value is not None},

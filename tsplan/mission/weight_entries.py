@@ -43,7 +43,7 @@ def weights_of_entry(value: Any) -> Any:
 
 def _weight(value: Any) -> float:
     if not is_number(value) or value <= 0:
-        raise complaint(f"{shown(value)} is no weight", "write a finite number above 0")
+        raise complaint(f"{shown(value)} is no weight", "write a number above 0")
     return float(value)
 
 
@@ -59,10 +59,15 @@ def weights_in(document: Document, read: Mapping[str, Weight] | None) -> Mapping
     return dict.fromkeys(given, 1.0) if isinstance(given, dict) else {}
 
 
-def entry_of_weights(weight: Any) -> Any:
-    """What a file has for weights that are no functions."""
+def entries_of(weights: Mapping[str, Weight]) -> tuple[dict[str, Any], dict[str, Recorded]]:
+    """What a file has for weights, and those that are functions, which no file has."""
+    functions = {name: Recorded(weight) for name, weight in weights.items() if callable(weight)}
+    return {n: _entry(weight) for n, weight in weights.items() if n not in functions}, functions
+
+
+def _entry(weight: Any) -> Any:
     if isinstance(weight, Mapping):
-        return {str(index): short(value) for index, value in weight.items()}
+        return {str(index): short(weight[index]) for index in sorted(weight)}
     if isinstance(weight, Iterable) and not isinstance(weight, str):
         return [short(value) for value in weight]
     return short(weight)
@@ -71,6 +76,8 @@ def entry_of_weights(weight: Any) -> Any:
 def settled(weights: Mapping[str, Weight]) -> dict[str, Weight]:
     """Weights without functions: what these have answered is in their place."""
     return {
-        name: weight.values if isinstance(weight, Recorded) else weight
+        name: {index: float(value) for index, value in weight.values.items()}
+        if isinstance(weight, Recorded)
+        else weight
         for name, weight in weights.items()
     }

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any, get_args
 
 from tsplan.document import Document
@@ -18,6 +17,7 @@ from tsplan.mission.filing import Filing
 from tsplan.mission.findings import Fault, moved
 from tsplan.mission.formula_checks import formula_horizon
 from tsplan.mission.formulas import spelled_out
+from tsplan.mission.weight_entries import weights_in
 from tsplan.signals.aim_entries import DEFAULT, aims_of
 from tsplan.signals.aims import Aim
 from tsplan.signals.signal_checks import choice_faults, formula_checks
@@ -53,26 +53,17 @@ def parts_of_document(document: Document, beside: Beside = NOTHING) -> SignalPar
     sound, faulty = (file, frozenset[str]()) if file else salvaged(document, SignalFile, STAND_INS)
     draft = _Draft.of(document, findings, languages=LANGUAGES, default=LANGUAGES[0])
     system = None if sound is None else SystemDraft(document, sound)
-    weights = {**_weights(document, sound, faulty), **beside.weights}
-    reader = _Reader(beside, weights, system)
-    draft.formulas.reading = reader
+    known = None if sound is None or "spec" in faulty else sound.spec.weights
+    weights = {**weights_in(document, known), **beside.weights}
+    draft.formulas.reading = _Reader(beside, weights, system)
     draft.formulas.read()
     if sound is None or system is None:
         raise MissionError(draft.in_order())
     parts = draft.judged(sound, system, faulty)
-    draft.judge_weights(weights.keys() - reader.used)
+    draft.judge_weights(weights)
     if draft.serious:
         raise MissionError(draft.in_order())
     return replace(parts, warnings=tuple(draft.warnings))
-
-
-def _weights(document: Document, file: SignalFile | None, faulty: AbstractSet[str]) -> Any:
-    """The weights of a file by their names; where they are wrong, numbers in their place."""
-    if file is not None and "spec" not in faulty:
-        return file.spec.weights
-    spec = document.data.get("spec") if isinstance(document.data, dict) else None
-    given = spec.get("weights") if isinstance(spec, dict) else None
-    return dict.fromkeys(given, 1.0) if isinstance(given, dict) else {}
 
 
 @dataclass
@@ -82,7 +73,6 @@ class _Reader:
     beside: Beside
     weights: Mapping[str, Any]
     system: SystemDraft | None
-    used: set[str] = field(default_factory=set)
 
     def __call__(self, text: str, language: Any) -> tuple[Formula, Written]:
         outputs = {} if self.system is None else self.system.system.outputs
@@ -90,11 +80,9 @@ class _Reader:
         if formula is not None and outputs.keys().isdisjoint(variables(formula)):
             return formula, Written(formula, Span(0, len(text)))
         regions = {} if self.system is None else self.system.regions
-        formula, written = parse_with_places(
+        return parse_with_places(
             text, language, weights=self.weights, regions=regions, definitions=outputs
         )
-        self.used |= written.weight_names
-        return formula, written
 
 
 @dataclass
@@ -139,13 +127,6 @@ class _Draft(Filing):
         for fault in faults:
             self.file(self._shifted(fault))
         return parts
-
-    def judge_weights(self, unused: AbstractSet[str]) -> None:
-        """Weights that no formula names (a warning)."""
-        for name in sorted(unused) if self.formulas.complete else ():
-            what = f"no operator of the formula has the weights '{name}'"
-            remedy = f"write ^{name} after an operator, or remove them"
-            self.file(Fault(("spec", "weights", name), what, remedy, serious=False))
 
     def _shifted(self, fault: Fault) -> Fault:
         """A fault of an objective at its name, which a single sum has in no list."""

@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field
 
 from tsplan.document.fields import complaint, shown
 from tsplan.limits import MOST_COST, MOST_STEPS, MOST_WEIGHT, is_number
-from tsplan.mission.mission_schema import Name, Part, SoftFormula, Solver, Title
+from tsplan.mission.mission_schema import Name, Part, SoftFormula, Solver, Title, WeightEntry
 from tsplan.signals.integrators import Model
 from tsplan.signals.signal_parts import SignalLanguage, Weighting
 
@@ -62,26 +62,6 @@ def _two(value: list[Any]) -> None:
         raise complaint(f"a range has 2 numbers, not {len(value)}", "write it as [0, 10]")
 
 
-def _weight(value: Any) -> Any:
-    if not is_number(value) or value <= 0:
-        raise complaint(f"{shown(value)} is no weight", "write a number above 0")
-    return float(value)
-
-
-def _weights(value: Any) -> Any:
-    """One number, a list of numbers, or numbers by step or part, whose keys are texts here."""
-    if isinstance(value, list):
-        return [_weight(one) for one in value]
-    if not isinstance(value, dict):
-        return _weight(value)
-    for key in value:
-        if not (key.isascii() and key.isdigit()):
-            raise complaint(
-                f"{shown(key)} is no step or part", "write its number, as in {3: 0.5, 4: 0.2}"
-            )
-    return {int(key): _weight(one) for key, one in value.items()}
-
-
 Value = Annotated[float, BeforeValidator(_value)]
 End = Annotated[float, BeforeValidator(_end)]
 Start = Annotated[list[End], BeforeValidator(_range)]
@@ -125,7 +105,7 @@ class SignalSpec(Part):
     formula: Any = None
     must: Any = None
     prefer: list[SoftFormula] = Field(default_factory=list)
-    weights: dict[Name, Annotated[Any, BeforeValidator(_weights)]] = Field(default_factory=dict)
+    weights: dict[Name, WeightEntry] = Field(default_factory=dict)
     weighting: Weighting = "product"
 
 

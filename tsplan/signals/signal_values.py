@@ -6,7 +6,7 @@ Formulas and the functions that give weights are handed on beside the file, as t
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from tsplan.logic import Formula, walk
 from tsplan.mission.mission_parts import Preference
 from tsplan.mission.mission_writer import preference_entry
 from tsplan.mission.values import common_entry, from_values
+from tsplan.mission.weight_entries import entries_of, settled
 from tsplan.signals.aim_entries import aim_entry
 from tsplan.signals.aims import Aim
 from tsplan.signals.linear_system import Dynamics, System
@@ -39,8 +40,7 @@ def parts_of_values(
     """
     given = {key: value for key, value in spec.items() if value is not None}
     weights: dict[str, Any] = given.pop("weights", {})
-    functions = {name: _Recorded(one) for name, one in weights.items() if callable(one)}
-    plain = {name: one for name, one in weights.items() if name not in functions}
+    plain, functions = entries_of(weights)
     given |= {"weights": plain} if plain else {}
     given.setdefault("language", "wstl" if weights or _weighted(given) else "stl")
     written = {
@@ -59,22 +59,8 @@ def parts_of_values(
 
     beside = Beside(formulas, functions)
     made = from_values(written, entry, lambda document: parts_of_document(document, beside))
-    called = {name: one.values for name, one in functions.items()}
     # nobody has seen that document
-    return replace(made, origin=None, weights={**made.weights, **called})
-
-
-@dataclass(frozen=True)
-class _Recorded:
-    """A function that gives weights, and what it has given for which part or step."""
-
-    function: Callable[[int], float]
-    values: dict[int, float] = field(default_factory=dict)
-
-    def __call__(self, index: int) -> float:
-        """The weight of a part or step."""
-        value = self.values[index] = self.function(index)
-        return value
+    return replace(made, origin=None, weights={**made.weights, **settled(functions)})
 
 
 def _weighted(spec: Mapping[str, Any]) -> bool:

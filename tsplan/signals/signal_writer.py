@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from tsplan.document.files import write_whole
-from tsplan.document.flow_style import flow, short, word
+from tsplan.document.flow_style import flow, word
 from tsplan.errors import MissionError
 from tsplan.logic import Formula, parse_with_places
 from tsplan.mission.mission_writer import solver_entry, spec_lines
+from tsplan.mission.weight_entries import entries_of
 from tsplan.signals.aim_entries import aim_entry
 from tsplan.signals.copies import Single, renamed_limit, renamed_terms
 from tsplan.signals.signal_parts import SignalParts
@@ -51,20 +52,13 @@ def _lines(mission: SignalParts) -> Iterator[str]:
 
     yield from spec_lines(mission.language, (mission.formula, mission.text), mission.prefer, read)
     if mission.weights:
-        yield f"  weights: {flow({name: _weight(one) for name, one in mission.weights.items()})}"
+        yield f"  weights: {flow(entries_of(mission.weights)[0])}"
     if mission.weighting != "product":
         yield f"  weighting: {mission.weighting}"
     yield f"objective: {flow([aim_entry(aim, mission.satisfaction) for aim in mission.objective])}"
     yield f"horizon: {mission.horizon}"
     if solver := solver_entry(mission.solver):
         yield f"solver: {flow(solver)}"
-
-
-def _weight(given: Any) -> Any:
-    """Weights by part or step with texts as keys, as those of a file are; others as they are."""
-    if isinstance(given, dict):
-        return {str(key): short(given[key]) for key in sorted(given)}
-    return short(tuple(given) if isinstance(given, list) else given)
 
 
 def _parts(mission: SignalParts) -> dict[str, Any]:
