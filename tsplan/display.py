@@ -15,17 +15,22 @@ if TYPE_CHECKING:
     from tsplan.draw.canvas import Picture
     from tsplan.draw.map import draw_map
     from tsplan.draw.starts import draw_mission
+    from tsplan.draw.trajectory_views import draw_trajectory
     from tsplan.draw.views import draw_plan
     from tsplan.explanation.why.requirements import Requirement, requirements
+    from tsplan.explanation.why.trajectory_reasons import explain_trajectory
     from tsplan.explanation.why.witness_tree import WitnessNode, explain
+    from tsplan.protocol.disturbances import DisturbedRuns, simulate_disturbed
     from tsplan.protocol.simulation import Simulation, simulate
     from tsplan.viewer.browser import show_page
     from tsplan.viewer.notebook import formula_svg, map_svg, plan_html
+    from tsplan.viewer.trajectory_form import trajectory_html
 
 _FORMS = {"image/svg+xml": "_repr_svg_", "text/html": "_repr_html_"}
 
 __all__ = [
     "Displayed",
+    "DisturbedRuns",
     "Picture",
     "Requirement",
     "Simulation",
@@ -33,13 +38,17 @@ __all__ = [
     "draw_map",
     "draw_mission",
     "draw_plan",
+    "draw_trajectory",
     "explain",
+    "explain_trajectory",
     "formula_svg",
     "map_svg",
     "plan_html",
     "requirements",
     "show_page",
     "simulate",
+    "simulate_disturbed",
+    "trajectory_html",
 ]
 
 
@@ -65,10 +74,14 @@ __getattr__, __dir__ = lazily(
         "draw.map": ("draw_map",),
         "draw.starts": ("draw_mission",),
         "viewer.notebook": ("formula_svg", "map_svg", "plan_html"),
+        "viewer.trajectory_form": ("trajectory_html",),
         "draw.views": ("draw_plan",),
+        "draw.trajectory_views": ("draw_trajectory",),
+        "explanation.why.trajectory_reasons": ("explain_trajectory",),
         "explanation.why.requirements": ("requirements",),
         "explanation.why.witness_tree": ("explain",),
         "protocol.simulation": ("simulate",),
+        "protocol.disturbances": ("DisturbedRuns", "simulate_disturbed"),
         "viewer.browser": ("show_page",),
     },
 )

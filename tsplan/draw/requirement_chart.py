@@ -17,7 +17,7 @@ from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import BAD, GOOD
-from tsplan.draw.step_axes import name_rows, step_axes
+from tsplan.draw.step_axes import CHOSEN, MISSED, NEED, WINDOW, name_rows, step_axes
 from tsplan.explanation.why.requirements import Requirement
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
@@ -30,8 +30,7 @@ _WIDTH = 6.0  # inches of the steps
 _ROW = 0.42  # inches of one row
 _TALL = 0.78  # of a row, what the largest count takes
 _LONGEST = 36  # characters of an atom
-_WINDOW, _CHOSEN, _MISSED, _COUNT = "#ececec", "#bcd3ee", "#f4c3bd", "#2f5f9e"
-_NEED = MappingProxyType({"color": DARK, "linestyle": (0, (4, 2)), "linewidth": 0.9})
+_COUNT = "#2f5f9e"
 _WITNESS = MappingProxyType({"color": DARK, "marker": "v", "markersize": 3.5})
 
 
@@ -80,8 +79,8 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
         return base - _TALL * count / most
 
     for first, last in row.windows:
-        _shade(ax, place, (first, last), _WINDOW, "window")
-    paint, meaning = (_MISSED, "missed") if _fails(row) else (_CHOSEN, "chosen")
+        _shade(ax, place, (first, last), WINDOW, "window")
+    paint, meaning = (MISSED, "missed") if _fails(row) else (CHOSEN, "chosen")
     for first, last in row.witness_steps:
         _shade(ax, place, (first, last), paint, meaning)
         ax.plot([first], [place + 0.1], gid="witness", **_WITNESS)
@@ -90,7 +89,7 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
     counts = np.append(row.counts, row.counts[-1])
     ax.fill_between(steps, base, height(counts), step="post", color=_COUNT, alpha=0.28, linewidth=0)
     ax.step(steps, height(counts), where="post", color=_COUNT, linewidth=1.1, gid="count")
-    ax.plot([steps[0], steps[-1]], [height(row.bound)] * 2, gid="need", **_NEED)
+    ax.plot([steps[0], steps[-1]], [height(row.bound)] * 2, gid="need", **NEED)
     _write_spare(ax, base - _TALL / 2, row)
 
 
@@ -135,9 +134,9 @@ def _entries(rows: Sequence[Requirement]) -> list[Entry]:
     failing = [_fails(row) for row in rows]
     return [
         Entry.line("agents counted", color=_COUNT, linewidth=1.1),
-        Entry.line("need", **_NEED),
-        Entry.patch("can be asked for", facecolor=_WINDOW),
-        *([] if all(failing) else [Entry.patch("satisfied here", facecolor=_CHOSEN)]),
-        *([Entry.patch("missed here", facecolor=_MISSED)] if any(failing) else []),
+        Entry.line("need", **NEED),
+        Entry.patch("can be asked for", facecolor=WINDOW),
+        *([] if all(failing) else [Entry.patch("satisfied here", facecolor=CHOSEN)]),
+        *([Entry.patch("missed here", facecolor=MISSED)] if any(failing) else []),
         Entry.line("witness", **_WITNESS),
     ]

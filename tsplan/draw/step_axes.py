@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from types import MappingProxyType
 from typing import Any
 
 from tsplan.draw import canvas
-from tsplan.draw.canvas import POINTS, SMALL, Entry, Picture
+from tsplan.draw.canvas import DARK, POINTS, SMALL, Entry, Picture
 from tsplan.draw.matplotlib_loading import library
 
 REST = 0.75
@@ -14,6 +15,12 @@ REST = 0.75
 
 HALF = 0.5
 """From a step to the end of the time that stands for it."""
+
+WINDOW, CHOSEN, MISSED = "#ececec", "#bcd3ee", "#f4c3bd"
+"""Behind steps at which a formula can ask for something, holds by it, or fails by it."""
+
+NEED = MappingProxyType({"color": DARK, "linestyle": (0, (4, 2)), "linewidth": 0.9})
+"""The line of what is asked for."""
 
 
 def step_axes(

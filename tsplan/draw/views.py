@@ -24,7 +24,7 @@ from tsplan.plans.plan import Plan
 
 View: TypeAlias = "Callable[[Plan, Mission, Any], Picture]"
 
-_WIDTH = 10.0  # inches of a page
+WIDTH = 10.0  # inches of a page
 
 VIEWS: Mapping[str, View] = MappingProxyType(
     {
@@ -83,7 +83,7 @@ def draw_page(plan: Plan, mission: Mission, figure: Any = None) -> tuple[Any, tu
 
 def page_size(plan: Plan, mission: Mission) -> tuple[float, float]:
     """Inches across and down of the page of a plan."""
-    return _WIDTH, sum(_heights(plan, mission).values())
+    return WIDTH, sum(_heights(plan, mission).values())
 
 
 def _heights(plan: Plan, mission: Mission) -> dict[str, float]:

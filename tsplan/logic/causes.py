@@ -95,7 +95,10 @@ def _(_node: nodes.Or, judged: Judged) -> Cause:
 @cause.register
 def _(_node: nodes.Implies, judged: Judged) -> Cause:
     left, right = (b[judged.steps] for b in judged.below)
-    return Cause(_parts(judged, np.array([-left - 1.0, right]), every=False))
+    own = judged.own[judged.steps]
+    # what a left side that fails is worth is not the same for counts and signals, but this is
+    score = np.where(right < own, own, -left - 1.0)
+    return Cause(_parts(judged, np.array([score, right]), every=False))
 
 
 @cause.register

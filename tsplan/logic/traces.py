@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -94,6 +94,10 @@ class SignalTrace:
         if name not in self.signals:
             raise ValueError(f"the trace has no signal '{name}'; {nearest(name, self.signals)}")
         return np.asarray(self.signals[name], dtype=np.float64)
+
+    def total(self, terms: Iterable[tuple[str, float]]) -> Floats:
+        """A weighted sum of signals (..., steps); ValueError if one is unknown."""
+        return sum((factor * self.signal(name) for name, factor in terms), np.zeros(self.steps))
 
 
 Trace: TypeAlias = CountTrace | SignalTrace

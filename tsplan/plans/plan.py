@@ -147,6 +147,22 @@ class Outcome(Protocol):
     def verified(self) -> bool:
         """Whether the independent check accepted it."""
 
+    @property
+    def horizon(self) -> int:
+        """The last step."""
+
+    @property
+    def solver(self) -> SolverUse:
+        """What it was found with."""
+
+    @property
+    def size(self) -> ModelSize:
+        """Of the model in which it was found."""
+
+    @property
+    def timings(self) -> Timings:
+        """Seconds of each stage."""
+
 
 def contradictions(result: Outcome, noun: str, content: str, *, there: bool) -> list[Finding]:
     """What cannot be together in a result: status, what stopped it, and whether anything is there.

@@ -7,9 +7,8 @@ import re
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
-from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.agent_plans import Bundle
-from tsplan.plans.plan import ObjectiveValue, Plan, Status
+from tsplan.plans.plan import ObjectiveValue, Outcome, Plan, Status
 from tsplan.plans.split_history import timeline
 from tsplan.stopping import StoppedBy
 from tsplan.words import number, visible
@@ -41,7 +40,12 @@ _LIMITS = {
 
 def print_summary(plan: Plan, console: Console) -> None:
     """Print outcome, objectives and paths of a plan."""
-    for part in summary(plan):
+    print_parts(summary(plan), console)
+
+
+def print_parts(parts: Iterable[RenderableType], console: Console) -> None:
+    """Print lines and tables as they are: nothing in them is read as a mark of rich."""
+    for part in parts:
         if isinstance(part, str):
             console.out(part, highlight=False)
             continue
@@ -63,27 +67,27 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
         robots = [*_table(plan), ""] if plan.robots else []
         events = [*_events(plan), ""] if plan.groups else []
-        return [*_visible([*lines, ""]), *robots, *events, *_work(plan)]
-    return [*_visible(lines), *_work(plan)]
+        return [*seen([*lines, ""]), *robots, *events, *_work(plan)]
+    return [*seen(lines), *_work(plan)]
 
 
-def _visible(lines: Iterable[str]) -> Iterator[str]:
+def seen(lines: Iterable[str]) -> Iterator[str]:
     """Lines as they are shown: a name with a control character acts on nothing."""
     return (visible(line) for line in lines)
 
 
-def outcome(plan: Plan) -> str:
-    """What is known, in words."""
-    judged = "accepted by the independent check" if plan.verified else "not checked"
-    stop = "" if plan.stopped_by is None else f", search ended {_LIMITS[plan.stopped_by]}"
+def outcome(result: Outcome, noun: str = "plan") -> str:
+    """What is known of a plan, or of what else was looked for, in words."""
+    judged = "accepted by the independent check" if result.verified else "not checked"
+    stop = "" if result.stopped_by is None else f", search ended {_LIMITS[result.stopped_by]}"
     words = {
-        Status.OPTIMAL: f"optimal plan ({judged})",
-        Status.FEASIBLE: f"plan, optimality open{stop} ({judged})",
-        Status.INFEASIBLE: "infeasible: it is proven that no plan satisfies the mission",
-        Status.NO_PLAN_FOUND: f"no plan found{stop}; whether there is one stays open",
+        Status.OPTIMAL: f"optimal {noun} ({judged})",
+        Status.FEASIBLE: f"{noun}, optimality open{stop} ({judged})",
+        Status.INFEASIBLE: f"infeasible: it is proven that no {noun} satisfies the mission",
+        Status.NO_PLAN_FOUND: f"no {noun} found{stop}; whether there is one stays open",
         Status.ERROR: f"failed{stop}",
     }
-    return words[plan.status]
+    return words[result.status]
 
 
 def infinite_word(plan: Plan) -> str:
@@ -97,17 +101,16 @@ def infinite_word(plan: Plan) -> str:
     return "unbounded" if whole and some else "open"
 
 
-def objective_line(item: ObjectiveValue, infinite: str = "unbounded") -> str:
+def objective_line(item: ObjectiveValue, infinite: str = "unbounded", noun: str = "plan") -> str:
     """One objective: its value, and what is proven about it; `infinite` is one without a number."""
     value = number(item.value, infinite)
     if item.value is None or item.bound is None:
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
-        return f"{item.name} {value} (proven: no plan does better)"
-    maximised = item.name in OBJECTIVES and OBJECTIVES[item.name].sense == "maximise"
-    side = "at most" if maximised else "at least"
+        return f"{item.name} {value} (proven: no {noun} does better)"
+    side = "at most" if item.bound > item.value else "at least"
     gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
-    return f"{item.name} {value} (any plan has {side} {number(item.bound)}; gap {gap:.1%})"
+    return f"{item.name} {value} (any {noun} has {side} {number(item.bound)}; gap {gap:.1%})"
 
 
 def satisfaction_lines(plan: Plan) -> list[str]:
@@ -193,7 +196,7 @@ def names(ids: Sequence[str], most: int = 3) -> str:
 
 def _events(plan: Plan) -> list[str]:
     """How the sub-swarms of a plan split and merge."""
-    lines = list(_visible(timeline(plan)))
+    lines = list(seen(timeline(plan)))
     if len(lines) <= MOST_PATHS:
         return lines
     rest = f"  ... and {len(lines) - MOST_PATHS:,} more splits and merges until the end:"
@@ -210,7 +213,7 @@ def _table(plan: Plan) -> list[RenderableType]:
     table.add_column("path (state:steps)", overflow="fold", ratio=1)
     for bundle in plan.robots[:MOST_PATHS]:
         ids = [plan.agents[place].id for place in bundle.agents]
-        cells = _visible((names(ids), bundle.class_name, path_words(bundle)))
+        cells = seen((names(ids), bundle.class_name, path_words(bundle)))
         table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
     hidden = plan.robots[MOST_PATHS:]
     if not hidden:
@@ -222,13 +225,18 @@ def _table(plan: Plan) -> list[RenderableType]:
 
 def _work(plan: Plan) -> list[str]:
     """With what and how long, as far as it is known."""
-    size, time = plan.size, plan.timings
     agents = sum(len(bundle.agents) for bundle in plan.robots)
     agents += sum(group.size for group in plan.groups_at(0))
-    lines = [f"  horizon {plan.horizon}" + (f", {agents:,} agents" if agents else "")]
-    if plan.solver.name:
+    return work_lines(plan, f", {agents:,} agents" if agents else "")
+
+
+def work_lines(result: Outcome, more: str = "") -> list[str]:
+    """Horizon, solver, model and seconds of a result; `more` is said after the horizon."""
+    size, time = result.size, result.timings
+    lines = [f"  horizon {result.horizon}{more}"]
+    if result.solver.name:
         lines.append(
-            f"  {plan.solver.name} {plan.solver.version}: {size.columns:,} columns "
+            f"  {result.solver.name} {result.solver.version}: {size.columns:,} columns "
             f"({size.integers:,} integer), {size.rows:,} rows, {size.nonzeros:,} nonzeros"
         )
     stages = [

@@ -7,9 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from tsplan.errors import Finding, PlanError
 from tsplan.milp.model import Bools, Floats
 from tsplan.signals.equalities import TOLERANCE
 from tsplan.signals.linear_system import Limit, Range, System, Terms
+from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
 from tsplan.words import many
 
@@ -55,6 +57,24 @@ def strangers(system: System, trajectory: Trajectory, horizon: int) -> Iterator[
     for kind, given, wanted in kinds:
         yield from (f"{kind} {name} has no values" for name in wanted if name not in given)
         yield from (f"the system has no {kind} {name}" for name in given if name not in wanted)
+
+
+def refuse_misfit(trajectory: Trajectory, mission: SignalMission | None, source: str = "") -> None:
+    """Raise PlanError for a trajectory without signals, or with those of another mission.
+
+    This is far less than `check` asks: a trajectory that breaks the formula still fits.
+    """
+    findings = []
+    source = source or "trajectory"
+    if not trajectory.has_signals:
+        what = f"a trajectory of status {trajectory.status} has no signals"
+        findings = [Finding(what, "plan the mission again with more time", source)]
+    elif mission is not None:
+        remedy = "name the mission that was planned"
+        words = strangers(mission.system, trajectory, mission.horizon)
+        findings = [Finding(what, remedy, source) for what in words]
+    if findings:
+        raise PlanError(findings)
 
 
 def settled(system: System, trajectory: Trajectory) -> Trajectory:

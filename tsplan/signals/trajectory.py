@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isfinite
-from typing import Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 from pydantic import Field
 
+from tsplan import display
 from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.limits import MOST_STEPS
 from tsplan.logic.traces import SignalTrace
@@ -36,6 +37,9 @@ from tsplan.plans.records import (
 from tsplan.plans.satisfaction import Depth
 from tsplan.stopping import StoppedBy
 
+if TYPE_CHECKING:
+    from tsplan.signals.signal_mission import SignalMission
+
 Values = tuple[Annotated[float, Field(strict=True, allow_inf_nan=False)], ...]
 
 
@@ -49,7 +53,7 @@ class PartValue(Record):
 
 
 @dataclass(frozen=True)
-class Trajectory(Record):
+class Trajectory(Record, display.Displayed):
     """What synthesis ended with.
 
     `signals` have one value more than there are `controls`, unless there is no trajectory.
@@ -133,6 +137,92 @@ class Trajectory(Record):
         held = {name: (*values, *values[-1:]) for name, values in self.controls.items() if values}
         arrays = {**self.signals, **held}
         return SignalTrace({name: np.array(values) for name, values in arrays.items()})
+
+    # --- with its mission --------------------------------------------------------------------
+
+    def with_mission(self, mission: SignalMission) -> Self:
+        """The same trajectory, which knows its mission as long as it is not changed or written.
+
+        Pictures and reasons are then of this mission unless another one is named.
+        """
+        made = replace(self)
+        object.__setattr__(made, "_mission", mission)
+        return made
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What is sent to other processes: not the mission, which they have."""
+        return {name: value for name, value in self.__dict__.items() if name != "_mission"}
+
+    def known_mission(self, given: SignalMission | None = None) -> SignalMission | None:
+        """The mission that is given, or else the one that is known."""
+        return given if given is not None else self.__dict__.get("_mission")
+
+    def _needed(self, given: SignalMission | None, method: str) -> SignalMission:
+        mission = self.known_mission(given)
+        if mission is None:
+            what = "the trajectory was read from a file, which does not have its mission"
+            remedy = f"give the mission: trajectory.{method}(mission)"
+            raise InputError([Finding(what, remedy)])
+        return mission
+
+    def explain(self, mission: SignalMission | None = None) -> display.WitnessNode:
+        """Why the trajectory satisfies the formula of its mission, as a tree that prints itself.
+
+        Every node says where it holds and by how much, and what it rests on there; each part names
+        the critical predicates, which keep its robustness from being greater. Raises InputError
+        where the mission is not known and not given, PlanError for one of another system.
+        """
+        return display.explain_trajectory(self, self._needed(mission, "explain"))
+
+    def plot(
+        self,
+        *names: str,
+        mission: SignalMission | None = None,
+        view: str = "signals",
+        ax: Any = None,
+    ) -> display.Picture:
+        """A picture of the trajectory: its matplotlib figure and axes.
+
+        `view` is `signals` (over time, each in a panel; `names` chooses some), `plane` or `page`,
+        which has both. On a given `ax` all signals are drawn together. The mission, which a
+        trajectory knows that was not read from a file, gives windows and thresholds.
+        Raises PlotUnavailableError without matplotlib, InputError for an unknown view or name, and
+        PlanError where there are no signals or they are of another mission.
+        """
+        return display.draw_trajectory(self, self.known_mission(mission), view, names, ax)
+
+    def plot_plane(
+        self, across: str, up: str, mission: SignalMission | None = None, ax: Any = None
+    ) -> display.Picture:
+        """The plane of two signals, with regions and the path; for copies the path of each.
+
+        Raises as `plot`.
+        """
+        known = self.known_mission(mission)
+        return display.draw_trajectory(self, known, "plane", (across, up), ax)
+
+    def simulate(
+        self,
+        mission: SignalMission | None = None,
+        *,
+        amplitude: float,
+        runs: int = 1000,
+        seed: int = 0,
+    ) -> display.DisturbedRuns:
+        """How often the formula still holds where every step shakes the signals.
+
+        See `tsplan.simulate_disturbed`; raises as `explain`.
+        """
+        known = self._needed(mission, "simulate")
+        return display.simulate_disturbed(known, self, amplitude=amplitude, runs=runs, seed=seed)
+
+    def _repr_html_(self) -> str:
+        """The trajectory as notebooks show it: what is known, and the signals over time."""
+        return display.trajectory_html(self)
+
+    def _caption(self) -> str:
+        signals = ", ".join(self.signals) or "no signals"
+        return f"<Trajectory of {self.mission.name!r}: {self.status}, {signals}>"
 
     def to_json(self) -> str:
         """The trajectory as a `tsplan-trajectory/1` document: one key, and one signal, a line."""

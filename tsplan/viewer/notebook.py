@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
+from collections.abc import Iterable
 from itertools import chain
 
 from tsplan.draw.palette import HUES, PLAIN, Paint
@@ -156,14 +157,19 @@ def plan_html(plan: Plan) -> str:
         facts.append(("availability", number(plan.availability, endless)))
     facts.append(("horizon", f"{plan.horizon} steps, {len(plan.agents):,} agents"))
     facts += [("note", note) for note in plan.notes]
+    drawn = timeline_svg(plan) if plan.agents else ""
+    return svg.element("div", facts_table(facts) + drawn)
+
+
+def facts_table(facts: Iterable[tuple[str, str]]) -> str:
+    """A table of two columns: what a fact is about, and what is known."""
     left = {"style": "text-align:left"}
     lines = (
         svg.element("th", svg.words(name), **left) + svg.element("td", svg.words(value), **left)
         for name, value in facts
     )
     table = svg.element("tbody", "".join(svg.element("tr", line) for line in lines))
-    drawn = timeline_svg(plan) if plan.agents else ""
-    return svg.element("div", svg.element("table", table) + drawn)
+    return svg.element("table", table)
 
 
 def timeline_svg(plan: Plan) -> str:
@@ -185,7 +191,7 @@ def timeline_svg(plan: Plan) -> str:
             place_on = (left + first * step, y, (last - first + 1) * step)
             parts += _stay(place_on, state, keys[state].paint)
     bottom = 8 + len(shown) * _ROW
-    parts += _axis(plan.horizon, left, step, bottom)
+    parts += step_numbers(plan.horizon, left, step, bottom)
     if hidden:
         words = f"... and {agents_of(hidden):,} agents on {len(hidden):,} more paths"
         parts.append(svg.text(words, 8, bottom + 32))
@@ -211,7 +217,7 @@ def _stay(at: tuple[float, float, float], state: str, paint: Paint) -> list[str]
     return [bar, svg.text(state, x + width / 2, y + 11, _SMALL, **style)]
 
 
-def _axis(horizon: int, left: float, step: float, y: float) -> list[str]:
+def step_numbers(horizon: int, left: float, step: float, y: float) -> list[str]:
     """Numbers of steps below the rows, as many as there is room for."""
     wide = svg.width_of(str(horizon), _SMALL) + 10
     every = next(n * 10**p for p in range(8) for n in (1, 2, 5) if n * 10**p * step >= wide)

@@ -14,21 +14,22 @@ import numpy.typing as npt
 
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.logic.atoms import Count
+from tsplan.logic.atoms import Count, Linear
 from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import Steps
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import And
 from tsplan.logic.normal_form import positive
-from tsplan.logic.obligations import JUDGED, obligations
+from tsplan.logic.obligations import JUDGED, Obligation, obligations
 from tsplan.logic.simplification import simplify
 from tsplan.logic.symbols import capabilities
 from tsplan.logic.time_horizon import Span
+from tsplan.logic.traces import SignalTrace
 from tsplan.plans.presence import state_counts
 
 if TYPE_CHECKING:
     from tsplan.logic.nodes import Formula
-    from tsplan.logic.traces import CountTrace
+    from tsplan.logic.traces import CountTrace, Trace
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
 
@@ -108,21 +109,30 @@ def requirements(plan: Plan, mission: Mission) -> tuple[Requirement, ...]:
     made = []
     for name, formula in _demands(mission):
         trace = trace_of(plan, mission, formula)
-        values = margins(formula, trace)
         made += [
             Requirement(
                 atom=atom,
                 places=len(trace.labels[atom.label]),
                 counts=_frozen(measured(atom, trace)),
-                margins=_frozen(values[atom]),
+                margins=_frozen(values),
                 windows=tuple(sorted(owed.windows)),
                 witness_steps=runs(owed.steps),
                 soft=name,
             )
-            for (atom, _), owed in obligations(formula, JUDGED, values).items()
+            for atom, values, owed in judged_atoms(formula, trace)
             if isinstance(atom, Count)
         ]
     return tuple(made)
+
+
+def judged_atoms(
+    formula: Formula, trace: Trace
+) -> Iterator[tuple[Count | Linear, Floats, Obligation]]:
+    """The atoms of a formula in its order: their robustness, and the steps that settle it."""
+    values = margins(formula, trace)
+    for (atom, _), owed in obligations(formula, JUDGED, values).items():
+        if isinstance(atom, Count | Linear):
+            yield atom, values[atom], owed
 
 
 def _demands(mission: Mission) -> Iterator[tuple[str | None, Formula]]:
@@ -143,8 +153,11 @@ def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
     return count_trace(mission.system, counts)
 
 
-def measured(atom: Count, trace: CountTrace) -> Ints:
-    """The number of agents that an atom compares with its bound, at every step."""
+def measured(atom: Count | Linear, trace: Trace) -> Any:
+    """What an atom compares with its bound at every step: whole numbers of agents, or a value."""
+    if isinstance(trace, SignalTrace):
+        return trace.total(cast("Linear", atom).terms)
+    atom = cast("Count", atom)
     counts = getattr(trace.at(atom.label, atom.capability), atom.function)(axis=-2)
     return np.asarray(counts, dtype=np.int64)
 

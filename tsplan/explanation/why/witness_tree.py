@@ -17,18 +17,20 @@ import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
-from tsplan.logic.atoms import Count, Limit, Task
+from tsplan.logic.atoms import Count, Limit, Linear, Task
 from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Formula, Implies, Or, Release, Until
 from tsplan.logic.obligations import Obligation, obligations
 from tsplan.logic.text import operator_text
+from tsplan.logic.traces import SignalTrace
 from tsplan.logic.traversal import walk
 from tsplan.plans.summary import names
 from tsplan.words import number, run_words
 
 if TYPE_CHECKING:
+    from tsplan.logic.traces import CountTrace, Trace
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
 
@@ -61,7 +63,9 @@ class WitnessNode:
     that a temporal operator rests on: where an eventuality is met first and best, where an `always`
     is tightest, where an until changes over or a release sets free; None where there is none. A
     node that is not `needed` is a branch that nothing rests on, judged where its parent is (or
-    nowhere, then `steps` is empty). For counts, `present` says who was there at the tightest step.
+    nowhere, then `steps` is empty). For atoms, `counts` is what they compare with their bounds at
+    each of the steps: agents, or the value `of_signals`; for counts, `present` says who was there
+    at the tightest step.
     """
 
     formula: Formula
@@ -70,9 +74,10 @@ class WitnessNode:
     availability: tuple[float, ...]
     witness_steps: tuple[int | None, ...] = ()
     needed: bool = True
-    counts: tuple[int, ...] = ()
+    counts: tuple[float, ...] = ()
     present: tuple[Presence, ...] = ()
     children: tuple[WitnessNode, ...] = field(default=(), repr=False)
+    of_signals: bool = False
 
     @cached_property
     def tightest(self) -> int | None:
@@ -88,6 +93,28 @@ class WitnessNode:
     def holds(self) -> bool | None:
         """Whether it holds at all judged steps; None if there are none."""
         return None if self.worst is None else self.worst >= 0
+
+    @cached_property
+    def critical(self) -> Mapping[Formula, tuple[int, ...]]:
+        """The atoms that it rests on which are worth no more than the whole, with their steps."""
+        found: dict[Formula, set[int]] = {}
+        for node in self._rests_on():
+            if isinstance(node.meaning, Count | Linear):
+                judged = zip(node.steps, node.availability, strict=True)
+                at = {step for step, value in judged if value == self.worst}
+                if at:
+                    found.setdefault(node.meaning, set()).update(at)
+        return MappingProxyType({atom: tuple(sorted(steps)) for atom, steps in found.items()})
+
+    def _rests_on(self) -> Iterator[WitnessNode]:
+        """It and the needed nodes below, each once."""
+        waiting, seen = [self], {id(self)}
+        while waiting:
+            node = waiting.pop()
+            yield node
+            below = [child for child in reversed(node.children) if id(child) not in seen]
+            seen.update(map(id, below))
+            waiting += (child for child in below if child.needed)
 
     def walk(self) -> Iterator[tuple[int, WitnessNode]]:
         """Every node with its depth, from the top, in the order of the text."""
@@ -113,7 +140,7 @@ def explain(plan: Plan, mission: Mission) -> WitnessNode:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    return _Builder(plan, mission, mission.formula).tree()
+    return _by_counts(plan, mission, mission.formula)
 
 
 def explain_preferred(plan: Plan, mission: Mission) -> dict[str, WitnessNode]:
@@ -122,7 +149,27 @@ def explain_preferred(plan: Plan, mission: Mission) -> dict[str, WitnessNode]:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    return {soft.name: _Builder(plan, mission, soft.formula).tree() for soft in mission.prefer}
+    return {soft.name: _by_counts(plan, mission, soft.formula) for soft in mission.prefer}
+
+
+def explain_on(formula: Formula, trace: Trace) -> WitnessNode:
+    """Why a formula holds on a trace at step 0, or why it does not.
+
+    A formula of counts is without tasks, limits and percentages. Robustness is without weights.
+
+    >>> from tsplan.logic import parse
+    >>> trace = SignalTrace({"x": np.array([1.0, 4.0, 2.0])})
+    >>> print(explain_on(parse("F[0,2] x >= 3", language="stl"), trace))
+    F[0,2]    holds at 0, robustness 1, met at 1, critical: x >= 3 at 1
+      x >= 3  holds at 1, robustness 1, value 4
+    """
+    return _Builder(formula, {node: node for node in walk(formula)}, trace).tree()
+
+
+def _by_counts(plan: Plan, mission: Mission, formula: Formula) -> WitnessNode:
+    meaning = meanings(mission, formula)
+    trace = trace_of(plan, mission, meaning[formula])
+    return _Builder(formula, meaning, trace, _Staff(plan, mission, trace)).tree()
 
 
 class _Place(NamedTuple):
@@ -136,13 +183,18 @@ class _Place(NamedTuple):
 class _Builder:
     """Makes the tree of one formula; without recursion, since formulas may be deep."""
 
-    def __init__(self, plan: Plan, mission: Mission, formula: Formula) -> None:
-        self._plan = plan
-        self._meaning = meanings(mission, formula)
+    def __init__(
+        self,
+        formula: Formula,
+        meaning: Mapping[Formula, Formula],
+        trace: Trace,
+        staff: _Staff | None = None,
+    ) -> None:
+        self._meaning = meaning
         self._top = _Place(formula, (0,), needed=True)
-        self._trace = trace_of(plan, mission, self._meaning[formula])
-        self._margins = margins(self._meaning[formula], self._trace)
-        self._carriers = mission.system.labels
+        self._trace = trace
+        self._margins = margins(meaning[formula], trace)
+        self._staff = staff
 
     def tree(self) -> WitnessNode:
         """The node of every place, children before their parents."""
@@ -189,7 +241,10 @@ class _Builder:
         if place.formula.children and steps.size:
             rests = cause_of(meaning, steps, self._margins).witness_steps
         chosen = () if rests is None else rests.tolist()
-        atom = meaning if isinstance(meaning, Count) else None
+        atom = meaning if isinstance(meaning, Count | Linear) else None
+        present: tuple[Presence, ...] = ()
+        if isinstance(atom, Count) and self._staff is not None:
+            present = self._staff.present(atom, _tightest(place.steps, values.tolist()))
         return WitnessNode(
             formula=place.formula,
             meaning=meaning,
@@ -198,22 +253,30 @@ class _Builder:
             witness_steps=tuple(None if step == NONE else step for step in chosen),
             needed=place.needed,
             counts=() if atom is None else tuple(measured(atom, self._trace)[steps].tolist()),
-            present=()
-            if atom is None
-            else self._present(atom, _tightest(place.steps, values.tolist())),
+            present=present,
             children=children,
+            of_signals=isinstance(self._trace, SignalTrace),
         )
 
-    def _present(self, atom: Count, step: int | None) -> tuple[Presence, ...]:
+
+@dataclass(frozen=True)
+class _Staff:
+    """Who is where in a plan."""
+
+    plan: Plan
+    mission: Mission
+    trace: CountTrace
+
+    def present(self, atom: Count, step: int | None) -> tuple[Presence, ...]:
         """Who is at the states with an atom's label at a step; nobody if there is none."""
         if step is None:
             return ()
-        states = self._carriers[atom.label]
-        counts = self._trace.at(atom.label, atom.capability)[:, step].astype(np.int64).tolist()
+        states = self.mission.system.labels[atom.label]
+        counts = self.trace.at(atom.label, atom.capability)[:, step].astype(np.int64).tolist()
         ids: dict[str | None, list[str]] = {state: [] for state in states}
-        for bundle in self._plan.bundles:
+        for bundle in self.plan.bundles:
             if atom.capability is None or atom.capability in bundle.capabilities:
-                agents = self._plan.agents
+                agents = self.plan.agents
                 known = ids.get(agents[bundle.agents[0]].state_at(step), [])
                 known += (agents[place].id for place in bundle.agents[: MOST_IDS - len(known)])
         return tuple(
@@ -250,7 +313,7 @@ def tree_text(top: WitnessNode) -> str:
             if rest > MOST_LINES:
                 break
             continue
-        rows.append(("  " * depth + title(node), verdict(node)))
+        rows.append(("  " * depth + title(node), verdict(node) + _critical(node, depth)))
     width = min(max(len(left) for left, _ in rows), _LONGEST)
     lines = [f"{left:<{width}}  {right}".rstrip() for left, right in rows]
     if rest:
@@ -273,14 +336,24 @@ def verdict(node: WitnessNode) -> str:
         return "not needed"
     worst = node.worst or 0.0
     level = ("unbounded" if worst > 0 else "impossible") if math.isinf(worst) else number(worst)
-    words = [_held(node), f"availability {level}"]
+    words = [_held(node), f"{'robustness' if node.of_signals else 'availability'} {level}"]
     if node.witness_steps:
         words.append(_choice(node))
     if node.counts:
-        least, most = min(node.counts), max(node.counts)
-        words += [f"count {least}" if least == most else f"count {least}..{most}", *_who(node)]
+        least, most = (number(end) for end in (min(node.counts), max(node.counts)))
+        what = "value" if node.of_signals else "count"
+        words += [f"{what} {least}" if least == most else f"{what} {least}..{most}", *_who(node)]
     text = ", ".join(words)
     return text if node.needed else f"(not needed: {text})"
+
+
+def _critical(node: WitnessNode, depth: int) -> str:
+    """What a formula over signals, and each of its outermost parts, hangs on."""
+    if depth > 1 or not (node.of_signals and node.needed and node.children):
+        return ""
+    shown = [f"{atom} at {_at(steps)}" for atom, steps in node.critical.items()]
+    more = [f"{len(shown) - _STATES} more"] if len(shown) > _STATES else []
+    return f", critical: {'; '.join([*shown[:_STATES], *more])}" if shown else ""
 
 
 def _at(steps: Iterable[int]) -> str:

@@ -1,0 +1,31 @@
+"""Why a trajectory satisfies its formula, or what became of what it may leave out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tsplan.explanation.why.witness_tree import explain_on
+from tsplan.signals.motion_check import refuse_misfit
+
+if TYPE_CHECKING:
+    from tsplan.explanation.why.witness_tree import WitnessNode
+    from tsplan.signals.signal_mission import SignalMission
+    from tsplan.signals.trajectory import Trajectory
+
+
+def explain_trajectory(trajectory: Trajectory, mission: SignalMission) -> WitnessNode:
+    """The tree of the mission's formula; `str` of it names the critical predicates of each part.
+
+    Raises PlanError for a trajectory without signals or of another mission.
+    """
+    refuse_misfit(trajectory, mission)
+    return explain_on(mission.formula, trajectory.trace())
+
+
+def explain_wishes(trajectory: Trajectory, mission: SignalMission) -> dict[str, WitnessNode]:
+    """The same for each formula that the mission prefers, by its text.
+
+    Raises PlanError as `explain_trajectory`.
+    """
+    refuse_misfit(trajectory, mission)
+    return {soft.text: explain_on(soft.formula, trajectory.trace()) for soft in mission.prefer}

@@ -1,0 +1,147 @@
+"""Trajectories that are shaken: how often the formula still holds.
+
+At every step a random number, even between minus and plus the amplitude and independent of all
+others, is added to every signal; the controls are those of the trajectory, nobody looks at where
+the signals are (open loop). Signals without dynamics are shaken where they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+
+from tsplan.errors import Finding, InputError, PlanError, nearest
+from tsplan.logic.evaluation import holds, robustness
+from tsplan.logic.traces import SignalTrace
+from tsplan.parameters import refuse_options
+from tsplan.protocol.simulation import Frequency
+from tsplan.signals.motion_check import TOLERANCE
+from tsplan.signals.trajectory_check import check
+
+if TYPE_CHECKING:
+    from tsplan.milp.model import Floats
+    from tsplan.signals.linear_system import System
+    from tsplan.signals.signal_mission import SignalMission
+    from tsplan.signals.trajectory import Trajectory
+
+_ENTRIES = 4_000_000  # values of a batch of runs, which are kept at once
+
+Amplitude: TypeAlias = "float | Mapping[str, float]"
+
+
+@dataclass(frozen=True, slots=True)
+class DisturbedRuns:
+    """What came of many shaken runs.
+
+    `formula` tells how often the formula held, `bounds` how often every signal stayed in its
+    bounds. `least` and `mean` are of the formula's robustness, which is not weighted.
+    """
+
+    runs: int
+    seed: int
+    formula: Frequency
+    bounds: Frequency
+    least: float
+    mean: float
+
+
+def simulate_disturbed(
+    mission: SignalMission,
+    trajectory: Trajectory,
+    *,
+    amplitude: Amplitude,
+    runs: int = 1000,
+    seed: int = 0,
+) -> DisturbedRuns:
+    """Follow the trajectory's controls `runs` times while the signals are shaken.
+
+    `amplitude` is one for all signals, or one for each that is shaken, in the unit of the signal.
+    The result is the same for equal seeds. Raises PlanError for a trajectory that the independent
+    check refuses, InputError for amplitudes below 0 and of unknown signals, and ValueError for
+    fewer runs than one and other numbers out of range.
+    """
+    if runs < 1:
+        raise ValueError(f"at least one run is needed, not {runs}")
+    refuse_options(runs=runs, seed=seed)
+    sizes = _sizes(mission.system, amplitude)
+    report = check(mission, trajectory)
+    if not report.ok:
+        raise PlanError(report.findings)
+    random = np.random.default_rng(seed)
+    held = kept = 0
+    least, total = np.inf, 0.0
+    for size in _batches(trajectory, runs):
+        trace = _shaken(mission.system, trajectory, sizes, random, size)
+        held += int(holds(mission.formula, trace)[..., 0].sum())
+        kept += int(_within(mission.system, trace).sum())
+        margins = robustness(mission.formula, trace)[..., 0]
+        least, total = min(least, float(margins.min())), total + float(margins.sum())
+    return DisturbedRuns(
+        runs, seed, Frequency(held, runs), Frequency(kept, runs), least, total / runs
+    )
+
+
+def _sizes(system: System, amplitude: Amplitude) -> Floats:
+    """The amplitude of every signal."""
+    if not isinstance(amplitude, Mapping):
+        amplitude = dict.fromkeys(system.signals, amplitude)
+    findings = [
+        Finding(f"there is no signal '{name}'", nearest(name, system.signals))
+        for name in amplitude
+        if name not in system.signals
+    ]
+    findings += [
+        Finding(f"the amplitude {size} is no number from 0 on", "write one, as in 0.05")
+        for size in set(amplitude.values())
+        if not (isfinite(size) and size >= 0)
+    ]
+    if findings:
+        raise InputError(findings)
+    return np.array([float(amplitude.get(name, 0.0)) for name in system.signals])
+
+
+def _batches(trajectory: Trajectory, runs: int) -> Iterator[int]:
+    """Sizes of batches whose values fit into memory."""
+    values = (trajectory.horizon + 1) * (len(trajectory.signals) + len(trajectory.controls))
+    size = max(_ENTRIES // values, 1)
+    for begin in range(0, runs, size):
+        yield min(size, runs - begin)
+
+
+def _shaken(
+    system: System, trajectory: Trajectory, sizes: Floats, random: np.random.Generator, runs: int
+) -> SignalTrace:
+    """The signals (runs, T+1) of a batch, and the controls, which are as planned."""
+    planned = np.array([trajectory[name] for name in system.signals]).T
+    noise = random.uniform(-1.0, 1.0, (runs, trajectory.horizon, len(sizes))) * sizes
+    rows = np.repeat(planned[np.newaxis], runs, axis=0)
+    if system.dynamics is None:
+        rows[:, 1:] += noise
+    else:  # the signals differ from the planned ones by what the dynamics make of the noise
+        a = system.dynamics.arrays[0]
+        strayed = np.zeros((runs, len(sizes)))
+        for step in range(trajectory.horizon):
+            strayed = strayed @ a.T + noise[:, step]
+            rows[:, step + 1] += strayed
+    calm = trajectory.trace()
+    signals = {name: rows[..., place] for place, name in enumerate(system.signals)}
+    controls = {
+        name: np.broadcast_to(calm.signal(name), (runs, trajectory.horizon + 1))
+        for name in system.controls
+        if trajectory.horizon
+    }
+    return SignalTrace({**signals, **controls})
+
+
+def _within(system: System, trace: SignalTrace) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+    """In which runs every signal stays in its bounds, as closely as the check asks."""
+    inside = np.ones(trace.batch, dtype=np.bool_)
+    for name, (low, high) in system.signals.items():
+        row = trace.signal(name)
+        slack = TOLERANCE * (high - low) if isfinite(high - low) else 0.0
+        inside &= ((row >= low - slack) & (row <= high + slack)).all(axis=-1)
+    return inside
