@@ -173,9 +173,9 @@ def test_robots_of_one_kind_share_a_plane():
     }
     inf = np.inf
     assert places_of(PAIR, ("x", "y")) == (
-        Place("strip", (8, -inf, 9, inf), None),
-        Place("goal", (2, 2, 3, 3), True),
-        Place("rock", (5, 5, 6, 6), False),
+        Place("strip", (8, -inf, 9, inf), None, ("a_strip",)),
+        Place("goal", (2, 2, 3, 3), True, ("a_goal", "b_goal")),
+        Place("rock", (5, 5, 6, 6), False, ("a_rock", "b_rock")),
     )
     _, ax = WALKED.plot_plane("x", "y", PAIR)
     assert named(ax, "path:a")

@@ -7,7 +7,7 @@ robots of one kind, the copies `a_x`, `a_y` and `b_x`, `b_y` of `x` and `y`, hav
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -42,11 +42,15 @@ _AWAY = 7.0  # points from a point to the number of its step
 
 @dataclass(frozen=True)
 class Place:
-    """A region as it lies in the plane: its corners, and whether it is wanted (None: neither)."""
+    """A region as it lies in the plane: its corners, and whether it is wanted (None: neither).
+
+    `regions` are the mission's that lie there, one for each robot that has it.
+    """
 
     name: str
     sides: Sides
     wanted: bool | None
+    regions: tuple[str, ...]
 
 
 def draw_plane(
@@ -63,7 +67,7 @@ def draw_plane(
     across, up = chosen = plane or plane_of(trajectory, mission)
     paths = paths_of(trajectory, mission, chosen)
     places = places_of(mission, chosen) if mission is not None else ()
-    left, bottom, right, top = box = _frame(paths, places, mission, chosen)
+    left, bottom, right, top = box = frame_of_plane(paths, places, mission, chosen)
     ratio = (top - bottom) / (right - left)
     equal = 1 / _ALIKE <= ratio <= _ALIKE
     wide, tall = _inches(ratio if equal else 0.6)
@@ -90,7 +94,7 @@ def height_of(trajectory: Trajectory | None, mission: SignalMission | None) -> f
     chosen = plane_of(trajectory, mission)
     paths = paths_of(trajectory, mission, chosen)
     places = places_of(mission, chosen) if mission is not None else ()
-    left, bottom, right, top = _frame(paths, places, mission, chosen)
+    left, bottom, right, top = frame_of_plane(paths, places, mission, chosen)
     ratio = (top - bottom) / (right - left)
     return _inches(ratio if 1 / _ALIKE <= ratio <= _ALIKE else 0.6)[1] + _REST
 
@@ -188,11 +192,10 @@ def places_of(mission: SignalMission, plane: Axes) -> tuple[Place, ...]:
                     region.axes.get(axis, (-np.inf, np.inf)) for axis in pair
                 )
                 sides = (left, bottom, right, top)
-                said = name.removeprefix(prefix)
                 wanted = _wanted(region, atoms)
-                known = found.get(sides)
-                if known is None or known.wanted is None:
-                    found[sides] = Place(said, sides, wanted)
+                known = found.get(sides, Place(name.removeprefix(prefix), sides, wanted, ()))
+                wanted = wanted if known.wanted is None else known.wanted
+                found[sides] = replace(known, wanted=wanted, regions=(*known.regions, name))
     return tuple(sorted(found.values(), key=lambda place: -_area(place)))
 
 
@@ -211,7 +214,7 @@ def _area(place: Place) -> float:
     return (right - left) * (top - bottom)
 
 
-def _frame(
+def frame_of_plane(
     paths: Mapping[str, Floats],
     places: tuple[Place, ...],
     mission: SignalMission | None,

@@ -1,8 +1,8 @@
 """When the truth of a formula is certain, as a trace unfolds.
 
-At step s the counts of steps 0..s are known and the future is open. A formula is decided at the
-first step at which every future agrees about it: a task that has been staffed long enough, or a
-window that has been missed, will not change any more.
+At step s the counts or signals of steps 0..s are known and the future is open. A formula is decided
+at the first step at which every future agrees about it: a task that has been staffed long enough,
+or a window that has been missed, will not change any more.
 
 With `last` the last step of the trace, a formula that is certain to hold from step s on has the
 earliness last - s, one that is certain to fail s - last - 1: the sign tells the truth, the size how
@@ -21,18 +21,18 @@ from functools import partial
 
 import numpy as np
 
-from tsplan.logic.evaluation import TRUTH, Compare, CountTrace, Reading, values_of
+from tsplan.logic.evaluation import TRUTH, Compare, Reading, values_of
 from tsplan.logic.nodes import Formula
-from tsplan.logic.traces import Floats, Values
+from tsplan.logic.traces import Floats, Trace, Values
 
 
-def earliness(formula: Formula, trace: CountTrace) -> Mapping[Formula, Floats]:
-    """For every part of a formula of counts, at each step, how early its truth is certain.
+def earliness(formula: Formula, trace: Trace) -> Mapping[Formula, Floats]:
+    """For every part of a formula, at each step, how early its truth is certain.
 
     The formula is free of tasks, limits and percentages (see `translate`, `resolve_percent`).
     `decided_at` makes steps of what is returned.
 
-    >>> from tsplan.logic import parse
+    >>> from tsplan.logic import CountTrace, parse
     >>> trace = CountTrace({None: np.array([[0, 1, 1, 0]])}, {"a": np.array([0])})
     >>> formula = parse("F[0,2] G[0,1] a", language="mtl")
     >>> early = earliness(formula, trace)[formula]

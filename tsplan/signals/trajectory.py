@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from math import isfinite
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
@@ -200,6 +201,14 @@ class Trajectory(Record, display.Displayed):
         """
         known = self.known_mission(mission)
         return display.draw_trajectory(self, known, "plane", (across, up), ax)
+
+    def view(self, mission: SignalMission | None = None, path: str | Path | None = None) -> Path:
+        """Show the trajectory in the browser: one page that plays it, whose path is returned.
+
+        With a `path` the page is written there and no browser is opened. Raises as `explain`.
+        """
+        place = None if path is None else Path(path)
+        return display.show_page(self._needed(mission, "view"), self, place)
 
     def simulate(
         self,

@@ -11,17 +11,22 @@ from pathlib import Path
 from tsplan.document.files import write_whole
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
 from tsplan.viewer.webpage import page
 
 
-def write_page(mission: Mission, plan: Plan, path: Path | None = None) -> Path:
-    """Write the page of a plan, to a new temporary file unless a path is given; return its path.
+def write_page(
+    mission: Mission | SignalMission, result: Plan | Trajectory, path: Path | None = None
+) -> Path:
+    """Write the page of a plan or a trajectory; return its path.
 
-    A temporary file is left for the browser, which reads it at a time of its own.
+    Unless a path is given it is a new temporary file, which is left for the browser: that
+    reads it at a time of its own.
     """
-    content = page(mission, plan).encode()
+    content = page(mission, result).encode()
     if path is None:
-        stem = re.sub(r"[^\w-]+", "-", plan.mission.name)[:40].strip("-") or "plan"
+        stem = re.sub(r"[^\w-]+", "-", result.mission.name)[:40].strip("-") or "plan"
         handle, name = tempfile.mkstemp(prefix=f"tsplan-{stem}-", suffix=".html")
         os.close(handle)
         path = Path(name)
@@ -29,9 +34,11 @@ def write_page(mission: Mission, plan: Plan, path: Path | None = None) -> Path:
     return path
 
 
-def show_page(mission: Mission, plan: Plan, path: Path | None = None) -> Path:
-    """Write the page of a plan and return its path; without a given one, open it too."""
-    written = write_page(mission, plan, path)
+def show_page(
+    mission: Mission | SignalMission, result: Plan | Trajectory, path: Path | None = None
+) -> Path:
+    """Write the page and return its path; without a given one, open it too."""
+    written = write_page(mission, result, path)
     if path is None:
         open_page(written)
     return written

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from typing import cast
+from typing import TypeAlias, cast
 
 import numpy as np
 
@@ -14,15 +14,18 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
 from tsplan.explanation.why.witness_tree import meanings
 from tsplan.logic import nodes
-from tsplan.logic.atoms import OPPOSITE, Count
+from tsplan.logic.atoms import OPPOSITE, Count, Linear
 from tsplan.logic.decision_time import decided_at, earliness
 from tsplan.logic.nodes import Formula
 from tsplan.logic.obligations import START, Obligation, below, obligations
 from tsplan.logic.text import text_of
 from tsplan.logic.time_horizon import Span
-from tsplan.logic.traces import CountTrace, Floats
+from tsplan.logic.traces import Floats, SignalTrace, Trace
+from tsplan.logic.traversal import walk
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+
+Atom: TypeAlias = Count | Linear
 
 MOST_PARTS = 300
 """Rows of a formula; what lies below them is summed up in the last ones."""
@@ -35,17 +38,19 @@ _LONGEST = 400  # characters of a row
 
 @dataclass(frozen=True, slots=True)
 class Chart:
-    """One count of agents against what is needed of it.
+    """One count of agents, or value of signals, against what is needed of it.
 
-    `counts` are `(step, count)` from each change on. The need is due at the `needed` steps, which
-    were chosen among the `possible` ones; spans of steps include both ends.
+    `counts` are `(step, count)` from each change on, of values at every step: these go on `smooth`
+    between steps. The need is due at the `needed` steps, which were chosen among the `possible`
+    ones; spans of steps include both ends.
     """
 
     text: str
-    bound: int
-    counts: tuple[tuple[int, int], ...]
+    bound: float
+    counts: tuple[tuple[int, float], ...]
     needed: tuple[Span, ...]
     possible: tuple[Span, ...]
+    smooth: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,12 +89,12 @@ class Part:
 
 @dataclass(frozen=True)
 class _Judged:
-    """The mission's formula on the plan's counts: what each part means, how early it is certain."""
+    """A formula on a trace: what each part means, how early it is certain, where atoms look."""
 
-    mission: Mission
-    trace: CountTrace
+    trace: Trace
     meaning: Mapping[Formula, Formula]
     early: Mapping[Formula, Floats]
+    places: Callable[[Iterable[Atom]], tuple[str, ...]]
 
 
 def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
@@ -98,19 +103,42 @@ def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
     Raises PlanError for a plan without paths or of another mission.
     """
     refuse_misfit(plan, mission)
-    rows: list[Part] = []
-    for name, formula in [("", mission.formula), *((w.name, w.formula) for w in mission.prefer)]:
-        first, *rest = _rows(mission, plan, formula)
-        said = f"preferred: {name}: " if name else ""
+    carriers = mission.system.labels
+
+    def places(atoms: Iterable[Atom]) -> tuple[str, ...]:
+        labels = dict.fromkeys(atom.label for atom in atoms if isinstance(atom, Count))
+        return tuple(state for label in labels for state in carriers[label])
+
+    def rows_of(formula: Formula) -> list[Part]:
+        meaning = meanings(mission, formula)
+        trace = trace_of(plan, mission, meaning[formula])
+        return _rows(formula, _Judged(trace, meaning, earliness(meaning[formula], trace), places))
+
+    return with_wishes(rows_of, mission.formula, ((w.name, w.formula) for w in mission.prefer))
+
+
+def with_wishes(
+    rows_of: Callable[[Formula], list[Part]], goal: Formula, wishes: Iterable[tuple[str, Formula]]
+) -> tuple[Part, ...]:
+    """The rows of a goal, then of each preferred formula, which says so with its name."""
+    rows = rows_of(goal)
+    for name, formula in wishes:
+        first, *rest = rows_of(formula)
+        said = f"preferred: {name}: "
         rows += replace(first, text=said + first.text, heading=said + first.heading), *rest
     return tuple(rows)
 
 
-def _rows(mission: Mission, plan: Plan, whole: Formula) -> list[Part]:
+def signal_rows(
+    formula: Formula, trace: SignalTrace, places: Callable[[Iterable[Atom]], tuple[str, ...]]
+) -> list[Part]:
+    """The rows of a formula over signals; `places` are the regions that predicates speak of."""
+    meaning = {node: node for node in walk(formula)}
+    return _rows(formula, _Judged(trace, meaning, earliness(formula, trace), places))
+
+
+def _rows(whole: Formula, judged: _Judged) -> list[Part]:
     """The rows of one formula, from the outside in."""
-    meaning = meanings(mission, whole)
-    trace = trace_of(plan, mission, meaning[whole])
-    judged = _Judged(mission, trace, meaning, earliness(meaning[whole], trace))
     rows: list[Part] = []
     waiting = [(whole, START, 0)]
     while waiting:
@@ -141,11 +169,14 @@ def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, open
     formula, duty = asked
     meaning = judged.meaning[formula]
     parts = obligations(meaning, duty, judged.early)
-    every = {(node, holds): o for (node, holds), o in parts.items() if isinstance(node, Count)}
+    every = {
+        (node, holds): one
+        for (node, holds), one in parts.items()
+        if isinstance(node, Count | Linear)
+    }
     counts = {key: one for key, one in every.items() if one.steps.size}
     charts = [_chart(judged, key, one) for key, one in list(counts.items())[:MOST_CHARTS]]
     settled = Counter(step for one in counts.values() for step in one.steps.tolist())
-    labels = dict.fromkeys(count.label for count, _ in every)
     text = text_of(formula, _LONGEST)
     return Part(
         text=text,
@@ -154,7 +185,7 @@ def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, open
         settled=tuple(sorted(settled.items())),
         failed=_failed(judged, meaning, duty),
         needed=runs(np.array(sorted(settled), dtype=np.int64)),
-        states=tuple(state for label in labels for state in judged.mission.system.labels[label]),
+        states=judged.places(atom for atom, _ in every),
         charts=tuple(charts),
         hidden=max(0, len(counts) - MOST_CHARTS),
     )
@@ -185,17 +216,21 @@ def heading(formula: Formula) -> str:
     return " ".join(_JOINTS[type(node)].format(*node.parameters) for node in _chain(formula))
 
 
-def _chart(judged: _Judged, key: tuple[Count, bool | None], duty: Obligation) -> Chart:
+def _chart(judged: _Judged, key: tuple[Atom, bool | None], duty: Obligation) -> Chart:
     count, holds = key
     shown = replace(count, relation=OPPOSITE[count.relation]) if holds is False else count
     values = measured(count, judged.trace)
-    changes = np.flatnonzero(np.diff(values, prepend=values[0] - 1))
+    smooth = isinstance(count, Linear)
+    changes = np.arange(len(values))
+    if not smooth:
+        changes = np.flatnonzero(np.diff(values, prepend=values[0] - 1))
     return Chart(
         text=text_of(shown),
-        bound=cast("int", count.bound),  # a meaning has no percentages
-        counts=tuple((int(step), int(values[step])) for step in changes),
+        bound=cast("float", count.bound),  # a meaning has no percentages
+        counts=tuple((int(step), values[step].item()) for step in changes),
         needed=runs(duty.steps),
         possible=tuple(sorted(duty.windows)),
+        smooth=smooth,
     )
 
 

@@ -65,7 +65,7 @@ def page_data(mission: Mission, plan: Plan) -> Json:
             }
             for track in moving
         ],
-        "formula": [_part(part, places_of) for part in formula_parts(mission, plan)],
+        "formula": [part_data(part, places_of) for part in formula_parts(mission, plan)],
     }
 
 
@@ -117,7 +117,8 @@ def _state(state: State, at: tuple[float, float], paint: Paint) -> Json:
     }
 
 
-def _part(part: Part, number: Mapping[str, int]) -> Json:
+def part_data(part: Part, number: Mapping[str, int]) -> Json:
+    """A row of the formula; `number` has the numbers of states or regions."""
     return {
         **asdict(part),
         "when": span_words(part.needed),

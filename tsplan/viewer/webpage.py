@@ -15,29 +15,38 @@ from collections.abc import Mapping
 from functools import cache
 from hashlib import sha256
 from importlib.resources import files
-from typing import Any
+from typing import Any, cast
 
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
 from tsplan.viewer.page_data import page_data
+from tsplan.viewer.signal_page import signal_page_data
 from tsplan.words import visible
 
-_SCRIPTS = "paint model player camera map markers mapview timeline formula chart agents main"
+_SCRIPTS = (
+    "paint model player camera map markers mapview timeline formula chart agents signals main"
+)
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 _UNSAFE = {ord(mark): f"\\u{ord(mark):04x}" for mark in "<>&\u2028\u2029"}
 
 
-def page(mission: Mission, plan: Plan) -> str:
-    """The whole page as HTML text.
+def page(mission: Mission | SignalMission, result: Plan | Trajectory) -> str:
+    """The whole page of a plan or a trajectory as HTML text.
 
-    Raises PlanError for a plan without paths or one that does not fit the mission's map.
+    Raises PlanError for one without paths or signals, or that does not fit its mission.
     """
+    if isinstance(result, Trajectory):
+        data = signal_page_data(cast("SignalMission", mission), result)
+    else:
+        data = page_data(cast("Mission", mission), result)
     style, script = _source("viewer.css"), _program()
     parts = {
         "policy": _policy(style, script),
         "style": style,
         "script": script,
-        "data": embedded(seen(page_data(mission, plan))),
+        "data": embedded(seen(data)),
     }
     # in one pass, so that nothing in a part is taken for a slot
     return _SLOT.sub(lambda match: parts[match[1]], _source("page.html"))

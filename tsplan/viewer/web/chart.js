@@ -34,7 +34,7 @@ class Charts {
     plot.append(canvas, line);
     figure.append(caption, plot);
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", `${chart.text}: count over time`);
+    canvas.setAttribute("aria-label", `${chart.text}: ${chart.smooth ? "value" : "count"} over time`);
     plot.addEventListener("pointerdown", (event) => {
       this.player.pause();
       this.player.seek(Math.round(this.step(event.offsetX)));
@@ -48,8 +48,8 @@ class Charts {
 
   paint() {
     this.width = this.plots.length ? this.plots[0].canvas.clientWidth : 1;
-    const most = this.plots.reduce((most, { chart }) => Math.max(most, mostOf(chart)), 1);
-    this.left = 14 + 6.5 * String(Math.floor(most)).length; // for the numbers beside the charts
+    const widest = this.plots.reduce((most, { chart }) => Math.max(most, ...rangeOf(chart).map((end) => String(Math.floor(end)).length)), 1);
+    this.left = 14 + 6.5 * widest; // for the numbers beside the charts
     for (const plot of this.plots) this.paintPlot(plot);
     if (this.plots.length) this.move(this.player.shown);
   }
@@ -57,13 +57,13 @@ class Charts {
   paintPlot({ chart, canvas }) {
     const { context, width, height } = fitCanvas(canvas);
     context.clearRect(0, 0, width, height);
-    const most = mostOf(chart);
+    const [least, most] = rangeOf(chart);
     const [top, bottom] = [6, height - 16];
-    const y = (count) => bottom - (count * (bottom - top)) / most;
+    const y = (count) => bottom - ((count - least) * (bottom - top)) / (most - least);
     this.paintSpans(context, chart.possible, theme.shade, [top, bottom]);
     this.paintSpans(context, chart.needed, theme.witness, [top, bottom]);
-    this.paintAxes(context, most, [y, bottom]);
-    this.paintCounts(context, chart.counts, y);
+    this.paintAxes(context, [least, most], [y, bottom], chart.smooth);
+    this.paintCounts(context, chart, y);
     context.strokeStyle = theme.good;
     context.lineWidth = 1.6;
     context.setLineDash([5, 4]);
@@ -82,15 +82,16 @@ class Charts {
     }
   }
 
-  paintAxes(context, most, [y, bottom]) {
+  paintAxes(context, [least, most], [y, bottom], smooth) {
     context.font = `10.5px ${theme.font}`;
     context.fillStyle = theme.soft;
     context.strokeStyle = theme.line;
     context.lineWidth = 1;
     context.textBaseline = "middle";
     context.textAlign = "right";
-    for (let count = 0, every = tickStep(most, 3); count <= most; count += every) {
-      context.fillText(String(count), this.left - 5, y(count));
+    const apart = tickStep(most - least, 3, smooth ? 0 : 1);
+    for (let count = Math.ceil(least / apart) * apart; count <= most; count += apart) {
+      context.fillText(numberWords(count), this.left - 5, y(count));
       context.beginPath();
       context.moveTo(this.left, y(count));
       context.lineTo(this.width - 8, y(count));
@@ -103,13 +104,17 @@ class Charts {
     }
   }
 
-  /* `counts` are [step, count] from each change on. */
-  paintCounts(context, counts, y) {
+  /* `counts` are [step, count] from each change on; smooth ones go from step to step. */
+  paintCounts(context, { counts, smooth }, y) {
     context.strokeStyle = theme.accent;
     context.lineWidth = 1.8;
     context.lineJoin = "round";
     context.beginPath();
     counts.forEach(([step, count], i) => {
+      if (smooth) {
+        context.lineTo(this.x(step), y(count));
+        return;
+      }
       const begin = Math.max(0, step - 0.5);
       const end = i + 1 < counts.length ? counts[i + 1][0] - 0.5 : this.horizon;
       context.lineTo(this.x(begin), y(count));
@@ -124,14 +129,18 @@ class Charts {
       plot.line.style.transform = `translateX(${this.x(time)}px)`;
       if (plot.shown === step) continue;
       plot.shown = step;
-      plot.now.textContent = `${countAt(plot.chart.counts, step)} at step ${step}`;
+      plot.now.textContent = `${numberWords(countAt(plot.chart.counts, step))} at step ${step}`;
     }
   }
 }
 
-/* The largest number that a chart shows. */
-function mostOf(chart) {
-  return chart.counts.reduce((most, [, count]) => Math.max(most, count), Math.max(1, chart.bound));
+/* The least and the largest number that a chart shows; counts begin at 0. */
+function rangeOf(chart) {
+  const values = chart.counts.map(([, count]) => count).concat(chart.bound);
+  if (!chart.smooth) return [0, values.reduce((a, b) => Math.max(a, b), 1)];
+  const [least, most] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
+  const air = 0.06 * (most - least) || 0.5;
+  return [least - air, most + air];
 }
 
 function countAt(counts, step) {

@@ -41,15 +41,12 @@ class Page {
     this.data = data;
     for (const kind of data.classes) kind.given = kind.color;
     this.paintClasses();
-    this.model = new Model(data);
     this.choice = new Choice(data.formula);
     this.player = new Player(data.horizon);
     this.fillHeader();
-    this.map = new MapView(this.model, this.choice);
-    this.timeline = new Timeline(this.model, this.map.ground, this.choice, this.player);
+    Object.assign(this, data.signals ? signalViews(data, this) : this.planViews());
     this.formula = new FormulaTree(data.formula, this.choice);
     this.charts = new Charts(data.horizon, this.player);
-    this.agents = new AgentList(this.model, this.choice, this.player);
     this.clock = document.getElementById("clock");
     this.scrub = document.getElementById("scrub");
     this.player.listeners.push(() => this.onTime());
@@ -58,6 +55,14 @@ class Page {
     this.followSettings();
     new Keys(this);
     this.onTime();
+  }
+
+  planViews() {
+    const { choice, player } = this;
+    const model = new Model(this.data);
+    const map = new MapView(model, choice);
+    const timeline = new Timeline(model, map.ground.colours, choice, player);
+    return { model, map, timeline, agents: new AgentList(model, choice, player) };
   }
 
   fillHeader() {
@@ -86,9 +91,11 @@ class Page {
     legend.replaceChildren();
     for (const kind of this.data.classes) {
       const entry = element("span");
-      entry.append(swatch(kind), document.createTextNode(`${kind.agents} ${kind.name}`));
+      const words = kind.agents === null ? kind.name : `${kind.agents} ${kind.name}`;
+      entry.append(swatch(kind), document.createTextNode(words));
       legend.append(entry);
     }
+    legend.hidden = !this.data.classes.some((kind) => kind.name);
   }
 
   bindControls() {
@@ -251,13 +258,7 @@ window.tsplanViewer = Object.freeze({
   playing: () => page.player.playing,
   speed: () => page.player.speed,
   chosen: () => ({ track: page.choice.track, state: page.choice.state, node: page.choice.node }),
-  places: () => page.model.tracks.map((track, m) => {
-    const state = page.model.stateOf(m);
-    return { name: track.name, ids: [...track.ids], count: track.count, state: state < 0 ? null : page.model.states[state].name, at: page.map.markers.positionOf(m) };
-  }),
-  stateAt: (name) => {
-    const state = page.model.states.find((one) => one.name === name);
-    return state ? [page.map.camera.x(state.x), page.map.camera.y(state.y)] : null;
-  },
+  places: () => page.model.places(page.map),
+  stateAt: (name) => page.map.placeOf(name),
   parts: () => page.choice.nodes.map((node, n) => ({ text: node.heading, status: page.formula.status(n, page.player.shown) })),
 });

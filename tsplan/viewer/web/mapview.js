@@ -132,6 +132,12 @@ class MapView {
     return lines.join("\n");
   }
 
+  /* The point of a state on the page. */
+  placeOf(name) {
+    const state = this.model.states.find((one) => one.name === name);
+    return state ? [this.camera.x(state.x), this.camera.y(state.y)] : null;
+  }
+
   click(event) {
     if (!this.camera.clicked) return;
     const track = this.markers.trackAt(event.offsetX, event.offsetY);

@@ -105,6 +105,14 @@ class Model {
     return this.present[track] && this.share[track] === 0 ? this.state[this.source[track]] : -1;
   }
 
+  /* Every track with its agents, its state and its point on a map. */
+  places(map) {
+    return this.tracks.map(({ name, ids, count }, m) => {
+      const state = this.stateOf(m);
+      return { name, ids: [...ids], count, state: state < 0 ? null : this.states[state].name, at: map.markers.positionOf(m) };
+    });
+  }
+
   /* Where a track is, in words. */
   whereabouts(track) {
     if (!this.present[track]) {

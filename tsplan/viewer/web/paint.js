@@ -112,12 +112,15 @@ function fitted(context, words, width) {
 }
 
 /* Round distances for marks on an axis: 1, 2, 5, 10, ... so that about `most` fit. */
-function tickStep(length, most) {
-  const rough = Math.max(1, length / Math.max(1, most));
+function tickStep(length, most, least = 1) {
+  const rough = Math.max(least, length / Math.max(1, most));
   const power = 10 ** Math.floor(Math.log10(rough));
   const factor = [1, 2, 5, 10].find((f) => f * power >= rough);
-  return Math.max(1, factor * power);
+  return Math.max(least, factor * power);
 }
+
+/* A number with as many digits as are worth reading. */
+function numberWords(value) { return String(Number(value.toPrecision(5))); }
 
 /* An element with a class and text; text is never read as markup. */
 function element(tag, className, text) {

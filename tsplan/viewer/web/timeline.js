@@ -1,12 +1,12 @@
 /* Who is where when: one row for each track, coloured as the map is, hatched while travelling.
    Only the rows that are seen are painted. */
 
-const ROW = 20;
 
 class Timeline {
-  constructor(model, ground, choice, player) {
+  constructor(model, colours, choice, player, row = 20) {
     this.model = model;
-    this.colours = ground.colours;
+    this.colours = colours;
+    this.row = row;
     this.choice = choice;
     this.player = player;
     this.rows = document.getElementById("rows");
@@ -15,8 +15,8 @@ class Timeline {
     this.playhead = document.getElementById("playhead");
     this.asked = false;
     this.measure();
-    document.getElementById("rows-height").style.height = `${model.tracks.length * ROW + 4}px`;
-    this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.tracks.length) * ROW + 8)}px`;
+    document.getElementById("rows-height").style.height = `${model.tracks.length * this.row + 4}px`;
+    this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.tracks.length) * this.row + 8)}px`;
     this.rows.addEventListener("scroll", () => this.refresh());
     this.follow(this.rows, true);
     this.follow(this.axis, false);
@@ -38,7 +38,7 @@ class Timeline {
     place.addEventListener("pointerdown", (event) => {
       if (event.offsetX > this.whole) return; // the scroll bar
       if (choosing) {
-        const row = Math.floor((event.clientY - this.canvas.getBoundingClientRect().top + this.rows.scrollTop) / ROW);
+        const row = Math.floor((event.clientY - this.canvas.getBoundingClientRect().top + this.rows.scrollTop) / this.row);
         if (row >= 0 && row < this.model.tracks.length) this.choice.chooseTrack(row);
       }
       if (event.clientX - this.rows.getBoundingClientRect().left < this.names) return;
@@ -65,9 +65,9 @@ class Timeline {
     context.clearRect(0, 0, width, height);
     this.hatch = context.createPattern(hatching(), "repeat");
     this.paintSpans(context, height);
-    const from = Math.floor(this.rows.scrollTop / ROW);
-    const to = Math.min(this.model.tracks.length, from + Math.ceil(height / ROW) + 1);
-    for (let m = from; m < to; m += 1) this.paintRow(context, m, m * ROW - this.rows.scrollTop);
+    const from = Math.floor(this.rows.scrollTop / this.row);
+    const to = Math.min(this.model.tracks.length, from + Math.ceil(height / this.row) + 1);
+    for (let m = from; m < to; m += 1) this.paintRow(context, m, m * this.row - this.rows.scrollTop);
     this.move();
   }
 
@@ -105,24 +105,24 @@ class Timeline {
     const chosen = m === this.choice.track;
     if (chosen) {
       context.fillStyle = theme.shade;
-      context.fillRect(0, top, this.whole, ROW);
+      context.fillRect(0, top, this.whole, this.row);
     }
     const kind = model.classes[model.kind[m]];
     context.beginPath();
-    MARKS[kind.mark % MARKS.length](context, 13, top + ROW / 2, 5);
+    MARKS[kind.mark % MARKS.length](context, 13, top + this.row / 2, 5);
     context.fillStyle = kind.color;
     context.fill();
     context.font = `${chosen ? 600 : 400} 12px ${theme.font}`;
     context.textAlign = "left";
     context.textBaseline = "middle";
     context.fillStyle = theme.ink;
-    context.fillText(fitted(context, model.tracks[m].name, this.names - 30), 24, top + ROW / 2 + 0.5);
+    context.fillText(fitted(context, model.tracks[m].name, this.names - 30), 24, top + this.row / 2 + 0.5);
     for (let i = model.begin[m]; i < model.begin[m + 1]; i += 1) this.paintStop(context, m, i, top);
   }
 
   paintStop(context, m, i, top) {
     const { model } = this;
-    const [bar, high] = [top + 3, ROW - 6];
+    const [bar, high] = [top + 3, this.row - 6];
     if (i > model.begin[m]) {
       const left = this.x(model.last[i - 1]);
       const right = this.x(Math.min(model.horizon, model.first[i]));
@@ -142,7 +142,7 @@ class Timeline {
     if (wide < 26) return;
     context.font = `11px ${theme.font}`;
     context.fillStyle = inkOn(colour);
-    context.fillText(fitted(context, model.states[state].name, wide - 8), left + 4, top + ROW / 2 + 0.5);
+    context.fillText(fitted(context, model.states[state].name, wide - 8), left + 4, top + this.row / 2 + 0.5);
   }
 
   /* The playhead is an element of its own: moving it paints nothing again. */
@@ -152,10 +152,10 @@ class Timeline {
 
   /* Scroll a row into sight. */
   reveal(m) {
-    const top = m * ROW;
+    const top = m * this.row;
     if (top < this.rows.scrollTop) this.rows.scrollTop = top;
-    else if (top + ROW > this.rows.scrollTop + this.rows.clientHeight) {
-      this.rows.scrollTop = top + ROW - this.rows.clientHeight;
+    else if (top + this.row > this.rows.scrollTop + this.rows.clientHeight) {
+      this.rows.scrollTop = top + this.row - this.rows.clientHeight;
     }
   }
 }

@@ -1,0 +1,97 @@
+"""What the page shows of a trajectory, as plain JSON data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tsplan.draw.palette import HUES, paints
+from tsplan.draw.plane_map import Place, frame_of_plane, paths_of, places_of, plane_of
+from tsplan.logic import Linear
+from tsplan.plans.summary import objective_line, outcome
+from tsplan.signals.motion_check import refuse_misfit
+from tsplan.viewer.formula_rows import Atom, signal_rows, with_wishes
+from tsplan.viewer.page_data import Json, fact_words, part_data
+
+if TYPE_CHECKING:
+    from tsplan.signals.signal_mission import SignalMission
+    from tsplan.signals.trajectory import Trajectory
+
+
+def signal_page_data(mission: SignalMission, trajectory: Trajectory) -> Json:
+    """Everything the page needs to know; raises PlanError for a trajectory that does not fit."""
+    refuse_misfit(trajectory, mission)
+    several = len(trajectory.signals) > 1
+    plane = plane_of(trajectory, mission) if several else ("", "")
+    places = places_of(mission, plane) if several else ()
+    paths = paths_of(trajectory, mission, plane) if several else {}
+    colours = paints(paths)
+    return {
+        "title": trajectory.mission.name or mission.name or "signals",
+        "outcome": outcome(trajectory, "trajectory"),
+        "facts": [
+            {"text": fact_words(item), "about": objective_line(item, noun="trajectory")}
+            for item in trajectory.objective
+        ],
+        "horizon": trajectory.horizon,
+        "classes": [
+            {"name": name, "capabilities": [], "agents": None, "color": paint.colour, "mark": place}
+            for place, (name, paint) in enumerate(colours.items())
+        ],
+        "signals": [
+            {"name": name, "values": list(row), "control": kind is trajectory.controls}
+            for kind in (trajectory.signals, trajectory.controls)
+            for name, row in kind.items()
+            if row
+        ],
+        "plane": None
+        if not several
+        else {
+            "axes": list(plane),
+            "frame": list(frame_of_plane(paths, places, mission, plane)),
+            "places": _places(places),
+            "paths": [path.T.tolist() for path in paths.values()],
+        },
+        "formula": _formula(mission, trajectory, places),
+    }
+
+
+def _places(places: tuple[Place, ...]) -> list[Json]:
+    """The regions; sides that go on for ever are null."""
+    colours = paints((place.name for place in places if place.wanted), HUES[::-1])
+    return [
+        {
+            "name": place.name,
+            "sides": [side if np.isfinite(side) else None for side in place.sides],
+            "wanted": place.wanted,
+            "color": colours[place.name].colour if place.wanted else None,
+        }
+        for place in places
+    ]
+
+
+def _formula(
+    mission: SignalMission, trajectory: Trajectory, places: tuple[Place, ...]
+) -> list[Json]:
+    trace = trajectory.trace()
+    number = {place.name: n for n, place in enumerate(places)}
+    sides = {
+        name: {(((axis, 1.0),), bound) for axis, ends in region.axes.items() for bound in ends}
+        for name, region in mission.regions.items()
+    }
+
+    def spoken_of(atoms: Iterable[Atom]) -> tuple[str, ...]:
+        """The regions of which a part has every side."""
+        used = {(atom.terms, atom.bound) for atom in atoms if isinstance(atom, Linear)}
+        return tuple(
+            place.name for place in places if any(sides[name] <= used for name in place.regions)
+        )
+
+    rows = with_wishes(
+        lambda formula: signal_rows(formula, trace, spoken_of),
+        mission.formula,
+        ((wish.text, wish.formula) for wish in mission.prefer),
+    )
+    return [part_data(part, number) for part in rows]
