@@ -73,12 +73,10 @@ def test_a_strict_predicate_has_no_border():
     assert free("x >= 10").status is Status.OPTIMAL
     slow = System({"x": (0, 10)}, initial={"x": (0, 0)})
     assert free("x > 0", system=slow).status is Status.INFEASIBLE
-    # the least effort is that of the border, which does not belong to the trajectories
+    # the border does not belong to the trajectories, but they come as close as can be told
     found = free("F[0,2] x > 4", objective=["state_effort"])
-    assert found.status is Status.FEASIBLE
-    assert found.stopped_by is StoppedBy.PRECISION
-    assert found.objective[0].bound == pytest.approx(4.0)
-    assert 4.0 < found.objective[0].value < 4.001
+    assert found.status is Status.OPTIMAL
+    assert 4.0 < found["x"].max() < 4.00001
 
 
 def test_an_equation_holds_within_a_millionth_of_its_range():

@@ -19,7 +19,7 @@ from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.traces import SignalTrace
 from tsplan.parameters import refuse_options
 from tsplan.protocol.simulation import Frequency
-from tsplan.signals.motion_check import TOLERANCE
+from tsplan.signals.equalities import TOLERANCE
 from tsplan.signals.trajectory_check import check
 
 if TYPE_CHECKING:

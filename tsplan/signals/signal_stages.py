@@ -13,6 +13,7 @@ strategies in receding horizon control", J. Process Control 17 (2007).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import Protocol
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from tsplan.milp.solution import Progress, Status
 from tsplan.milp.target import Target
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
+from tsplan.signals.aims import Aim
 from tsplan.signals.signal_model import (
     SignalModel,
     SignalSetting,
@@ -34,10 +36,14 @@ from tsplan.signals.signal_model import (
     reference_model,
     signal_model,
 )
-from tsplan.signals.signal_objectives import SignalObjective, SignalPoint
+from tsplan.signals.signal_objectives import AimObjective, SignalObjective, SignalPoint
 
 CLOSE = 1e-6
 """Robustness this close to a bound counts as that: what solvers forgive a row."""
+
+_MARGINS = (1e-9, 1e-7, 1e-5)
+"""Shares of its range by which a predicate is to hold where by none it does not: what floats round,
+what solvers forgive, and ten times that."""
 
 _KEPT = 1e-12  # of a robustness that is kept may get lost: what floats round
 _BLOCKS = (16, 8, 4, 2)  # steps for which a choice stays, in restrictions
@@ -50,29 +56,41 @@ _SHARE = 0.2  # of the time left that one restriction may take
 _RESTRICTED = 10.0  # seconds that it may take where there is more
 
 
+class Judge(Protocol):
+    """The problem: what its models are made of, and whether the controls of a point do it."""
+
+    def setting(self, margin: float = 0.0) -> SignalSetting:
+        """What every model is made of; predicates hold by a margin, a share of their range."""
+
+    def holds(self, point: SignalPoint) -> bool:
+        """Whether what must hold does, on what the controls truly lead to."""
+
+
 @dataclass(eq=False)
 class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     """Runs the objectives of a problem over signals in order.
 
-    `least` is the robustness that a trajectory must have; `tight` is False for the reference
-    encoding, which is searched as a whole.
+    `least` is the robustness that a trajectory must have, `margin` the share of its range by which
+    a predicate must hold. `tight` is False for the reference encoding, searched as a whole.
     """
 
-    setting: SignalSetting
+    problem: Judge
     objectives: tuple[SignalObjective, ...]
     effort: Effort
     clock: Clock
     tell: Tell[SignalPoint]
     least: float = 0.0
+    margin: float = 0.0
     tight: bool = True
     _kept: list[tuple[SignalObjective, float]] = field(default_factory=list, init=False)
     _stage: str = field(default="first plan", init=False)
     _told: SignalObjective | None = field(default=None, init=False)
     _model: tuple[int, SignalModel] | None = field(default=None, init=False)
+    _firm: bool = field(default=False, init=False)
 
     def __post_init__(self) -> None:
         super().__init__(self.clock)
-        self.setting = replace(self.setting, clock=self.clock)
+        self.setting = replace(self.problem.setting(self.margin), clock=self.clock)
         self._ideal = self.setting.ideal
 
     # --- stages --------------------------------------------------------------------------------
@@ -100,6 +118,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
             made = self._whole()
             self._polish(objective)
             found = self._ask(made, objective)
+            self._polish(objective)
             self.stopping(found.stopped_by)
             told = objective.target(self.setting, made).own(found.bound)
             if np.isfinite(told):
@@ -211,18 +230,20 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         return self.clock.stop()
 
     def _hear(self, point: SignalPoint) -> None:
-        """Keep a point that is no worse in the objective at hand, and tell of it."""
+        """Keep a point that is no worse in the objective at hand, and tell of it.
+
+        One that misses the formula by a solver's tolerance is made firm if its choices allow that.
+        """
+        firm = self.problem.holds(point)
+        if not firm and (other := self._firmed(point)) is not None:
+            point, firm = other, True
         told = self._told or (self.objectives[0] if self.objectives else None)
-        if told is None:
-            self.point = point
-            self.tell(self._stage, point, None, None)
-            return
-        value = told.worth(self.setting, point)
-        if self.point is not None and told.sign * value > told.sign * told.worth(
-            self.setting, self.point
-        ):
-            return
-        self.point = point
+        value = None if told is None else told.worth(self.setting, point)
+        if self.point is not None and firm <= self._firm:
+            former = None if told is None else told.worth(self.setting, self.point)
+            if firm < self._firm or _worse(told, value, former):
+                return
+        self.point, self._firm = point, firm
         self.tell(self._stage, point, value if self._told else None, None)
 
     # --- the choices that are made -----------------------------------------------------------
@@ -233,12 +254,30 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         return point.values if point is not None and point.made is made else None
 
     def _polish(self, objective: SignalObjective) -> None:
-        """The best trajectory of the choices that are made: a linear program."""
-        assert self.point is not None
-        if objective.chooses:
-            return
-        trace = self.point.trace(self.setting.system)
-        goal = self.setting.held(trace)
+        """Take in the best trajectory of the choices that are made."""
+        if self.point is not None and not objective.chooses:
+            better = self._best_of(self.point, objective, self.setting)
+            if better is not None:
+                self._hear(better)
+
+    def _firmed(self, point: SignalPoint) -> SignalPoint | None:
+        """A trajectory of the same choices that truly holds; by as little as it takes."""
+        first = self.objectives[0] if self.objectives else None
+        objective = self._told or first
+        if objective is None or objective.chooses:
+            objective = AimObjective(Aim((("robustness", 1.0),)))
+        for margin in _MARGINS:
+            firm = self._best_of(point, objective, self.problem.setting(margin))
+            if firm is not None and self.problem.holds(firm):
+                return firm
+        return None
+
+    def _best_of(
+        self, point: SignalPoint, objective: SignalObjective, setting: SignalSetting
+    ) -> SignalPoint | None:
+        """The best trajectory of the choices of another: a linear program."""
+        trace = point.trace(setting.system)
+        goal = setting.held(trace)
         values = margins(goal, trace)
         own = float(values[goal][0])
         if own < 0:  # what is chosen is told by what is above the whole
@@ -246,11 +285,10 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         with self.clock.timed("build"):
             owed = obligations(goal, START, values)
             steps = {node: found.steps.tolist() for (node, _), found in owed.items()}
-            made = self._narrowed(chosen_model(self.setting, self._level, steps))
+            made = self._narrowed(chosen_model(setting, self._level, steps))
         options = self.effort.limited(self.clock)
         found = tried(self.effort.solver, self._asked(made, objective)[0], options)
-        if found is not None:
-            self._hear(SignalPoint(made, found))
+        return None if found is None else SignalPoint(made, found)
 
     # --- models ----------------------------------------------------------------------------------
 
@@ -290,3 +328,10 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
             if not self.tight:
                 return reference_model(setting, level)
             return signal_model(setting, level, rules)
+
+
+def _worse(objective: SignalObjective | None, value: float | None, known: float | None) -> bool:
+    """Whether a value is worse than the one that is known."""
+    if objective is None or value is None or known is None:
+        return False
+    return objective.sign * value > objective.sign * known

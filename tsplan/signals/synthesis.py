@@ -14,17 +14,20 @@ from tsplan.encode.expressions import Constraint, Expression
 from tsplan.encode.partial.partial_model import Wish, everything
 from tsplan.errors import Finding, MissionError
 from tsplan.logic import conjunction, positive, simplify
+from tsplan.logic.evaluation import holds
 from tsplan.logic.fraction import tree_of
 from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import INFINITY, Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.parameters import known_name, step_within
+from tsplan.plans.plan import MissionRef, Status
 from tsplan.run.problem import Tuning
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.signals.aims import CHOSEN, Aim
 from tsplan.signals.equalities import TOLERANCE, approximate
+from tsplan.signals.motion_check import settled
 from tsplan.signals.reach import reach
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_model import OwnRow, SignalModel, SignalSetting, Soft, signal_model
@@ -39,6 +42,7 @@ from tsplan.signals.signal_objectives import (
 )
 from tsplan.signals.signal_stages import SignalStages
 from tsplan.signals.trajectory import Trajectory
+from tsplan.stopping import StoppedBy
 
 _SLACK = 1e-6  # by which an own constraint may be missed, relative to its bound: as rows are
 
@@ -119,7 +123,7 @@ class Synthesis:
                 raise MissionError([Finding(f"'{term}' is no value of a signal", remedy)])
             self.value(term.name, term.step)
 
-    def setting(self, *, satisfied: bool = True, margin: float = 0.0) -> SignalSetting:
+    def setting(self, margin: float = 0.0, *, satisfied: bool = True) -> SignalSetting:
         """What every model is made of; with the factors of violated parts if not `satisfied`.
 
         Predicates are to hold by a `margin`, a share of their range.
@@ -189,8 +193,34 @@ class Synthesis:
         self, effort: Effort, clock: Clock, tell: Tell[SignalPoint], margin: float = 0.0
     ) -> Outcome[SignalPoint]:
         """Run all objectives over trajectories whose predicates hold by a margin."""
-        setting, tight = self.setting(margin=margin), self.tuning.encoding == "tight"
-        return SignalStages(setting, self.objectives, effort, clock, tell, tight=tight).run()
+        tight = self.tuning.encoding == "tight"
+        return SignalStages(
+            self, self.objectives, effort, clock, tell, margin=margin, tight=tight
+        ).run()
+
+    def read(
+        self, point: SignalPoint, status: Status = Status.FEASIBLE, why: StoppedBy | None = None
+    ) -> Trajectory:
+        """What a point says of the signals and controls, unchecked."""
+        mission = self.mission
+        rows = dict(zip(mission.system.names, point.rows, strict=True))
+        controls = {name: rows.pop(name)[:-1] for name in mission.system.controls}
+        return Trajectory(
+            status,
+            MissionRef(mission.name, mission.digest),
+            mission.horizon,
+            why if status is not Status.FEASIBLE else why or StoppedBy.INTERRUPT,
+            signals=rows,
+            controls=controls,
+        )
+
+    def holds(self, point: SignalPoint) -> bool:
+        """Whether what must hold does, on what the controls of a point truly lead to."""
+        mission = self.mission
+        if mission.satisfaction is not None:
+            return True
+        formula = approximate(mission.formula, mission.system)
+        return bool(holds(formula, settled(mission.system, self.read(point)).trace())[0])
 
 
 def _choosing(mission: SignalMission) -> Iterator[SignalObjective]:

@@ -6,11 +6,11 @@ import time
 from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from tsplan.errors import SolverError
 from tsplan.logic import Formula
-from tsplan.logic.evaluation import holds
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
 from tsplan.plans.satisfaction import Depth
@@ -19,9 +19,7 @@ from tsplan.run.problem import Tuning
 from tsplan.run.run import Listener, Run
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
-from tsplan.signals.equalities import approximate
 from tsplan.signals.linear_system import System
-from tsplan.signals.motion_check import settled
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_objectives import SignalPoint
 from tsplan.signals.signal_parts import Weighting
@@ -50,7 +48,7 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
     def solved(self, effort: Effort) -> Outcome[SignalPoint]:
         """Run all objectives; once more with a margin where the formula holds by none."""
         outcome = self._problem.solve(effort, self.clock, self.tell)
-        if outcome.point is None or self._holds(outcome.point):
+        if outcome.point is None or self._problem.holds(outcome.point):
             return outcome
         second = self._problem.solve(effort, self.clock, self.tell, _MARGIN)
         if second.point is not None:
@@ -64,16 +62,17 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
 
     def provisional(self, found: SignalPoint) -> Trajectory:
         """The verified trajectory of something found on the way."""
-        return certify(self._mission, self._read(found, Status.FEASIBLE, StoppedBy.INTERRUPT))
+        return certify(self._mission, self._problem.read(found))
 
     def finished(self, outcome: Outcome[SignalPoint], used: SolverUse) -> Trajectory:
         """The trajectory of what was found, after the independent check."""
         mission, point = self._mission, outcome.point
         if point is not None:
             self.tell(FINISHING, None, None, None)
-        made = self._read(point, outcome.status, self.reason(outcome))
+        why, status = self.reason(outcome), outcome.status
+        read = self._nothing if point is None else partial(self._problem.read, point)
         made = replace(
-            made,
+            read(status, why),
             objective=self._claimed(outcome),
             depths=self._depths(outcome),
             notes=outcome.notes,
@@ -87,16 +86,9 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         self.seconds["verify"] = time.perf_counter() - began
         return replace(checked, timings=self.timings)
 
-    def _read(self, point: SignalPoint | None, status: Status, why: StoppedBy | None) -> Trajectory:
+    def _nothing(self, status: Status, why: StoppedBy | None) -> Trajectory:
         mission = self._mission
-        ref = MissionRef(mission.name, mission.digest)
-        if point is None:
-            return Trajectory(status, ref, mission.horizon, why)
-        rows = dict(zip(mission.system.names, point.rows, strict=True))
-        controls = {name: rows.pop(name)[:-1] for name in mission.system.controls}
-        return Trajectory(
-            status, ref, mission.horizon, why, self._open(), signals=rows, controls=controls
-        )
+        return Trajectory(status, MissionRef(mission.name, mission.digest), mission.horizon, why)
 
     def _claimed(self, outcome: Outcome[SignalPoint]) -> tuple[ObjectiveValue, ...]:
         """What the search claims of the mission's own objectives; levels of one add up."""
@@ -126,15 +118,6 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
 
     def _open(self) -> tuple[ObjectiveValue, ...]:
         return tuple(ObjectiveValue(aim.name, None) for aim in self._mission.objective)
-
-    def _holds(self, point: SignalPoint) -> bool:
-        """Whether the formula holds on what the controls truly lead to."""
-        mission = self._mission
-        if mission.satisfaction is not None:
-            return True
-        made = self._read(point, Status.FEASIBLE, StoppedBy.INTERRUPT)
-        formula = approximate(mission.formula, mission.system)
-        return bool(holds(formula, settled(mission.system, made).trace())[0])
 
 
 def synthesise_mission(
