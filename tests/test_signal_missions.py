@@ -243,6 +243,18 @@ def test_signals_of_several_robots_are_named_with_the_robot():
     assert [line.split(": ")[0] for line in found] == ["mission:8:33", "mission:8:45"]
 
 
+def test_what_a_region_speaks_of_is_told_where_it_is_written():
+    text = changed("in(a, goal)", "in(c, goal)", text=SEVERAL)
+    found = findings(signal_mission_from_text, text)
+    line, column = next(
+        (number, at + 1)
+        for number, written in enumerate(text.splitlines(), start=1)
+        if (at := written.find("in(c, goal)")) >= 0
+    )
+    assert found
+    assert {line_.split(": ")[0] for line_ in found} == {f"mission:{line}:{column}"}
+
+
 @pytest.mark.parametrize(
     ("formula", "told"),
     [

@@ -63,6 +63,11 @@ class Written:
         return found
 
     @property
+    def stands_for(self) -> bool:
+        """Whether it is written as a whole, and its formula has parts: as that of a region."""
+        return bool(self.formula.children) and not self.children
+
+    @property
     def weight_names(self) -> frozenset[str]:
         """The names of weights that are written anywhere in it."""
         ways = (way for here in self.occurrences() for way in here.parts if way[0] == "weight")

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 from tsplan.document import Document
 from tsplan.document.yaml_nodes import Node
 from tsplan.errors import MOST_TOLD, Finding, InputError
-from tsplan.logic import TRUE, Formula, conjunction, parse_with_places
+from tsplan.logic import TRUE, Formula, conjunction, parse_with_places, walk
 from tsplan.logic.text_spans import Way, Written
 from tsplan.mission.findings import FORMULA, Fault, Place, preferred
 from tsplan.mission.vocabulary import LANGUAGES
@@ -27,7 +27,7 @@ class Text(NamedTuple):
     def find(self, node: Formula, way: Way) -> int | None:
         """Where a part is written first, and what a way leads to in it: inside of quotes."""
         for here in self.written.occurrences():
-            if here.formula is node:
+            if here.formula is node or (here.stands_for and node in set(walk(here.formula))):
                 begin = (here.get(way) or here.span).begin
                 return begin + (self.text[begin] == '"')
         return None
