@@ -14,9 +14,9 @@ from tsplan.draw.signal_chart import MOST_PANELS, accepted, merged, panels_of, s
 from tsplan.draw.trajectory_views import TRAJECTORY_VIEWS, draw_trajectory
 from tsplan.errors import InputError, PlanError
 from tsplan.explanation.why.predicate_demands import predicate_demands
-from tsplan.logic import linear
+from tsplan.logic import TRUE, linear
 from tsplan.plans.plan import MissionRef, ObjectiveValue
-from tsplan.signals.linear_system import System
+from tsplan.signals.linear_system import Dynamics, System
 from tsplan.signals.region import Region
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
@@ -34,12 +34,11 @@ PAIR = SignalMission(
     & Region(b_x=(5, 6), b_y=(5, 6)).outside().always(0, 2),
     2,
     regions={
-        "a_goal": Region(a_x=(2, 3), a_y=(2, 3)),
-        "b_goal": Region(b_x=(2, 3), b_y=(2, 3)),
-        "a_rock": Region(a_x=(5, 6), a_y=(5, 6)),
-        "b_rock": Region(b_x=(5, 6), b_y=(5, 6)),
-        "a_strip": Region(a_x=(8, 9)),
+        "goal": Region(x=(2, 3), y=(2, 3)),
+        "rock": Region(x=(5, 6), y=(5, 6)),
+        "strip": Region(a_x=(8, 9)),
     },
+    copies=("a", "b"),
 )
 WALKED = Trajectory(
     "optimal",
@@ -173,9 +172,9 @@ def test_robots_of_one_kind_share_a_plane():
     }
     inf = np.inf
     assert places_of(PAIR, ("x", "y")) == (
-        Place("strip", (8, -inf, 9, inf), None, ("a_strip",)),
-        Place("goal", (2, 2, 3, 3), True, ("a_goal", "b_goal")),
-        Place("rock", (5, 5, 6, 6), False, ("a_rock", "b_rock")),
+        Place("strip", (8, -inf, 9, inf), None, ("strip",)),
+        Place("goal", (2, 2, 3, 3), True, ("goal",)),
+        Place("rock", (5, 5, 6, 6), False, ("rock",)),
     )
     _, ax = WALKED.plot_plane("x", "y", PAIR)
     assert named(ax, "path:a")
@@ -223,7 +222,7 @@ def test_what_cannot_be_drawn_is_said():
     none = Trajectory("infeasible", MissionRef("cart", ""), 5)
     with pytest.raises(PlanError, match="a trajectory of status infeasible has no signals"):
         none.plot()
-    other = replace(MISSION, system=System({"p": (0, 1)}))
+    other = SignalMission(System({"p": (0, 1)}), TRUE, 5)
     with pytest.raises(PlanError, match="signal p has no values"):
         FOUND.plot(mission=other)
 
@@ -240,9 +239,12 @@ def test_notebooks_show_a_trajectory():
 
 def test_flat_and_short_signals_are_drawn():
     still = Trajectory("optimal", REF, 0, signals={"x": (3.0,), "y": (2.0,)}, controls={"u": ()})
-    mission = SignalMission(
-        System({"x": (0, 9), "y": (-np.inf, np.inf)}, {"u": (0, 1)}), GOAL.inside(), 0
+    system = System(
+        {"x": (0, 9), "y": (-np.inf, np.inf)},
+        {"u": (0, 1)},
+        Dynamics(((1, 0), (0, 1)), ((1,), (0,)), (0, 0)),
     )
+    mission = SignalMission(system, GOAL.inside(), 0)
     for view in TRAJECTORY_VIEWS:
         still.plot(view=view, mission=mission)[0].canvas.draw()
     assert signals_svg(still).count("<path") == 4

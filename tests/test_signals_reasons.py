@@ -11,13 +11,14 @@ from tests.seeds import quick, seeds
 from tsplan.errors import InputError, PlanError
 from tsplan.explanation.why.trajectory_reasons import explain_trajectory, explain_wishes
 from tsplan.explanation.why.witness_tree import explain_on
-from tsplan.logic import Iff, Implies, Linear, Not, horizon, parse, walk
+from tsplan.logic import And, Iff, Implies, Linear, Not, horizon, linear, parse, walk
 from tsplan.logic.evaluation import holds, margins, robustness
 from tsplan.logic.traces import SignalTrace
+from tsplan.mission.mission_parts import Preference
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.protocol.disturbances import simulate_disturbed
 from tsplan.signals.linear_system import System
-from tsplan.signals.signal_mission import SignalMission, SoftFormula
+from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
 from tsplan.signals.trajectory_check import certify
 from tsplan.testing.formula_strategies import formulas, signal_trace
@@ -51,7 +52,7 @@ def test_the_tree_in_words():
 
 
 def test_preferred_formulas_have_trees_of_their_own():
-    late = SoftFormula(stl("G[4,5] x >= 3.25"), "be there soon")
+    late = Preference(stl("G[4,5] x >= 3.25"), "be there soon")
     mission = cart_mission(prefer=(late,))
     (tree,) = explain_wishes(FOUND, mission).values()
     assert not tree.holds
@@ -61,6 +62,33 @@ def test_preferred_formulas_have_trees_of_their_own():
 def test_what_has_no_signals_is_not_explained():
     with pytest.raises(PlanError, match="has no signals"):
         explain_trajectory(Trajectory("infeasible", REF, 5), MISSION)
+
+
+@pytest.mark.parametrize("weighting", ["product", "normalised"])
+@pytest.mark.parametrize("bound", [1.0, 3.0])
+def test_weights_are_multiplied_into_the_tree(weighting, bound):
+    x, y = linear({"x": 1}, ">=", bound), linear({"y": 1}, ">=", 1)
+    formula = And(
+        (x.always(0, 2, [3.0, 1.0, 2.0]), y.eventually(0, 2, [1.0, 2.0, 1.0])), (1.0, 4.0)
+    )
+    mission = SignalMission(
+        System({"x": (0, 9), "y": (0, 9)}), formula, 2, weighting=weighting, language="wstl"
+    )
+    found = Trajectory("feasible", REF, 2, "gap", signals={"x": (2, 3, 2), "y": (0, 2, 3)})
+    tree = explain_trajectory(found, mission)
+    by = robustness(formula, found.trace(), kind=weighting)[0]
+    assert tree.worst == pytest.approx(by)
+    assert tree.critical
+    for atom, steps in tree.critical.items():
+        assert set(robustness(atom, found.trace())[list(steps)]) == {tree.worst}
+
+
+def test_equations_hold_as_closely_as_the_check_asks():
+    formula = stl("G[0,1] x = 2")
+    mission = SignalMission(System({"x": (0, 9)}), formula, 1)
+    found = Trajectory("feasible", REF, 1, "gap", signals={"x": (2, 2 + 1e-9)})
+    assert explain_trajectory(found, mission).holds
+    assert not explain_on(formula, found.trace()).holds
 
 
 def test_an_implication_rests_on_the_side_that_holds():

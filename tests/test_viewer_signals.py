@@ -13,10 +13,11 @@ from tests.carts import REF, cart_mission, cart_run
 from tests.viewing import HOSTILE
 from tsplan.errors import InputError, PlanError
 from tsplan.logic import parse
+from tsplan.mission.mission_parts import Preference
 from tsplan.plans.plan import MissionRef, ObjectiveValue
 from tsplan.signals.linear_system import System
 from tsplan.signals.region import Region
-from tsplan.signals.signal_mission import SignalMission, SoftFormula
+from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
 from tsplan.signals.trajectory_check import certify
 from tsplan.viewer import page
@@ -62,7 +63,7 @@ def test_parts_tick_off_when_they_are_certain():
 
 def test_what_is_preferred_and_fails_says_so():
     far = parse("F[0,2] x >= 9", language="stl")
-    data = told(cart_mission(prefer=(SoftFormula(far, "go far"),)), FOUND)
+    data = told(cart_mission(prefer=(Preference(far, "go far"),)), FOUND)
     last = next(part for part in data["formula"] if part["text"].startswith("preferred"))
     assert last["text"] == "preferred: go far: F[0,2] (x >= 9)"
     assert last["failed"] == 2

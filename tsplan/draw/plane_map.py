@@ -116,7 +116,7 @@ def plane_of(trajectory: Trajectory | None, mission: SignalMission | None) -> Ax
         what = f"a plane needs two signals, and there is only '{names[0]}'"
         raise InputError([Finding(what, "look at the signals over time")])
     regions = mission.regions.values() if mission is not None else ()
-    flat = ([name for name in region.axes if name in names] for region in regions)
+    flat = ([name for name in region.axes if robots_in(names, (name, name))] for region in regions)
     across, up, *_ = next((axes for axes in flat if len(axes) > 1), names)
     for prefix in _prefixes(names, across, up):  # of robots the names that they share
         return across.removeprefix(prefix), up.removeprefix(prefix)
@@ -130,11 +130,11 @@ def _prefixes(names: list[str], across: str, up: str) -> Iterator[str]:
     ]
     prefix = common[: common.rfind("_") + 1]
     ends = across.removeprefix(prefix), up.removeprefix(prefix)
-    if prefix and len(_copies(names, ends)) > 1:
+    if prefix and len(robots_in(names, ends)) > 1:
         yield prefix
 
 
-def _copies(names: list[str], plane: Axes) -> list[str]:
+def robots_in(names: list[str], plane: Axes) -> list[str]:
     """The prefixes with which both signals exist: one empty, or one for each robot."""
     across, up = plane
     if across in names and up in names:
@@ -158,7 +158,7 @@ def paths_of(
     InputError for signals that are unknown.
     """
     names = _signals(trajectory, mission)
-    prefixes = _copies(names, plane)
+    prefixes = robots_in(names, plane)
     for name in plane if not prefixes else ():
         if name not in names:
             raise InputError([Finding(f"there is no signal '{name}'", nearest(name, names))])
@@ -184,25 +184,35 @@ def places_of(mission: SignalMission, plane: Axes) -> tuple[Place, ...]:
         if isinstance(node, Linear)
     }
     found: dict[Sides, Place] = {}
-    for prefix in _copies([*mission.system.signals], plane):
-        pair = [prefix + name for name in plane]
+    for prefix in robots_in([*mission.system.signals], plane):
         for name, region in mission.regions.items():
-            if any(axis in region.axes for axis in pair):
-                (left, right), (bottom, top) = (
-                    region.axes.get(axis, (-np.inf, np.inf)) for axis in pair
-                )
+            axes = of_robot(region, prefix)
+            pair = [axes.get(prefix + axis, (-np.inf, np.inf)) for axis in plane]
+            if np.isfinite(pair).any():
+                (left, right), (bottom, top) = pair
                 sides = (left, bottom, right, top)
-                wanted = _wanted(region, atoms)
+                wanted = _wanted(axes, atoms)
                 known = found.get(sides, Place(name.removeprefix(prefix), sides, wanted, ()))
                 wanted = wanted if known.wanted is None else known.wanted
-                found[sides] = replace(known, wanted=wanted, regions=(*known.regions, name))
+                regions = tuple(dict.fromkeys((*known.regions, name)))
+                found[sides] = replace(known, wanted=wanted, regions=regions)
     return tuple(sorted(found.values(), key=lambda place: -_area(place)))
 
 
-def _wanted(region: Region, atoms: set[tuple[Any, str, float]]) -> bool | None:
+def of_robot(region: Region, prefix: str) -> dict[str, tuple[float, float]]:
+    """A region's sides by the signals of one robot: `x` stands for the `a_x` of each."""
+    return {
+        name if name.startswith(prefix) else prefix + name: ends
+        for name, ends in region.axes.items()
+    }
+
+
+def _wanted(
+    axes: Mapping[str, tuple[float, float]], atoms: set[tuple[Any, str, float]]
+) -> bool | None:
     """Whether the formula asks for a region's sides from inside; None if it asks for none."""
     inside = outside = False
-    for name, (low, high) in region.axes.items():
+    for name, (low, high) in axes.items():
         for bound, sign, other in ((low, ">", "<"), (high, "<", ">")):
             inside |= (((name, 1.0),), sign, bound) in atoms
             outside |= (((name, 1.0),), other, bound) in atoms
@@ -228,7 +238,7 @@ def frame_of_plane(
         seen += [p.sides[n] for p in places for n in (axis, axis + 2) if np.isfinite(p.sides[n])]
         bounds = [
             end
-            for prefix in _copies(names, plane)
+            for prefix in robots_in(names, plane)
             for end in mission.system.signals[prefix + plane[axis]]  # type: ignore[union-attr]
             if np.isfinite(end)
         ]

@@ -19,7 +19,7 @@ from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.traces import SignalTrace
 from tsplan.parameters import refuse_options
 from tsplan.protocol.simulation import Frequency
-from tsplan.signals.equalities import TOLERANCE
+from tsplan.signals.equalities import TOLERANCE, approximate
 from tsplan.signals.trajectory_check import check
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class DisturbedRuns:
     """What came of many shaken runs.
 
     `formula` tells how often the formula held, `bounds` how often every signal stayed in its
-    bounds. `least` and `mean` are of the formula's robustness, which is not weighted.
+    bounds. `least` and `mean` are of the formula's robustness, with its weights.
     """
 
     runs: int
@@ -72,13 +72,14 @@ def simulate_disturbed(
     if not report.ok:
         raise PlanError(report.findings)
     random = np.random.default_rng(seed)
+    judged = approximate(mission.formula, mission.system)
     held = kept = 0
     least, total = np.inf, 0.0
     for size in _batches(trajectory, runs):
         trace = _shaken(mission.system, trajectory, sizes, random, size)
-        held += int(holds(mission.formula, trace)[..., 0].sum())
+        held += int(holds(judged, trace)[..., 0].sum())
         kept += int(_within(mission.system, trace).sum())
-        margins = robustness(mission.formula, trace)[..., 0]
+        margins = robustness(mission.formula, trace, kind=mission.weighting)[..., 0]
         least, total = min(least, float(margins.min())), total + float(margins.sum())
     return DisturbedRuns(
         runs, seed, Frequency(held, runs), Frequency(kept, runs), least, total / runs

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tsplan.draw.palette import HUES, paints
-from tsplan.draw.plane_map import Place, frame_of_plane, paths_of, places_of, plane_of
+from tsplan.draw.plane_map import (
+    Axes,
+    Place,
+    frame_of_plane,
+    of_robot,
+    paths_of,
+    places_of,
+    plane_of,
+    robots_in,
+)
 from tsplan.logic import Linear
 from tsplan.plans.summary import objective_line, outcome
 from tsplan.signals.motion_check import refuse_misfit
@@ -54,7 +63,7 @@ def signal_page_data(mission: SignalMission, trajectory: Trajectory) -> Json:
             "places": _places(places),
             "paths": [path.T.tolist() for path in paths.values()],
         },
-        "formula": _formula(mission, trajectory, places),
+        "formula": _formula(mission, trajectory, places, plane),
     }
 
 
@@ -73,25 +82,35 @@ def _places(places: tuple[Place, ...]) -> list[Json]:
 
 
 def _formula(
-    mission: SignalMission, trajectory: Trajectory, places: tuple[Place, ...]
+    mission: SignalMission, trajectory: Trajectory, places: tuple[Place, ...], plane: Axes
 ) -> list[Json]:
     trace = trajectory.trace()
     number = {place.name: n for n, place in enumerate(places)}
-    sides = {
-        name: {(((axis, 1.0),), bound) for axis, ends in region.axes.items() for bound in ends}
-        for name, region in mission.regions.items()
-    }
+    sides = [
+        [
+            {
+                (((axis, 1.0),), end)
+                for axis, ends in of_robot(region, robot).items()
+                for end in ends
+            }
+            for region in map(mission.regions.__getitem__, place.regions)
+            for robot in robots_in([*mission.system.signals], plane)
+        ]
+        for place in places
+    ]
 
     def spoken_of(atoms: Iterable[Atom]) -> tuple[str, ...]:
         """The regions of which a part has every side."""
         used = {(atom.terms, atom.bound) for atom in atoms if isinstance(atom, Linear)}
         return tuple(
-            place.name for place in places if any(sides[name] <= used for name in place.regions)
+            place.name
+            for place, every in zip(places, sides, strict=True)
+            if any(own <= used for own in every)
         )
 
     rows = with_wishes(
         lambda formula: signal_rows(formula, trace, spoken_of),
         mission.formula,
-        ((wish.text, wish.formula) for wish in mission.prefer),
+        ((wish.name, wish.formula) for wish in mission.prefer),
     )
     return [part_data(part, number) for part in rows]

@@ -14,8 +14,8 @@ import numpy as np
 from tsplan.explanation.why.requirements import judged_atoms, runs
 from tsplan.logic.atoms import Linear
 from tsplan.logic.nodes import And
-from tsplan.logic.normal_form import positive
 from tsplan.logic.traces import SignalTrace
+from tsplan.signals.equalities import approximate
 
 if TYPE_CHECKING:
     from tsplan.logic.nodes import Formula
@@ -52,7 +52,7 @@ def predicate_demands(
     """The predicates of a mission in the order of its text; without a trajectory no witnesses.
 
     Where the formula may hold in part, each of its outermost parts is looked at by itself, so that
-    one that fails does not hide what holds. Preferred formulas follow.
+    one that fails does not hide what holds. Preferred formulas follow. Weights are left aside.
     """
     if trajectory is None:
         nothing = np.zeros(mission.horizon + 1)
@@ -72,7 +72,7 @@ def predicate_demands(
 
 def _demands(mission: SignalMission) -> Iterator[tuple[Formula, bool]]:
     """The formulas that are looked at, and whether they are only preferred."""
-    whole = positive(mission.formula)
+    whole = approximate(mission.formula, mission.system)
     apart = mission.satisfaction is not None and isinstance(whole, And)
     yield from ((part, False) for part in (whole.children if apart else (whole,)))
-    yield from ((positive(soft.formula), True) for soft in mission.prefer)
+    yield from ((approximate(soft.formula, mission.system), True) for soft in mission.prefer)

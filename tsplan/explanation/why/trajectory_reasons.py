@@ -5,10 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.why.witness_tree import explain_on
+from tsplan.logic.atoms import Linear
+from tsplan.logic.evaluation import robustness
+from tsplan.logic.traversal import walk
+from tsplan.logic.weights import unweighted
+from tsplan.signals.equalities import approximate
 from tsplan.signals.motion_check import refuse_misfit
 
 if TYPE_CHECKING:
     from tsplan.explanation.why.witness_tree import WitnessNode
+    from tsplan.logic.nodes import Formula
+    from tsplan.logic.traces import SignalTrace
     from tsplan.signals.signal_mission import SignalMission
     from tsplan.signals.trajectory import Trajectory
 
@@ -16,16 +23,29 @@ if TYPE_CHECKING:
 def explain_trajectory(trajectory: Trajectory, mission: SignalMission) -> WitnessNode:
     """The tree of the mission's formula; `str` of it names the critical predicates of each part.
 
+    Weights are multiplied into the predicates, so that the robustness is that of the trajectory.
     Raises PlanError for a trajectory without signals or of another mission.
     """
     refuse_misfit(trajectory, mission)
-    return explain_on(mission.formula, trajectory.trace())
+    return _tree(mission, mission.formula, trajectory.trace())
 
 
 def explain_wishes(trajectory: Trajectory, mission: SignalMission) -> dict[str, WitnessNode]:
-    """The same for each formula that the mission prefers, by its text.
+    """The same for each formula that the mission prefers, by its name.
 
     Raises PlanError as `explain_trajectory`.
     """
     refuse_misfit(trajectory, mission)
-    return {soft.text: explain_on(soft.formula, trajectory.trace()) for soft in mission.prefer}
+    trace = trajectory.trace()
+    return {wish.name: _tree(mission, wish.formula, trace) for wish in mission.prefer}
+
+
+def _tree(mission: SignalMission, formula: Formula, trace: SignalTrace) -> WitnessNode:
+    """The tree of a formula without weights and equations, which are taken as the check does."""
+    nodes = tuple(walk(formula))
+    if any(getattr(node, "weights", None) is not None for node in nodes):
+        holds = bool(robustness(formula, trace, kind=mission.weighting)[0] >= 0)
+        formula = unweighted(formula, mission.weighting, satisfied=holds)
+    if any(isinstance(node, Linear) and node.relation in ("=", "!=") for node in nodes):
+        formula = approximate(formula, mission.system)
+    return explain_on(formula, trace)
