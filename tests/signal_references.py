@@ -8,8 +8,9 @@ that a value is no more than it should be, since the root's is wanted as great a
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
-from scripts.signal_encodings import Motion, Program
+from scripts.signal_encodings import Motion, Program, claimed
 from tsplan.logic import (
     Always,
     And,
@@ -19,12 +20,16 @@ from tsplan.logic import (
     Linear,
     Or,
     Release,
+    SignalTrace,
     Until,
     positive,
     walk,
 )
 from tsplan.logic.traversal import fold_all
 from tsplan.milp.model import INFINITY, Draft, Terms
+from tsplan.milp.solution import Options
+from tsplan.milp.solver import solver
+from tsplan.signals.aims import Aim
 from tsplan.signals.signal_mission import SignalMission
 
 STRICT = 1e-5
@@ -32,6 +37,10 @@ STRICT = 1e-5
 
 CLOSE = 5e-3
 """Values this close count as equal: what STRICT makes of sums, and less than halves make."""
+
+ROBUST = Aim((("robustness", 1.0),))
+
+OPTIONS = Options(time_limit=60.0, threads=1)
 
 Part = tuple[Formula, int]
 
@@ -68,11 +77,31 @@ def largest(mission: SignalMission, formula: Formula) -> float:
     return max(sizes, default=0.0) + 1.0
 
 
-class _Reference:
-    """A column for every sub-formula and step."""
+class Answer(NamedTuple):
+    """What a program ends with: the value of every objective that it came to, and signals."""
 
-    def __init__(self, mission: SignalMission) -> None:
+    values: tuple[float, ...]
+    trace: SignalTrace | None
+
+
+def answer(program: Program) -> Answer:
+    stages = program.solved(solver("highs"), OPTIONS)
+    found = [stage for stage in stages if stage.objective is not None]
+    assert len(found) in (0, len(stages))
+    assert not found or claimed(found[-1])
+    trace = program.trace(found[-1].values) if found else None
+    return Answer(tuple(stage.objective for stage in found), trace)
+
+
+class _Reference:
+    """A column for every sub-formula and step.
+
+    A strict predicate has to be beyond its bound by `strict`, relative to what margins can be.
+    """
+
+    def __init__(self, mission: SignalMission, strict: float) -> None:
         self.mission = mission
+        self.strict = strict
         self.formula = positive(mission.formula)
         self.most = largest(mission, self.formula)
         self.draft = Draft()
@@ -92,7 +121,7 @@ class _Reference:
         """The margin of a predicate at a step: terms, less a number."""
         sign = 1.0 if atom.relation in (">=", ">") else -1.0
         terms = self.motion.terms(atom.terms, step, sign)
-        beyond = STRICT * self.most if atom.relation in (">", "<") else 0.0
+        beyond = self.strict * self.most if atom.relation in (">", "<") else 0.0
         return [(int(column), float(by)) for _, column, by in terms], sign * atom.bound + beyond
 
 
@@ -102,8 +131,8 @@ class TwoSided(_Reference):
     That of the root is 1, and rho is at least `least`.
     """
 
-    def __init__(self, mission: SignalMission, least: float = 0.0) -> None:
-        super().__init__(mission)
+    def __init__(self, mission: SignalMission, least: float = 0.0, strict: float = STRICT) -> None:
+        super().__init__(mission, strict)
         self.rho = self.column(least, self.most)
         self.row((self.binary((self.formula, 0)), 1.0), low=1.0)
         self.program = Program.of(mission, self.motion, self.rho)
@@ -154,8 +183,8 @@ class PerNode(_Reference):
     for which of them it is.
     """
 
-    def __init__(self, mission: SignalMission, least: float = 0.0) -> None:
-        super().__init__(mission)
+    def __init__(self, mission: SignalMission, least: float = 0.0, strict: float = STRICT) -> None:
+        super().__init__(mission, strict)
         sizes = fold_all(self.formula, self.size)
         self.big = max(sizes.values())  # all values are between -big and big
         root = self.value((self.formula, 0))

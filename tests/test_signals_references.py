@@ -7,38 +7,27 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
-from typing import NamedTuple
 
 import pytest
 
 from scripts import signal_encodings, signal_scenes
 from tests.seeds import seed_blocks
-from tests.signal_references import CLOSE, PerNode, TwoSided
-from tsplan.logic import SignalTrace, parse, robustness
-from tsplan.milp.solution import Options
-from tsplan.milp.solver import solver
-from tsplan.signals.aims import Aim
+from tests.signal_references import CLOSE, OPTIONS, ROBUST, PerNode, TwoSided, answer
+from tsplan.logic import parse, robustness
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.testing.random_signals import random_signal_mission
 
-ROBUST = Aim((("robustness", 1.0),))
-OPTIONS = Options(time_limit=60.0, threads=1)
 
-
-class Answer(NamedTuple):
-    """What a program ends with: the value of every objective that it came to, and signals."""
-
-    values: tuple[float, ...]
-    trace: SignalTrace | None
-
-
-def answer(program: signal_encodings.Program) -> Answer:
-    stages = program.solved(solver("highs"), OPTIONS)
-    found = [stage for stage in stages if stage.objective is not None]
-    assert len(found) in (0, len(stages))
-    assert not found or signal_encodings.claimed(found[-1])
-    trace = program.trace(found[-1].values) if found else None
-    return Answer(tuple(stage.objective for stage in found), trace)
+def weighed(seed: int) -> str:
+    """The second reference alone, of formulas that need not hold, and the evaluator."""
+    mission = replace(random_signal_mission(seed, language="wstl"), objective=(ROBUST,))
+    found = answer(PerNode(mission, -1000.0).program)
+    if found.trace is None:
+        return "nowhere"
+    margin = robustness(mission.formula, found.trace, kind=mission.weighting)[0]
+    assert margin == pytest.approx(-found.values[0], abs=CLOSE), mission.text
+    assert (margin < -CLOSE) <= (not answer(TwoSided(mission).program).values)
+    return "satisfied" if margin >= 0 else "violated"
 
 
 def compare(mission: SignalMission) -> str:
@@ -60,6 +49,12 @@ def compare(mission: SignalMission) -> str:
 def test_they_agree(seeds: list[int]) -> None:
     seen = Counter(compare(random_signal_mission(seed)) for seed in seeds)
     assert min(seen["optimal"], seen["infeasible"]) >= 20, seen
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(50), range(50, 1000), 50))
+def test_weighted_values_are_those_of_the_evaluator(seeds: list[int]) -> None:
+    seen = Counter(map(weighed, seeds))
+    assert min(seen["satisfied"], seen["violated"]) >= 10, seen
 
 
 def test_a_seed_gives_the_same_mission_and_missions_are_of_all_kinds() -> None:
