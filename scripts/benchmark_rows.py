@@ -94,10 +94,10 @@ def ratios(rows: Sequence[Row], own: str) -> str:
     unequal, lines = [], []
     for key, runs in by_case.items():
         for name in others:
-            if not runs[name].optimal:
+            if name not in runs or not (runs[name].optimal and runs[own].optimal):
                 continue
             found[name].append(runs[name].seconds / runs[own].seconds)
-            if runs[own].optimal and not agree(runs[name], runs[own]):
+            if not agree(runs[name], runs[own]):
                 unequal.append(f"{key}: {runs[own].values} against {runs[name].values}")
     lines = [
         f"{name}/{own}: median {median(values):.1f}, {min(values):.1f} to {max(values):.1f} "
@@ -106,7 +106,8 @@ def ratios(rows: Sequence[Row], own: str) -> str:
         if values
     ]
     if len(others) > 1:
-        lines.append(_best_ratio(list(by_case.values()), own))
+        proven = [runs for runs in by_case.values() if len(runs) > 1 and runs[own].optimal]
+        lines += [_best_ratio(proven, own)] if proven else []
     return "\n".join(lines + [f"DIFFERENT {line}" for line in unequal])
 
 
@@ -121,15 +122,16 @@ def _best_ratio(cases: Sequence[Mapping[str, Row]], own: str) -> str:
     names = ", ".join(name for name in cases[0] if name != own)
     return (
         f"best of {names}/{own}: median {median(values):.1f}, {min(values):.1f} to "
-        f"{max(values):.1f} over {len(values)} missions; none of them proved {at_least} in its time"
+        f"{max(values):.1f} over {len(values)} missions, with its time limit for the {at_least} "
+        "that none of them proved"
     )
 
 
 def agree(one: Row, other: Row) -> bool:
-    """Whether two runs ended in the same way with the same values, as far as both can be told."""
-    if one.status != other.status or list(one.objective) != list(other.objective):
+    """Whether two runs ended alike: same status, same values of the objectives that both name."""
+    if one.status != other.status:
         return False
-    pairs = zip(one.objective.values(), other.objective.values(), strict=True)
+    pairs = [(value, other.objective.get(name, value)) for name, value in one.objective.items()]
     return all(
         mine == theirs or (None not in (mine, theirs) and abs(mine - theirs) <= CLOSE)
         for mine, theirs in pairs

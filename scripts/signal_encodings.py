@@ -297,7 +297,7 @@ class Program:
 
 
 def encoded(mission: SignalMission, encoding: str) -> Program:
-    """The program of a mission that has to hold, by one of the ENCODINGS."""
+    """The program of a mission without weights that has to hold, by one of the ENCODINGS."""
     draft = Draft()
     motion = Motion(draft, mission.system, mission.horizon)
     rho, root = (int(draft.columns(1, low)[0]) for low in (0.0, 1.0))

@@ -18,21 +18,10 @@ from types import MappingProxyType
 
 import numpy as np
 
-from tsplan.logic import (
-    Always,
-    And,
-    Eventually,
-    Formula,
-    Or,
-    conjunction,
-    disjunction,
-    linear,
-    parse,
-)
-from tsplan.signals.aims import Aim
-from tsplan.signals.linear_system import Dynamics, Limit, System
-from tsplan.signals.region import Region
-from tsplan.signals.signal_mission import SignalMission, Weighting
+from tsplan.logic import Formula, conjunction, disjunction
+from tsplan.logic.weights import Weighting
+from tsplan.signals import Region, System, double_integrator, free_signals
+from tsplan.signals.signal_mission import SignalMission
 
 Box = tuple[float, float, float, float]
 """From and to along x, from and to along y."""
@@ -47,16 +36,9 @@ def region(box: Box) -> Region:
 
 def robot(start: tuple[float, float], u: float, *, plane: Box = _PLANE, speed: float = 1) -> System:
     """A double integrator in the plane, from rest, pushed by at most `u` along each axis."""
-    one, two = np.eye(2), np.zeros((2, 2))
-    a, b = np.block([[one, one], [two, one]]), np.vstack([two, one])
-    signals = {"x": plane[:2], "y": plane[2:], "vx": (-speed, speed), "vy": (-speed, speed)}
-    begins = zip(signals, (*start, 0, 0), strict=True)
-    return System(
-        signals,
-        {"ux": (-u, u), "uy": (-u, u)},
-        Dynamics(tuple(map(tuple, a.tolist())), tuple(map(tuple, b.tolist())), (0.0,) * 4),
-        {name: (value, value) for name, value in begins},
-    )
+    made = double_integrator(("x", "y"), position=(0, 0), speed=speed, push=u)
+    begins = {"x": (start[0], start[0]), "y": (start[1], start[1]), **made.initial}
+    return replace(made, signals={**made.signals, "x": plane[:2], "y": plane[2:]}, initial=begins)
 
 
 def reach_avoid(T: int = 10, u: float = 0.5) -> SignalMission:  # noqa: N803  (as the papers say)
@@ -84,8 +66,8 @@ def narrow(T: int = 25, u: float = 0.5, effort: int = 0) -> SignalMission:  # no
     walls = ((2, 5, 4, 6), (5.5, 9, 3.8, 5.7), (4.6, 8, 0.5, 3.5), (2.2, 4.4, 6.4, 11))
     goals = ((7, 8, 8, 9), (9.5, 10.5, 1.5, 2.5))
     formula = _reaching(T, *goals) & _avoiding(T, *walls)
-    objective = ({"robustness": 1}, {"control_effort": 1}) if effort else ({"robustness": 1},)
-    return _mission(robot((3, 3.6), u), formula, T, objective)
+    objective = ["robustness", *(["control_effort"] if effort else [])]
+    return _mission(robot((3, 3.6), u), formula, T, objective=objective)
 
 
 def door(T: int = 25, u: float = 0.5, n: int = 2) -> SignalMission:  # noqa: N803
@@ -155,21 +137,25 @@ def puzzle(T: int = 30, speed: float = 3) -> SignalMission:  # noqa: N803
         for one, (x, y) in zip(doors, keys, strict=True)
     ]
     formula = conjunction([*parts, _reaching(T, (0.6, 1.4, 6.6, 7.4))])
-    still = tuple((float(row == 0), float(row == 1)) for row in range(2))
-    system = System(
-        {"x": (0, 8), "y": (0, 8)},
-        {"vx": (-speed, speed), "vy": (-speed, speed)},
-        Dynamics(still, still, (0.0, 0.0)),
-        {"x": (4.5, 4.5), "y": (2, 2)},
-        (_steered("vx", "vy", speed),),
+    speeds = {"vx": [-speed, speed], "vy": [-speed, speed]}
+    return SignalMission.of(
+        signals={
+            "x": {"min": 0, "max": 8, "initial": 4.5},
+            "y": {"min": 0, "max": 8, "initial": 2},
+        },
+        controls=speeds,
+        dynamics={"A": [[1, 0], [0, 1]], "B": [[1, 0], [0, 1]]},
+        limits=[f"|vx| + |vy| <= {speed}"],
+        formula=formula,
+        objective=[],
+        horizon=T,
     )
-    return _mission(system, formula, T, ())
 
 
 def trajectory() -> SignalMission:
     """Two signals that move freely, with a choice early and one late."""
     text = "(G[1,5] s1 >= 7 || G[1,5] s2 <= 2) && (F[5,10] s1 <= 3 || F[5,10] s2 >= 8)"
-    return _mission(_free(), parse(text, "stl"), 10)
+    return _mission(free_signals(s1=(0, 10), s2=(0, 10)), text, 10, start={"s1": 0, "s2": 0})
 
 
 def weighted(late: str = "F", weighting: Weighting = "product") -> SignalMission:
@@ -178,44 +164,40 @@ def weighted(late: str = "F", weighting: Weighting = "product") -> SignalMission
     The authors' paper has F and one weight less than steps, so the last counts twice here; their
     script has G, and weights of its own.
     """
-    rising, falling = (0.1, 0.2, 0.3, 0.4, 0.5), (0.5, 0.4, 0.3, 0.2, 0.1)
-    last = (
-        {"F": (*rising, 0.5), "G": (0.5, *falling)}[late],
-        {"F": (*falling, 0.1), "G": (0.5, *falling)}[late],
+    one, other = {
+        "F": ("0.1, 0.2, 0.3, 0.4, 0.5, 0.5", "0.5, 0.4, 0.3, 0.2, 0.1, 0.1"),
+        "G": ("0.5, 0.5, 0.4, 0.3, 0.2, 0.1",) * 2,
+    }[late]
+    early = (
+        "G[1,5]^[0.1, 0.2, 0.3, 0.4, 0.5] s1 >= 7"
+        " ||^[0.2, 0.8] G[1,5]^[0.5, 0.4, 0.3, 0.2, 0.1] s2 <= 2"
     )
-    window = {"F": Eventually, "G": Always}[late]
-    early = Or(
-        (
-            linear({"s1": 1}, ">=", 7).always(1, 5, rising),
-            linear({"s2": 1}, "<=", 2).always(1, 5, falling),
-        ),
-        (0.2, 0.8),
+    then = f"{late}[5,10]^[{one}] s1 <= 3 ||^[0.2, 0.8] {late}[5,10]^[{other}] s2 >= 8"
+    return SignalMission.of(
+        system=free_signals(s1=(0, 10), s2=(0, 10)),
+        start={"s1": 0, "s2": 0},
+        formula=f"({early}) &&^[0.5, 0.5] ({then})",
+        language="wstl",
+        weighting=weighting,
+        objective=["robustness"],
+        horizon=10,
     )
-    choice = Or(
-        (
-            window(5, 10, linear({"s1": 1}, "<=", 3), last[0]),
-            window(5, 10, linear({"s2": 1}, ">=", 8), last[1]),
-        ),
-        (0.2, 0.8),
-    )
-    made = _mission(_free(), And((early, choice), (0.5, 0.5)), 10)
-    return replace(made, language="wstl", weighting=weighting)
 
 
 def lti(
     robustness: float = 1, states: float = 0, controls: float = 0, most: float = 0
 ) -> SignalMission:
     """A linear system with efforts against robustness; `most` limits |u1| + |u2| if it is not 0."""
-    system = System(
-        {"s1": (-9, 9), "s2": (-9, 9)},
-        {"u1": (-5, 5), "u2": (-5, 5)},
-        Dynamics(((1.0, 1.0), (0.0, 1.0)), ((1.0, 0.0), (0.0, 1.0)), (0.0, 0.0)),
-        {"s1": (0, 0), "s2": (0, 0)},
-        (_steered("u1", "u2", most),) if most else (),
-    )
     weights = {"robustness": robustness, "state_effort": states, "control_effort": controls}
-    formula = parse("G[3,5] s1 >= 3 && G[9,10] s2 >= 2", "stl")
-    return _mission(system, formula, 10, ({name: by for name, by in weights.items() if by},))
+    return SignalMission.of(
+        signals={name: {"min": -9, "max": 9, "initial": 0} for name in ("s1", "s2")},
+        controls={"u1": [-5, 5], "u2": [-5, 5]},
+        dynamics={"A": [[1, 1], [0, 1]], "B": [[1, 0], [0, 1]]},
+        limits=[f"|u1| + |u2| <= {most}"] if most else None,
+        formula="G[3,5] s1 >= 3 && G[9,10] s2 >= 2",
+        objective={name: by for name, by in weights.items() if by},
+        horizon=10,
+    )
 
 
 SCENES: Mapping[str, Callable[..., SignalMission]] = MappingProxyType(
@@ -282,18 +264,17 @@ def _value(text: str, parameter: inspect.Parameter) -> str | int | float:
     return int(text) if isinstance(parameter.default, int) and text.isdecimal() else float(text)
 
 
-def _free() -> System:
-    return System({"s1": (0, 10), "s2": (0, 10)}, initial={"s1": (0, 0), "s2": (0, 0)})
-
-
 def _mission(
     system: System,
-    formula: Formula,
+    formula: Formula | str,
     steps: int,
-    objective: Sequence[Mapping[str, float]] = ({"robustness": 1},),
+    *,
+    start: Mapping[str, float] | None = None,
+    objective: Sequence[str] = ("robustness",),
 ) -> SignalMission:
-    aims = tuple(Aim(tuple(weights.items())) for weights in objective)
-    return SignalMission(system, formula, steps, aims, text=str(formula))
+    return SignalMission.of(
+        system=system, start=start, formula=formula, objective=[*objective], horizon=steps
+    )
 
 
 def _avoiding(steps: int, *boxes: Box) -> Formula:
@@ -314,8 +295,3 @@ def _thick(line: Box) -> Region:
     """The region of a wall: 0.2 thick, and 0.4 more on every side."""
     x, y = (0.5 if low == high else 0.4 for low, high in (line[:2], line[2:]))
     return region((line[0] - x, line[1] + x, line[2] - y, line[3] + y))
-
-
-def _steered(one: str, other: str, most: float) -> Limit:
-    """Both controls together are at most so large."""
-    return Limit((), ((1.0, ((one, 1.0),)), (1.0, ((other, 1.0),))), most)
