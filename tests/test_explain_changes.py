@@ -13,11 +13,11 @@ from tests.seeds import sampled
 from tests.test_explain_conflicts import ROW, row
 from tsplan.clock import Clock
 from tsplan.explanation import Change, explain
-from tsplan.explanation.whynot import oracle
+from tsplan.explanation.whynot import oracle, team_subject
 from tsplan.explanation.whynot.changes import Least, Repairs, least
 from tsplan.explanation.whynot.conflicts import Finder
-from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.joint_repair import JointRepair
+from tsplan.explanation.whynot.team_subject import Teams
 from tsplan.mission import Group, Mission
 from tsplan.plans.plan import Plan
 from tsplan.run.problem import Problem
@@ -196,7 +196,7 @@ def test_deadlines_of_short_missions_are_first_moved_a_little(monkeypatch) -> No
         asked.append((problem.mission if isinstance(problem, Problem) else problem).horizon)
         return tsplan.plan(problem, **options)
 
-    monkeypatch.setattr(oracle, "plan", plan)
+    monkeypatch.setattr(team_subject, "plan", plan)
     made = explain(row("F[0,2] sum(C) >= 2 && F[0,1] sum(B) >= 3 && G[0,3] max(B) <= 1"))
     (change,) = made.changes
     assert change.text == (
@@ -215,12 +215,12 @@ def test_deadlines_that_must_move_far_do() -> None:
         formula="F[0,3] sum(R) >= 2 && F[0,3] sum(Q) >= 2",
         language="mtl",
     )
-    asked = oracle.Oracle(mission, Clock())
+    asked = oracle.Oracle(Teams(mission), Clock())
     finder = Finder(asked)
     core = finder.within(finder.everything)
     assert core is not None
     repairs = Repairs(asked, finder.everything, [core.constraints])
-    several = JointRepair(Context(mission), asked, repairs)
+    several = JointRepair(asked, repairs)
     assert several._gathered(core.constraints, ["extend_deadline"], 8) == []
     far = several._gathered(core.constraints, ["extend_deadline"], inf)
     assert [edit.kind for edit, _ in far] == ["extend_deadline", "extend_deadline"]

@@ -14,7 +14,7 @@ import tsplan
 from tests.test_explain_conflicts import row
 from tsplan.explanation import Conflict, Explanation, explain
 from tsplan.explanation.report import print_explanation
-from tsplan.explanation.whynot import fact_finders, oracle
+from tsplan.explanation.whynot import fact_finders, team_subject
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.explanation.whynot.oracle import EnoughError
@@ -36,7 +36,7 @@ def interrupting(monkeypatch: pytest.MonkeyPatch, number: int) -> list[object]:
             signal.raise_signal(signal.SIGINT)  # too late for the planner to tell
         return found
 
-    monkeypatch.setattr(oracle, "plan", plan)
+    monkeypatch.setattr(team_subject, "plan", plan)
     return asked
 
 
@@ -133,7 +133,7 @@ def test_questions_without_an_answer_say_why(monkeypatch, why: StoppedBy, words:
         found = tsplan.plan(problem, **options)
         return replace(found, status="no_plan_found", stopped_by=why, agents=(), verified=False)
 
-    monkeypatch.setattr(oracle, "plan", plan)
+    monkeypatch.setattr(team_subject, "plan", plan)
     made = explain(MISSION)
     assert words in said(made)
     assert not any(item.minimal for item in made.conflicts)

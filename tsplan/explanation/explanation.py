@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
     from tsplan.mission import Mission
+    from tsplan.signals.signal_mission import SignalMission
+
+AnyMission: TypeAlias = "Mission | SignalMission"
 
 FORMAT = "tsplan-explanation/1"
 
@@ -100,7 +103,7 @@ class Change:
     text: str
     amount: int
     proven: bool
-    mission: Mission = field(repr=False, compare=False)
+    mission: AnyMission = field(repr=False, compare=False)
     steps: tuple[tuple[Edit, int], ...] = field(default=(), repr=False, compare=False)
 
 

@@ -6,7 +6,15 @@ from dataclasses import astuple
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.explanation import Conflict, Cut, Explanation, Fact, Part, Status
+from tsplan.explanation.explanation import (
+    AnyMission,
+    Conflict,
+    Cut,
+    Explanation,
+    Fact,
+    Part,
+    Status,
+)
 from tsplan.words import visible
 
 if TYPE_CHECKING:
@@ -15,7 +23,6 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from tsplan.mission import Mission
 
 _OUTCOME = {
     Status.EXPLAINED: "there is no plan",
@@ -38,7 +45,7 @@ _STAGES = {
 }
 
 
-def print_explanation(explanation: Explanation, mission: Mission, console: Console) -> None:
+def print_explanation(explanation: Explanation, mission: AnyMission, console: Console) -> None:
     """Print everything that an explanation says."""
     for line in lines_of(explanation, mission, console.width):
         console.out(visible(line, "\n"), highlight=False)
@@ -63,7 +70,7 @@ def _shortened(explanation: Explanation) -> Iterator[str]:
             yield f"{words}: {'; '.join(found)}"
 
 
-def lines_of(explanation: Explanation, mission: Mission, width: int) -> Iterator[str]:
+def lines_of(explanation: Explanation, mission: AnyMission, width: int) -> Iterator[str]:
     """Outcome, facts and conflicts, line by line; sentences are folded to a width."""
     outcome = _OUTCOME[explanation.status]
     if explanation.status is Status.NO_ANSWER:

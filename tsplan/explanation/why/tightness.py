@@ -12,6 +12,7 @@ from tsplan.explanation.part_words import agents
 from tsplan.explanation.why.critical_atoms import CriticalAtom, critical_atoms
 from tsplan.explanation.whynot.changes import least
 from tsplan.explanation.whynot.conflicts import Finder
+from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.edits import swarm_size
 from tsplan.explanation.whynot.mission_numbers import MARGIN, Number
 from tsplan.explanation.whynot.occurrences import Occurrence, Way, exchanged, node_at, nodes_along
@@ -37,7 +38,6 @@ from tsplan.logic import (
 from tsplan.words import many, run_words
 
 if TYPE_CHECKING:
-    from tsplan.explanation.whynot.context import Context
     from tsplan.explanation.whynot.oracle import Oracle
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
@@ -45,11 +45,12 @@ if TYPE_CHECKING:
 _PATIENCE = 30.0  # seconds for one question
 
 
-def tight_facts(context: Context, oracle: Oracle) -> tuple[Fact, ...]:
+def tight_facts(oracle: Oracle) -> tuple[Fact, ...]:
     """What keeps availability from being higher: in any plan, and in the best one found.
 
     Swarms are planned for few splits and moves; where there are no robots nothing is said of it.
     """
+    context = Context(oracle.subject.mission, oracle.pause)
     if not robot_entries(context.mission):
         return ()
     left = oracle.clock.left
@@ -163,19 +164,24 @@ class _Slack(NamedTuple):
         return "" if self.sure else " at least"
 
 
-def slacks(context: Context, oracle: Oracle) -> Iterator[Fact]:
+def slacks(oracle: Oracle) -> Iterator[Fact]:
     """How much sooner each deadline, and how much tighter each bound of a swarm, could be."""
-    oracle.patience = _PATIENCE
-    for way in _deadlines(context.mission):
-        yield _deadline_slack(context, oracle, way)
-    for bound in group_bounds(context.mission):
+    yield from deadline_slacks(oracle)
+    for bound in group_bounds(oracle.subject.mission):
         if bound.key != MARGIN:
-            yield _bound_slack(context, oracle, bound)
+            yield _bound_slack(oracle, bound)
+
+
+def deadline_slacks(oracle: Oracle) -> Iterator[Fact]:
+    """How much sooner each deadline of a formula could be."""
+    oracle.patience = _PATIENCE
+    for way in _deadlines(oracle.subject.mission):
+        yield _deadline_slack(oracle, way)
 
 
 def _slack(oracle: Oracle, number: Number, sense: int, most: int) -> _Slack | None:
     """By how much a number could be tighter, `most` at most; None where it is not found out."""
-    mission = oracle.mission
+    mission = oracle.subject.mission
     now = number.get(mission)
 
     def impossible(steps: int) -> bool | None:
@@ -190,9 +196,10 @@ def _slack(oracle: Oracle, number: Number, sense: int, most: int) -> _Slack | No
     return _Slack(found.amount - 1, found.proven)
 
 
-def _deadline_slack(context: Context, oracle: Oracle, way: Way) -> Fact:
+def _deadline_slack(oracle: Oracle, way: Way) -> Fact:
     """How much sooner a deadline could be."""
-    node = node_at(context.mission.formula, way)
+    wording = oracle.subject.wording
+    node = node_at(oracle.subject.mission.formula, way)
     assert isinstance(node, Eventually | Until)
     slack = _slack(oracle, Number("formula", (way, "high")), -1, node.high - node.low)
     if slack is None:
@@ -202,19 +209,20 @@ def _deadline_slack(context: Context, oracle: Oracle, way: Way) -> Fact:
     else:
         far = many(slack.steps, "step")
         text = f"could be{slack.least} {far} sooner, at {node.high - slack.steps}"
-    whole = context.wording.whole(way)
-    place = context.wording.sources.place(Occurrence(way))
+    whole = wording.whole(way)
+    place = wording.sources.place(Occurrence(way))
     return Fact("slack", f"the deadline {node.high} {text}, in {whole}", place)
 
 
-def _bound_slack(context: Context, oracle: Oracle, bound: SoftConstraint) -> Fact:
+def _bound_slack(oracle: Oracle, bound: SoftConstraint) -> Fact:
     """How much tighter a bound of a swarm could be."""
     name, which = bound.key
     number = Number("swarm", bound.key)
-    now = number.get(context.mission)
+    mission = oracle.subject.mission
+    now = number.get(mission)
     larger = which == "least"
     sense = 1 if larger else -1
-    most = swarm_size(context.mission, name) - now if larger else now - 1
+    most = swarm_size(mission, name) - now if larger else now - 1
     slack = _slack(oracle, number, sense, most)
     if slack is None:
         text = "how much tighter it could be is open: no time"
@@ -222,7 +230,7 @@ def _bound_slack(context: Context, oracle: Oracle, bound: SoftConstraint) -> Fac
         text = "it cannot be tighter"
     else:
         text = f"it could be{slack.least} {now + sense * slack.steps}"
-    part = context.wording.fact(bound)
+    part = oracle.subject.wording.fact(bound)
     return Fact("slack", f"{part.text}: {text}", part.place, (part,))
 
 

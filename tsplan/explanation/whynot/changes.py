@@ -13,33 +13,15 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from tsplan.errors import MissionError
-from tsplan.explanation.explanation import Change, SoftConstraint
-from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import touched
-from tsplan.explanation.whynot.fact_finders import facts_of
-from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
+from tsplan.explanation.explanation import AnyMission, Change, SoftConstraint
+from tsplan.explanation.whynot.mission_numbers import ORDER, Edit
 from tsplan.explanation.whynot.oracle import EnoughError
-from tsplan.explanation.whynot.relaxing import relaxed
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.oracle import Oracle
-    from tsplan.mission import Mission
 
 Step: TypeAlias = tuple[Edit, int]
 """An edit, and how far it goes."""
-
-ORDER: tuple[ChangeKind, ...] = (
-    "extend_deadline",
-    "loosen_limit",
-    "more_subswarms",
-    "shorten_task",
-    "waiting",
-    "edge",
-    "add_agents",
-    "lower_need",
-)
-"""Changes of equal amounts are ranked in this order."""
-
 
 _SECONDS = 5.0  # of solves in the search for a smaller total
 
@@ -100,17 +82,17 @@ class Repairs:
         changed = self.changed([(edit, edit.most)])  # a smaller change may fit if this does not
         if changed is not None and self._factual(changed):
             return None
-        weakened = touched(self.oracle.mission, edit.number)
+        weakened = self.oracle.subject.touched(edit.number)
         if weakened and self.oracle.without(weakened) is False:
             return None
         found = least(lambda amount: self.possible([(edit, amount)]), edit.most)
         return None if found is None else self.made([(edit, found.amount)])
 
-    def changed(self, steps: Sequence[Step]) -> Mission | None:
+    def changed(self, steps: Sequence[Step]) -> AnyMission | None:
         """The mission after several changes; None where they do not fit together."""
         self.oracle.pause()
         try:
-            return applied(self.oracle.mission, steps)
+            return applied(self.oracle.subject.mission, steps)
         except MissionError:
             return None  # for example more robots at a state than it holds
 
@@ -146,7 +128,7 @@ class Repairs:
             text="; and ".join(edit.words(amount) for edit, amount in used),
             amount=sum(amount for _, amount in used),
             proven=sure,
-            mission=applied(self.oracle.mission, used),
+            mission=applied(self.oracle.subject.mission, used),
             steps=used,
         )
 
@@ -185,16 +167,16 @@ class Repairs:
             return False
         for core in self.cores:
             others = [item for item in self.everything - core if item.kind == "formula"]
-            if self.oracle.asked(relaxed(changed, others)) is False:
+            if self.oracle.asked(self.oracle.subject.about(changed).without(others)) is False:
                 return False
         return self.oracle.met(changed)
 
-    def _factual(self, changed: Mission) -> bool:
+    def _factual(self, changed: AnyMission) -> bool:
         """Whether a fact forbids every plan of a changed mission."""
-        return next(facts_of(Context(changed, self.oracle.pause)), None) is not None
+        return next(self.oracle.subject.about(changed).facts(), None) is not None
 
 
-def applied(mission: Mission, steps: Sequence[Step]) -> Mission:
+def applied(mission: AnyMission, steps: Sequence[Step]) -> AnyMission:
     """The mission after several changes."""
     for edit, amount in steps:
         mission = edit.applied(mission, amount)

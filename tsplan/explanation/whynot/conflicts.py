@@ -13,8 +13,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from tsplan.explanation.whynot.soft_constraints import formula_groups, named_facts
-
 if TYPE_CHECKING:
     from tsplan.explanation.explanation import SoftConstraint
     from tsplan.explanation.whynot.oracle import Oracle
@@ -40,9 +38,9 @@ class Finder:
     oracle: Oracle
 
     def __post_init__(self) -> None:
-        mission = self.oracle.mission
-        self.groups = [frozenset(group) for group in formula_groups(mission)]
-        self.facts = [frozenset({fact}) for fact in named_facts(mission)]
+        subject = self.oracle.subject
+        self.groups = [frozenset(group) for group in subject.groups]
+        self.facts = [frozenset({fact}) for fact in subject.bounds]
         self.everything: Set = frozenset().union(*self.groups, *self.facts)
         self._sure = True
 

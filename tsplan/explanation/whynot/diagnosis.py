@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, TypeAlias, get_args
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, get_args
 
 from tsplan.clock import Clock
 from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, Fact, Status
 from tsplan.explanation.why.tightness import slacks, tight_facts
-from tsplan.explanation.whynot.changes import ORDER, Repairs, ranked
+from tsplan.explanation.whynot.changes import Repairs, ranked
 from tsplan.explanation.whynot.conflicts import Core, Finder
-from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import candidates, rank
-from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.explanation.whynot.joint_repair import JointRepair
+from tsplan.explanation.whynot.mission_numbers import ORDER
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
+from tsplan.explanation.whynot.team_subject import Teams
+from tsplan.mission import Mission
 from tsplan.parameters import refuse_options
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
 
 if TYPE_CHECKING:
+    from tsplan.explanation.explanation import AnyMission
     from tsplan.explanation.whynot.mission_numbers import Edit
-    from tsplan.mission import Mission
+    from tsplan.explanation.whynot.subject import Subject
 
 Listener: TypeAlias = Callable[[str], object]
 
@@ -41,7 +43,7 @@ _REASONS: tuple[Cut, ...] = get_args(Cut)  # gravest first
 
 
 def explain(
-    mission: Mission,
+    mission: AnyMission,
     *,
     conflicts: int = 1,
     slack: bool = False,
@@ -73,11 +75,22 @@ def explain(
         return run.explanation(conflicts, slack=slack)
 
 
+class _Kind(NamedTuple):
+    """A kind of missions: how they are asked about, and what is said of those that can be met."""
+
+    subject: Callable[[Any, Callable[[], None]], Subject[Any]]
+    tight: Callable[[Oracle], Iterable[Fact]]
+    slacks: Callable[[Oracle], Iterator[Fact]]
+
+
+_KINDS: Mapping[type, _Kind] = MappingProxyType({Mission: _Kind(Teams, tight_facts, slacks)})
+
+
 @dataclass(eq=False)
 class _Run:
     """One explanation in the making."""
 
-    mission: Mission
+    mission: AnyMission
     limit: float | None
     solver: str | None
     tell: Listener
@@ -93,8 +106,14 @@ class _Run:
 
     def __post_init__(self) -> None:
         self.clock = Clock(self.limit, lambda: self._stopped)
-        self.oracle = Oracle(self.mission, self.clock, self.solver, stop=self.stop)
-        self.context = Context(self.mission, self.oracle.pause)
+        self._kind = _KINDS[type(self.mission)]
+        subject = self._kind.subject(self.mission, lambda: self.oracle.pause())  # noqa: PLW0108
+        self.oracle = Oracle(subject, self.clock, self.solver, stop=self.stop)
+
+    @property
+    def subject(self) -> Subject[Any]:
+        """The mission as it is asked about."""
+        return self.oracle.subject
 
     def stop(self) -> None:
         """Ask no more questions."""
@@ -123,7 +142,7 @@ class _Run:
         if self.clock.limit is not None:
             seconds = max(_SHARE * self.clock.limit, _FOR_FACTS)
             self.oracle.clock = replace(self.clock, limit=seconds)
-        for fact in facts_of(self.context):  # one by one: what is found before a stop stays
+        for fact in self.subject.facts():  # one by one: what is found before a stop stays
             self.facts.append(fact)
 
     def _find_conflict(self, finder: Finder) -> None:
@@ -187,7 +206,7 @@ class _Run:
     def _made(self) -> Explanation:
         """What is known so far."""
         known = Status.EXPLAINED if self.facts or self.cores else Status.NO_ANSWER
-        parts = self.context.wording.parts
+        parts = self.subject.wording.parts
         timings = {**self.seconds, "solve": self.oracle.seconds, "total": self.clock.elapsed}
         return Explanation(
             status=Status.FEASIBLE if self.possible else known,
@@ -204,10 +223,10 @@ class _Run:
         self.oracle.clock = self.clock
         self.facts.clear()
         with self._stage("tight"):
-            self.facts += tight_facts(self.context, self.oracle)
+            self.facts += self._kind.tight(self.oracle)
         if slack:
             with self._stage("slack"):
-                for fact in slacks(self.context, self.oracle):
+                for fact in self._kind.slacks(self.oracle):
                     self.facts.append(fact)
 
     # --- changes -----------------------------------------------------------------------------
@@ -215,14 +234,14 @@ class _Run:
     def _find_changes(self, finder: Finder) -> None:
         """Single changes that help; several together where none does."""
         repairs = Repairs(self.oracle, finder.everything, [core.constraints for core in self.cores])
-        every = candidates(self.context, self.cores[0].constraints)
-        every.sort(key=lambda e: (ORDER.index(e.kind), rank(self.mission, e.number)))
+        every = self.subject.candidates(self.cores[0].constraints)
+        every.sort(key=lambda e: (ORDER.index(e.kind), self.subject.rank(e.number)))
         self.oracle.patience = _PATIENCE
         if self.clock.left is not None:
             self.oracle.patience = min(_PATIENCE, self.clock.left / 4)
         self._singles(repairs, every)
         if not self.changes:
-            several = JointRepair(self.context, self.oracle, repairs)
+            several = JointRepair(self.oracle, repairs)
             together = several.change(self.cores[0].constraints)
             self.changes += [together] if together is not None else []
 
@@ -236,7 +255,7 @@ class _Run:
                 self.oracle.unanswered.add("patience")
                 return
             kind, key = edit.number
-            place = rank(self.mission, edit.number)
+            place = self.subject.rank(edit.number)
             if kind == "agents" and place > helped.get(key[0], place):
                 continue
             if kind == "edge" and not repairs.possible(quick):

@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.part_words import ends_words, room_of
-from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Edit, Number, Value
+from tsplan.explanation.whynot.mission_numbers import (
+    MARGIN,
+    MOST_STEPS,
+    TOGETHER,
+    Edit,
+    Number,
+    Value,
+)
 from tsplan.explanation.whynot.occurrences import (
     Occurrence,
     Way,
@@ -31,9 +38,6 @@ if TYPE_CHECKING:
     from tsplan.explanation.explanation import PartKind
     from tsplan.explanation.whynot.context import Context
     from tsplan.mission import Mission
-
-MOST_STEPS = 60
-"""Steps by which a deadline of a short mission is extended at most."""
 
 MOST_PLACES = 6
 """States at which more robots are tried, for each entry of the team, and at which waits are."""

@@ -15,19 +15,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from tsplan.explanation.whynot.changes import ORDER, Repairs, Step, least
+from tsplan.explanation.whynot.changes import Repairs, Step, least
 from tsplan.explanation.whynot.conflicts import Finder
-from tsplan.explanation.whynot.context import Context
-from tsplan.explanation.whynot.edits import MOST_STEPS, candidates, rank
-from tsplan.explanation.whynot.relaxing import bounded_above, relaxed
-from tsplan.explanation.whynot.soft_constraints import robot_entries
+from tsplan.explanation.whynot.mission_numbers import MOST_STEPS, ORDER
 
 if TYPE_CHECKING:
     from tsplan.explanation.explanation import Change, SoftConstraint
     from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
     from tsplan.explanation.whynot.oracle import Oracle
+    from tsplan.explanation.whynot.subject import Subject
 
 MOST_WAYS = 12
 """Ways to change a mission that are gathered at most."""
@@ -45,9 +43,13 @@ _SEARCHED = 6  # ways over which the least total is looked for
 class JointRepair:
     """Looks for changes of more than one kind together."""
 
-    context: Context
     oracle: Oracle
     repairs: Repairs
+
+    @property
+    def subject(self) -> Subject[Any]:
+        """The mission that is changed."""
+        return self.oracle.subject
 
     def change(self, conflict: frozenset[SoftConstraint]) -> Change | None:
         """A change that resolves a conflict and all others; None if none is found in time."""
@@ -57,7 +59,7 @@ class JointRepair:
             return None
         found = [edit for edit, _ in small]
         found += [edit for edit, _ in ways if edit not in found]
-        if bounded_above(self.context.mission):
+        if self.subject.restrained:
             found = [item for item in found if item.kind != "add_agents"]
         total = sum(amount for _, amount in small)
         best = self.repairs.several(found[:_SEARCHED], total, QUESTIONS)
@@ -65,10 +67,9 @@ class JointRepair:
 
     def _ways(self, conflict: frozenset[SoftConstraint]) -> list[Step]:
         """Ways that together lead to a plan: first with near deadlines, which are proven sooner."""
-        fewer = [kind for kind in ORDER if kind != "add_agents"]
-        near = max(_NEAR, self.context.mission.horizon)
+        near = max(_NEAR, self.subject.mission.horizon)
         for farthest in (near, inf) if near < MOST_STEPS else (near,):
-            for kinds in (ORDER, fewer):
+            for kinds in self.subject.orders:
                 ways = self._gathered(conflict, kinds, farthest)
                 if ways or self.oracle.refuses():
                     return ways
@@ -103,11 +104,8 @@ class JointRepair:
         farthest: float,
     ) -> list[Step]:
         """One or two further ways, of different kinds, each of which resolves a conflict."""
-        entries = robot_entries(self.context.mission)  # others were added
-        known = (c for c in core if c.kind not in ("team", "start") or c.key[0] in entries)
-        every = candidates(self.context, frozenset(known))
-        mission = self.context.mission
-        every.sort(key=lambda edit: (rank(mission, edit.number), ORDER.index(edit.kind)))
+        every = self.subject.candidates(core)
+        every.sort(key=lambda edit: (self.subject.rank(edit.number), ORDER.index(edit.kind)))
         taken = {edit for edit, _ in chosen}
         found: list[Step] = []
         for edit in (edit for edit in every if edit.kind in kinds):
@@ -144,8 +142,9 @@ class JointRepair:
         changed = self.repairs.changed(steps)
         if changed is None:
             return False
+        subject = self.subject.about(changed)
         others = Finder(self.oracle.about(changed)).everything - core
-        return self.oracle.asked(relaxed(changed, others)) is True
+        return self.oracle.asked(subject.without(others)) is True
 
     def _needed(self, ways: Sequence[Step]) -> list[Step]:
         """The ways without those that are not needed beside the others, the last ones first."""

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, get_args
 
 from tsplan.explanation.whynot.occurrences import Way, exchanged, node_at
 from tsplan.logic import Count, Formula, Percent, horizon, translate
@@ -27,15 +27,21 @@ Value: TypeAlias = int | Fraction | Percent
 Pair: TypeAlias = tuple[str, str]
 
 ChangeKind: TypeAlias = Literal[
-    "add_agents",
     "extend_deadline",
-    "shorten_task",
-    "lower_need",
     "loosen_limit",
     "more_subswarms",
+    "shorten_task",
     "waiting",
     "edge",
+    "add_agents",
+    "lower_need",
 ]
+ORDER: tuple[ChangeKind, ...] = get_args(ChangeKind)
+"""Changes of equal amounts are ranked in this order."""
+
+MOST_STEPS = 60
+"""Steps by which a deadline of a short mission is extended at most."""
+
 NumberKind: TypeAlias = Literal["formula", "agents", "capacity", "edge", "wait", "swarm"]
 
 MARGIN = ("", "margin")
@@ -102,7 +108,7 @@ class Edit:
     sense: int = 1
     text_at_most: str = ""
 
-    def applied(self, mission: Mission, amount: int) -> Mission:
+    def applied(self, mission: Any, amount: int) -> Any:
         """The mission after the change; MissionError where it would not fit together."""
         now = self.number.get(mission)
         return self.number.put(mission, moved(now, self.sense * amount)) if amount else mission

@@ -9,19 +9,16 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from tsplan.explanation.explanation import Cut, SoftConstraint
-from tsplan.explanation.whynot.relaxing import any_plan, relaxed
+from tsplan.explanation.explanation import AnyMission, Cut, SoftConstraint
 from tsplan.plans.plan import Status
-from tsplan.run.planner import plan
+from tsplan.signals.trajectory import Trajectory
 from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
     from tsplan.clock import Clock
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
-    from tsplan.run.problem import Problem
+    from tsplan.explanation.whynot.subject import Question, Subject
 
 Answer = bool | None
 """True: there is a verified plan. False: it is proven that there is none. None: not known."""
@@ -45,7 +42,7 @@ class Oracle:
     answer; oracles about changed missions share it.
     """
 
-    mission: Mission
+    subject: Subject[Any]
     clock: Clock
     solver: str | None = None
     patience: float | None = None  # seconds for one question
@@ -68,9 +65,10 @@ class Oracle:
         if self.refuses():
             raise EnoughError
 
-    def about(self, mission: Mission) -> Oracle:
-        """An oracle about another mission, with the same time."""
-        return Oracle(mission, self.clock, self.solver, self.patience, self.stop, self.unanswered)
+    def about(self, mission: AnyMission) -> Oracle:
+        """An oracle about another mission of the same kind, with the same time."""
+        subject = self.subject.about(mission)
+        return Oracle(subject, self.clock, self.solver, self.patience, self.stop, self.unanswered)
 
     def without(self, dropped: Iterable[SoftConstraint]) -> Answer:
         """Whether the mission without some of its constraints can be met."""
@@ -81,7 +79,7 @@ class Oracle:
             return False
         if self.refuses():
             return None
-        answer = self.asked(relaxed(self.mission, gone))
+        answer = self.asked(self.subject.without(gone))
         if answer is not None:
             (self._met if answer else self._unmet).append(gone)
         return answer
@@ -90,25 +88,26 @@ class Oracle:
         """Take over a proof that the mission without some constraints cannot be met."""
         self._unmet.append(frozenset(dropped))
 
-    def met(self, mission: Mission) -> Answer:
+    def met(self, mission: AnyMission) -> Answer:
         """Whether another mission can be met."""
-        return self.asked(any_plan(mission))
+        return self.asked(self.subject.about(mission).plain())
 
-    def asked(self, problem: Mission | Problem) -> Answer:
+    def asked(self, question: Question) -> Answer:
         """One question to the planner."""
-        found = self.planned(problem, self.patience)
+        found = self.planned(question, self.patience)
         if found is None:
             return None
-        return True if found.has_paths else False if found.status is Status.INFEASIBLE else None
+        there = found.has_signals if isinstance(found, Trajectory) else found.has_paths
+        return True if there else False if found.status is Status.INFEASIBLE else None
 
-    def planned(self, problem: Mission | Problem, patience: float | None) -> Plan | None:
+    def planned(self, question: Question, patience: float | None) -> Any:
         """What the planner finds in some seconds at most; None where there is no time left."""
         if self.refuses():
             return None
         began = time.perf_counter()
         limits = [item for item in (self.clock.left, patience) if item is not None]
         limit = max(min(limits), _LEAST) if limits else None
-        found = plan(problem, time_limit=limit, solver=self.solver)
+        found = self.subject.planned(question, limit, self.solver)
         self.solves += 1
         self.seconds += time.perf_counter() - began
         if found.stopped_by is StoppedBy.INTERRUPT:

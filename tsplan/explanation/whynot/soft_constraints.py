@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.explanation import AnyMission, SoftConstraint
 from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER
 from tsplan.explanation.whynot.occurrences import Occurrence, conjuncts, occurrences
 from tsplan.ts.waits import without_wait
@@ -27,7 +27,7 @@ def occurrence_of(constraint: SoftConstraint) -> Occurrence:
     return Occurrence(*constraint.key)
 
 
-def formula_groups(mission: Mission) -> tuple[tuple[SoftConstraint, ...], ...]:
+def formula_groups(mission: AnyMission) -> tuple[tuple[SoftConstraint, ...], ...]:
     """The parts of the formula, those of one conjunct together, in the order of the text."""
     formula = mission.formula
     return tuple(

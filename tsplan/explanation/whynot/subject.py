@@ -1,0 +1,107 @@
+"""What the search for an explanation asks of a mission, whatever kind of mission it is."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeAlias, TypeVar
+
+from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.whynot.mission_numbers import ORDER, ChangeKind
+from tsplan.explanation.whynot.soft_constraints import formula_groups
+
+if TYPE_CHECKING:
+    from tsplan.explanation.explanation import AnyMission, Fact
+    from tsplan.explanation.part_words import Wording
+    from tsplan.explanation.whynot.mission_numbers import Edit, Number
+    from tsplan.plans.plan import Plan
+    from tsplan.signals.trajectory import Trajectory
+
+M = TypeVar("M", bound="AnyMission")
+
+Constraints: TypeAlias = frozenset[SoftConstraint]
+Question: TypeAlias = Any
+"""What a planner is given: a mission, or a problem made of one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Subject(ABC, Generic[M]):
+    """One mission that is to be explained: what it consists of, and how its planner is asked.
+
+    `pause` is called between parts of longer work, and raises where that is to end.
+    """
+
+    mission: M
+    pause: Callable[[], None] = lambda: None
+    orders: ClassVar[tuple[Sequence[ChangeKind], ...]] = (ORDER,)
+    """The kinds of changes that are tried together, one choice of them after the other."""
+
+    def about(self, mission: M) -> Self:
+        """Another mission of the same kind."""
+        return type(self)(mission, self.pause)
+
+    @property
+    def restrained(self) -> bool:
+        """Whether more agents can do harm."""
+        return False
+
+    # --- what can be taken out -------------------------------------------------------------------
+
+    @cached_property
+    def groups(self) -> tuple[tuple[SoftConstraint, ...], ...]:
+        """The parts of the formula, those of one conjunct together, in the order of the text."""
+        return formula_groups(self.mission)
+
+    @property
+    @abstractmethod
+    def bounds(self) -> tuple[SoftConstraint, ...]:
+        """Everything else that can be taken out, what matters most to people first."""
+
+    @property
+    @abstractmethod
+    def wording(self) -> Wording:
+        """Words and places for what can be taken out."""
+
+    # --- how its planner is asked ----------------------------------------------------------------
+
+    @abstractmethod
+    def plain(self) -> M:
+        """The mission that asks for no more than that its formula holds, as a whole."""
+
+    @abstractmethod
+    def without(self, gone: Iterable[SoftConstraint]) -> Question:
+        """The plain mission without some of its constraints."""
+
+    @abstractmethod
+    def planned(
+        self, question: Question, time_limit: float | None, solver: str | None
+    ) -> Plan | Trajectory:
+        """What the planner finds in some seconds."""
+
+    # --- what is said of it ----------------------------------------------------------------------
+
+    @abstractmethod
+    def facts(self) -> Iterator[Fact]:
+        """What forbids every plan and can be seen without a solver, as it is found."""
+
+    # --- what can be changed ---------------------------------------------------------------------
+
+    @abstractmethod
+    def candidates(self, conflict: Constraints) -> list[Edit]:
+        """Everything that can be tried against one conflict, each once."""
+
+    @abstractmethod
+    def touched(self, number: Number) -> Constraints:
+        """What an edit of a number weakens at most; nothing where that cannot be said."""
+
+    def rank(self, number: Number) -> int:
+        """Of edits of a kind, those of a larger rank are tried where smaller ones do not help."""
+        del number
+        return 0
+
+    def guessed(self, edit: Edit, ask: Callable[[Question], Any]) -> int | None:
+        """An amount by which the edit may just do, from what a planner finds; None for no idea."""
+        del edit, ask
+        return None
