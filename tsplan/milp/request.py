@@ -184,7 +184,13 @@ class NativeRun:
         options, request = self.request.options, self.request
         asked = options.stop or (lambda: False)
         watchdog = Watchdog(
-            **{"deadline": request.deadline, "asked": asked, "hear": self._hear, **watching}
+            **{
+                "deadline": request.deadline,
+                "asked": asked,
+                "hear": self._hear,
+                "grace": options.grace,
+                **watching,
+            }
         )
         try:
             ended = watchdog.run(lambda: work(watchdog))

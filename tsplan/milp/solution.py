@@ -12,6 +12,7 @@ import numpy as np
 
 from tsplan.exact import Gapped
 from tsplan.milp.model import Floats, Model
+from tsplan.process.grace_period import NATIVE, GracePeriod
 from tsplan.stopping import LIMITS, StoppedBy
 
 
@@ -83,8 +84,9 @@ class Options:
     the number to the solver, `seed` None its own order. `first` stops at the first feasible point.
     `cutoff` asks only for points below it. `start` is a point believed feasible; if it is, it is
     never lost. `log` gets the solver's lines. `stop` is asked about every 0.1 seconds and stops
-    the solve when it returns True. Without `presolve` the model is solved as it stands. `extra`
-    goes to the solver under its own names.
+    the solve when it returns True. Native code that does not stop within `grace` is left behind.
+    Without `presolve` the model is solved as it stands. `extra` goes to the solver under its own
+    names.
 
     Raises ValueError for numbers that mean nothing.
     """
@@ -100,6 +102,7 @@ class Options:
     log: Callable[[str], None] | None = None
     stop: Callable[[], bool] | None = None
     presolve: bool = True
+    grace: GracePeriod = NATIVE
     extra: Mapping[str, object] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

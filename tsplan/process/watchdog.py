@@ -102,8 +102,11 @@ class Watchdog:
 
     def _next(self) -> object | None:
         # a wait on the queue, unlike the join of a thread, survives Ctrl-C
+        wait = self.grace.poll
+        if self.deadline is not None and not self.stopping:
+            wait = min(wait, max(self.deadline - time.perf_counter(), 0.0))
         try:
-            return self._news.get(timeout=self.grace.poll)
+            return self._news.get(timeout=wait)
         except Empty:
             return None
 

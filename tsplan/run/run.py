@@ -11,6 +11,7 @@ from tsplan.clock import Clock, Halted
 from tsplan.milp.solver import solver as solver_named
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
 from tsplan.plans.plan import SolverUse, Timings
+from tsplan.process.grace_period import NATIVE, GracePeriod
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
 from tsplan.run.events import Bound, Event, Incumbent, Stage
@@ -29,8 +30,11 @@ class Run(ABC, Generic[PointT, ResultT]):
     """Searches for the best point of a problem and makes a result of it, in a time.
 
     Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out, the
-    best point known is made use of, with that as the reason.
+    best point known is made use of, with that as the reason. Native code that does not end within
+    `grace` of that is left behind.
     """
+
+    grace: GracePeriod = NATIVE
 
     def __init__(self, choice: SolverChoice, listener: Listener | None) -> None:
         self.choice = choice.over(DEFAULT_CHOICE)
@@ -62,7 +66,8 @@ class Run(ABC, Generic[PointT, ResultT]):
             solver = solver_named(self.choice.name or "")
             version = solver.availability().version or ""
             used = SolverUse(solver.name, version, self.choice.numbers)
-            return self.finished(self._searched(Effort(solver, self.choice)), used)
+            effort = Effort(solver, self.choice, grace=self.grace)
+            return self.finished(self._searched(effort), used)
 
     def reason(self, outcome: Outcome[PointT]) -> StoppedBy | None:
         """What truly ended the search."""

@@ -11,15 +11,20 @@ from tsplan.milp.solution import Options
 from tsplan.milp.solver import Solver
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
 from tsplan.milp.target import Target
+from tsplan.process.grace_period import NATIVE, GracePeriod
 
 
 @dataclass(frozen=True)
 class Effort:
-    """How to solve: the solver, what was chosen of it, and which switches to use."""
+    """How to solve: the solver, what was chosen of it, and which switches to use.
+
+    `grace` is how long native code may take to stop once its time is up.
+    """
 
     solver: Solver
     choice: SolverChoice = DEFAULT_CHOICE
     switches: frozenset[Switch] = frozenset(Switch)
+    grace: GracePeriod = NATIVE
 
     def options(self, clock: Clock, target: Target, start: Floats | None = None) -> Options:
         """What to ask a solver for: the least value of a target, in the time that is left."""
@@ -33,4 +38,10 @@ class Effort:
     def limited(self, clock: Clock) -> Options:
         """What to ask a solver for at any time: to obey the clock, and what was chosen."""
         choice = self.choice
-        return Options(clock.left, threads=choice.threads, seed=choice.seed, stop=clock.stop)
+        return Options(
+            clock.left,
+            threads=choice.threads,
+            seed=choice.seed,
+            stop=clock.stop,
+            grace=self.grace,
+        )
