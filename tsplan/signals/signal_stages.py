@@ -106,9 +106,25 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         first = self.objectives[0] if self.objectives else None
         if self.tight and made.model.size.integers > _FEW:
             self._restricted(first)
+        if self.point is None and self.tight and not self._robust(first):
+            least = self._level[0]
+            firm = self._made(WitnessRules(), (least, least), self._firm_setting)
+            self._ask(firm, None, first=True)
         if self.point is not None:
             return Found(self.point.values, None, -np.inf, proven=False)
         return self._ask(made, None, first=True)
+
+    def _robust(self, first: SignalObjective | None) -> bool:
+        """Whether the robustness is what comes first, and has a bound."""
+        return first is not None and first.plain_robustness and bool(np.isfinite(self._ideal))
+
+    @property
+    def _firm_setting(self) -> SignalSetting:
+        """What is asked for where any trajectory will do: that it truly holds.
+
+        Predicates hold by more than solvers forgive.
+        """
+        return replace(self.problem.setting(max(self.margin, _MARGINS[-1])), clock=self.clock)
 
     def settled(self, objective: SignalObjective, done: Found | None) -> float | None:
         """Optimise one objective and keep what it reached; its bound."""
@@ -153,8 +169,9 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
 
     def _restricted(self, first: SignalObjective | None) -> None:
         """Find trajectories in models with fewer choices, until one reaches the bound."""
-        robust = first is not None and first.plain_robustness and np.isfinite(self._ideal)
+        robust = self._robust(first)
         level = max(self._ideal - CLOSE, self.least) if robust else self.least
+        setting = self.setting if robust else self._firm_setting
         able = [block for block in _BLOCKS if _TWICE * block <= self.setting.reach.horizon]
         asked: list[tuple[int, SignalObjective | None]] = [(block, None) for block in able]
         if first is not None:
@@ -164,7 +181,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
                 continue
             rules = WitnessRules(block=block, stride=_STRIDE)
             if objective is None:
-                made = self._made(rules, (level, level), self.setting.whole)
+                made = self._made(rules, (level, level), setting.whole)
             else:
                 made = self._made(rules, (self.least, max(level, self._ideal)))
             if objective is not None and made.model.size.integers > _FEWER * self.size[1]:
