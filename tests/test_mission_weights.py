@@ -5,6 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
+import tsplan
 from tsplan.errors import MissionError
 from tsplan.explanation.whynot.formula_places import Sources
 from tsplan.explanation.whynot.mission_numbers import Number
@@ -154,6 +155,16 @@ def test_explanations_find_what_is_written_with_weights():
     sources = Sources(mission_from_text(TEXT))
     assert sources.text(Occurrence((1,))) == "F[0,1]^late C"
     assert sources.place(Occurrence((1, 0))).column == 49
+
+
+@pytest.mark.parametrize(("far", "status"), [("late C", "explained"), ("late A", "feasible")])
+def test_a_weighted_mission_is_planned_and_explained(far, status):
+    mission = mission_from_text(changed("late C", far))
+    plan = tsplan.plan(mission)
+    assert plan.status == "optimal"
+    assert "F[0,1]^[1, 2]" in str(plan.explain(mission))
+    found = tsplan.explain(mission)
+    assert found.status == status
 
 
 def test_the_ends_of_a_weighted_window_move():

@@ -12,7 +12,7 @@ from tsplan.errors import nearest
 from tsplan.logic import Formula
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.findings import Fault, Place, moved, preferred
-from tsplan.mission.formula_checks import formula_faults, horizon_faults, weight_faults
+from tsplan.mission.formula_checks import formula_faults, horizon_faults
 from tsplan.mission.magnitudes import number_faults
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.objectives import OBJECTIVES, objectives_for
@@ -31,22 +31,19 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
         *team_faults(entries_of(mission.team, mission.swarm), mission.system, mission.swarm),
         *map_faults(mission.system, mission.team),
         *cost_faults(mission.system, mission.team, mission.horizon, mission.objective),
-        *_formula_faults(mission, mission.formula, in_part="satisfaction" in mission.objective),
+        *_formula_faults(mission, mission.formula),
         *(
             fault
             for number, soft in enumerate(mission.prefer)
-            for fault in moved(
-                _formula_faults(mission, soft.formula, in_part=soft.partial), preferred(number)
-            )
+            for fault in moved(_formula_faults(mission, soft.formula), preferred(number))
         ),
     ]
 
 
-def _formula_faults(mission: MissionParts, formula: Formula, *, in_part: bool) -> Iterator[Fault]:
+def _formula_faults(mission: MissionParts, formula: Formula) -> Iterator[Fault]:
     """What does not fit in a formula of a mission."""
     yield from formula_faults(formula, mission.system, mission.team, mission.swarm)
     yield from horizon_faults(formula, mission.task_interval, mission.horizon)
-    yield from weight_faults(formula, in_part=in_part)
 
 
 def preference_faults(
