@@ -45,7 +45,7 @@ def values(mission: SignalMission, made: Trajectory) -> tuple[float, ...]:
     found = {item.name: item for item in made.objective}
     for aim in mission.objective:
         item = found[aim.name]
-        assert item.value == pytest.approx(item.bound, abs=NEAR)
+        assert item.value == pytest.approx(item.bound, abs=CLOSE)
     return tuple(found[aim.name].value for aim in mission.objective)
 
 
