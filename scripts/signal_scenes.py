@@ -6,7 +6,8 @@ Logic with Fewer Binary Variables", L-CSS 2022), `puzzle` those of a scene of D.
 "Multi-agent Motion Planning from Signal Temporal Logic Specifications", RA-L 2022, one step a
 second. `trajectory` and `lti` are examples of G. A. Cardona and C.-I. Vasile's PyTeLo.
 
-A scene is asked for by a text such as `door:T=50,n=4`; what is left out is as in its function.
+A scene is asked for by a text such as `door:T=50,n=4`; what is left out is as in its function. The
+`effort` of the controls is sought `after` robustness, or weighed against it by a number.
 """
 
 from __future__ import annotations
@@ -41,13 +42,22 @@ def robot(start: tuple[float, float], u: float, *, plane: Box = _PLANE, speed: f
     return replace(made, signals={**made.signals, "x": plane[:2], "y": plane[2:]}, initial=begins)
 
 
-def reach_avoid(T: int = 10, u: float = 0.5) -> SignalMission:  # noqa: N803  (as the papers say)
+def reach_avoid(
+    T: int = 10,  # noqa: N803  (as the papers say)
+    u: float = 0.5,
+    effort: str = "",
+) -> SignalMission:
     """A goal behind an obstacle."""
     formula = _avoiding(T, (3, 5, 4, 6)) & _reaching(T, (7, 8, 8, 9))
-    return _mission(robot((1, 2), u), formula, T)
+    return _mission(robot((1, 2), u), formula, T, objective=_with_effort(effort))
 
 
-def either_or(T: int = 20, u: float = 0.5, dwell: int = 5) -> SignalMission:  # noqa: N803
+def either_or(
+    T: int = 20,  # noqa: N803
+    u: float = 0.5,
+    dwell: int = 5,
+    effort: str = "",
+) -> SignalMission:
     """A goal, and before or after it one of two places for some steps."""
     places = ((1, 2, 6, 7), (7, 8, 4.5, 5.5))
     stay = disjunction(region(box).inside().always(0, dwell) for box in places)
@@ -58,16 +68,15 @@ def either_or(T: int = 20, u: float = 0.5, dwell: int = 5) -> SignalMission:  # 
             _reaching(T, (7, 8, 8, 9)),
         ]
     )
-    return _mission(robot((2, 2), u), formula, T)
+    return _mission(robot((2, 2), u), formula, T, objective=_with_effort(effort))
 
 
-def narrow(T: int = 25, u: float = 0.5, effort: int = 0) -> SignalMission:  # noqa: N803
-    """One of two goals, through passages; with `effort` 1 the least effort after robustness."""
+def narrow(T: int = 25, u: float = 0.5, effort: str = "") -> SignalMission:  # noqa: N803
+    """One of two goals, through passages."""
     walls = ((2, 5, 4, 6), (5.5, 9, 3.8, 5.7), (4.6, 8, 0.5, 3.5), (2.2, 4.4, 6.4, 11))
     goals = ((7, 8, 8, 9), (9.5, 10.5, 1.5, 2.5))
     formula = _reaching(T, *goals) & _avoiding(T, *walls)
-    objective = ["robustness", *(["control_effort"] if effort else [])]
-    return _mission(robot((3, 3.6), u), formula, T, objective=objective)
+    return _mission(robot((3, 3.6), u), formula, T, objective=_with_effort(effort))
 
 
 def door(T: int = 25, u: float = 0.5, n: int = 2) -> SignalMission:  # noqa: N803
@@ -236,7 +245,7 @@ GOALS = (
     *(f"narrow:T={steps},u=0.2" for steps in (50, 75, 200)),
     *(f"many-target:T={steps},u=0.2" for steps in (30, 50, 100, 25)),
     *("door:T=25", "door:T=50", "door:T=100,n=4", "stepping"),
-    *("door:T=50,n=4", "puzzle", "narrow:T=25,effort=1"),
+    *("door:T=50,n=4", "puzzle", "narrow:T=25,effort=after"),
 )
 """Scenes of all sizes, the last three without a proof so far."""
 
@@ -270,11 +279,17 @@ def _mission(
     steps: int,
     *,
     start: Mapping[str, float] | None = None,
-    objective: Sequence[str] = ("robustness",),
+    objective: Sequence[str] | Mapping[str, float] = ("robustness",),
 ) -> SignalMission:
     return SignalMission.of(
-        system=system, start=start, formula=formula, objective=[*objective], horizon=steps
+        system=system, start=start, formula=formula, objective=objective, horizon=steps
     )
+
+
+def _with_effort(effort: str) -> Sequence[str] | Mapping[str, float]:
+    if effort == "after":
+        return ["robustness", "control_effort"]
+    return {"robustness": 1, "control_effort": float(effort)} if effort else ["robustness"]
 
 
 def _avoiding(steps: int, *boxes: Box) -> Formula:
