@@ -133,11 +133,12 @@ def preferring(seed: int) -> str:
     prefer = [
         Preference(
             parse(random_text(random, kind, random.randint(0, 2)), "stl"),
+            name=f"wish {number}",
             weight=Fraction(random.choice(("1", "2", "3", "0.5", "0.3"))),
             level=random.choice((0, 0, 1)),
             partial=random.random() < 0.4,
         )
-        for _ in range(random.randint(1, 4))
+        for number in range(random.randint(1, 4))
     ]
     mission = SignalMission.of(
         system=system_of(kind),
