@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import pytest
 
+import tsplan
 from scripts import signal_encodings, signal_scenes
 from tests.seeds import sampled
 from tsplan.milp.solution import Options
@@ -63,3 +64,43 @@ def test_a_scene_is_what_its_text_says() -> None:
     for wrong in ("window", "door:k=2"):
         with pytest.raises(ValueError, match=r"window|'k'"):
             signal_scenes.scene(wrong)
+
+
+EFFORTS: Mapping[str, Values] = {
+    "weighted": {"robustness": 0.08},
+    "weighted:late=G": {"robustness": 0.03},
+    "weighted:weighting=normalised": {"robustness": 0.2},
+    "weighted:late=G,weighting=normalised": {"robustness": 0.225},
+    "reach-avoid:effort=after": {"robustness": 0.5, "control_effort": 2.5},
+    "reach-avoid:effort=0.1": {"J": 0.25},
+    "either-or:T=20,effort=0.1": {"J": 0.2254762},
+}
+
+LARGE: Mapping[str, Values] = {
+    "either-or:T=20,effort=after": {"robustness": 0.5, "control_effort": 2.745238},
+    "either-or:T=100,u=0.2": {"robustness": 0.5},
+    "either-or:T=200,u=0.2": {"robustness": 0.5},
+    "narrow:T=200,u=0.2": {"robustness": 0.4},
+    "many-target": {"robustness": 0.5},
+    "many-target:T=30,u=0.2": {"robustness": 0.5},
+    "many-target:T=100,u=0.2": {"robustness": 0.5},
+    "many-target:T=25,u=0.2": {"robustness": 0.4630236},
+    "door": {"robustness": 0.4},
+    "door:T=50": {"robustness": 0.4},
+    "door:T=100,n=4": {"robustness": 0.4},
+    "stepping": {"robustness": 0.0527173},
+}
+
+DEFAULT = [*QUICK, *SLOW, *EFFORTS]
+
+
+@pytest.mark.parametrize("scene", sampled([*DEFAULT, *LARGE], DEFAULT))
+def test_synthesis_proves_them(scene: str) -> None:
+    mission = signal_scenes.scene(scene)
+    made = tsplan.synthesise(mission, time_limit=300.0, threads=2)
+    known = {**QUICK, **SLOW, **EFFORTS, **LARGE}[scene]
+    assert made.status == ("infeasible" if known is None else "optimal")
+    aims = {aim.name for aim in mission.objective}
+    found = {item.name: item.value for item in made.objective if item.name in aims}
+    assert found == pytest.approx(known or {}, abs=TOLERANCE)
+    assert made.verified == (known is not None)
