@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 from enum import IntEnum
+from math import inf
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -42,7 +43,7 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    every = (_plan, _explain, _check, _simulate, _parse, _show, _view, _animate, _lint)
+    every = (_plan, _explain, _check, _simulate, _parse, _robustness, _show, _view, _animate, _lint)
     for command in every:
         command(commands)
     return top
@@ -54,6 +55,7 @@ _FILES = {
     "mission": "mission file (YAML)",
     "plan": "plan file (JSON)",
     "map": "map file (YAML)",
+    "trace": "signals over steps (CSV): a line of names, then a row of numbers for each step",
 }
 
 
@@ -132,8 +134,28 @@ def _simulate(commands: Commands) -> None:
 
 def _parse(commands: Commands) -> None:
     add = _command(commands, "parse", "show what a formula means")
-    add("formula", metavar="FORMULA", help="the formula's text")
+    _formula(add)
     add("--language", choices=("catl", "mtl", "stl", "wmtl", "wstl"), required=True)
+
+
+def _formula(add: Callable[..., object]) -> None:
+    add("formula", metavar="FORMULA", help="the formula's text, or a file of it")
+    add("--weights", type=Path, metavar="FILE", help="what the formula's names of weights mean")
+
+
+def _robustness(commands: Commands) -> None:
+    words = "say by how much a formula holds on recorded signals"
+    add = _command(commands, "robustness", words)
+    _formula(add)
+    add("trace", type=Path, metavar="TRACE", help=_FILES["trace"])
+    add("--language", choices=("stl", "wstl"), default="stl", help="stl (default) or wstl")
+    kinds = ("traditional", "agm", "product", "normalised")
+    what = "traditional (default), by means (agm), or weighted (product, normalised)"
+    add("--kind", choices=kinds, default="traditional", help=what)
+    ends = "least and greatest value of a signal, as in x=0:10, for agm; may be repeated"
+    add("--bounds", type=_ends, action="extend", nargs="+", default=[], metavar="B", help=ends)
+    add("--all", action="store_true", help="at every step that can be judged, not only the first")
+    add("--json", action="store_true", help="print JSON alone")
 
 
 def _show(commands: Commands) -> None:
@@ -208,6 +230,15 @@ def _size(text: str) -> tuple[int, int]:
     return size
 
 
+def _ends(text: str) -> tuple[str, tuple[float, float]]:
+    name, _, ends = text.rpartition("=")
+    low, colon, high = ends.partition(":")
+    if not (name and colon):
+        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not NAME=LOW:HIGH, as in x=0:10")
+    return name, (_any_number(low), _any_number(high))
+
+
+_any_number = _reader(Range(-inf, inf))
 _positive = _reader(OPTIONS["time_limit"])
 _share = _reader(OPTIONS["gap"])
 _chance = _reader(OPTIONS["probability"])

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from tsplan import logic
 from tsplan.cli.arguments import Exit
+from tsplan.cli.formula_inputs import formula_of
 from tsplan.cli.output import say
 from tsplan.errors import FormulaError, InputError
 from tsplan.logic.text import operator_text
@@ -20,7 +21,7 @@ _SIGNS = "FGUR&|!<=>"
 
 def run(options: argparse.Namespace) -> Exit:
     """Print a formula's tree, text, horizon, positive normal form and, for CaTL, its MTL."""
-    formula = logic.parse(options.formula, options.language)
+    formula = formula_of(options)
     rows = [
         ("text", str(formula)),
         ("horizon", str(logic.horizon(formula))),
