@@ -71,7 +71,8 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     """Runs the objectives of a problem over signals in order.
 
     `least` is the robustness that a trajectory must have, `margin` the share of its range by which
-    a predicate must hold. `tight` is False for the reference encoding, searched as a whole.
+    a predicate must hold. `tight` is False for the reference encoding, searched as a whole; what
+    need not hold as a whole is the tight encoding's in any case.
     """
 
     problem: Judge
@@ -342,7 +343,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     ) -> SignalModel:
         setting = self.setting if setting is None else setting
         with self.clock.timed("build"):
-            if not self.tight:
+            if not self.tight and setting.soft is None:
                 return reference_model(setting, level)
             return signal_model(setting, level, rules)
 
