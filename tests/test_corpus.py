@@ -16,9 +16,13 @@ from tests.joint_plans import SENSE, best
 from tsplan.errors import InputError
 from tsplan.mission import load_mission
 from tsplan.plans.plan import Plan
+from tsplan.signals.signal_files import load_any_mission
 from tsplan.testing import Expectation, expectations, run_corpus
+from tsplan.testing.corpus import planned
 
-CORPUS = Path(__file__).parent / "corpus"
+CORPUS = Path(__file__).resolve().parent / "corpus"
+ENVIRONMENTS = CORPUS.parents[1] / "environments"
+SIGNALS = ENVIRONMENTS / "signals"
 EXPECTED = expectations(CORPUS)
 OWN = [item for item in EXPECTED if item.path.parent == CORPUS]
 # what is run as a command by default: one of each kind, the rest under `long`
@@ -35,6 +39,7 @@ COMMANDS = (
 )
 ON_TERMINALS = ("farm_shortage", "swarm_splits")
 OBJECTIVES = (*SENSE, "satisfaction", "preferences")
+SEARCHED = ("either_or", "keys")  # take long without the search of the tight encoding
 LARGE = "tasks"  # has too many joint plans to look at
 MANY = ("swarms_together", "mixed_availability")  # joint plans, so that it takes long
 
@@ -42,6 +47,11 @@ MANY = ("swarms_together", "mixed_availability")  # joint plans, so that it take
 def whole(item: Expectation) -> bool:
     """Whether the formula of a mission is to hold, and nothing else."""
     return not {"satisfaction", "preferences"} & set(item.values)
+
+
+def of_signals(item: Expectation) -> bool:
+    """Whether a mission is one over signals."""
+    return item.path.parent.resolve() == SIGNALS
 
 
 def parameters(*, commands: tuple[str, ...] | None = None) -> list[object]:
@@ -55,12 +65,26 @@ def parameters(*, commands: tuple[str, ...] | None = None) -> list[object]:
             else (),
         )
         for item in EXPECTED
+        if commands is None or not of_signals(item)
     ]
 
 
 @pytest.mark.parametrize("item", parameters())
 def test_the_planner_gives_what_is_expected(item: Expectation) -> None:
-    assert item.differences(tsplan.plan(load_mission(item.path))) == ()
+    assert item.differences(planned(load_any_mission(item.path))) == ()
+
+
+@pytest.mark.parametrize(
+    "item",
+    [
+        pytest.param(item, id=item.name)
+        for item in EXPECTED
+        if of_signals(item) and item.name not in SEARCHED
+    ],
+)
+def test_the_reference_says_the_same_of_signals(item: Expectation) -> None:
+    mission = load_any_mission(item.path)
+    assert item.differences(tsplan.synthesise(mission, encoding="reference")) == ()
 
 
 def judge_command(item: Expectation, folder: Path, run) -> None:
@@ -108,10 +132,8 @@ def test_all_joint_plans_say_the_same(item: Expectation) -> None:
 def test_every_objective_and_every_mission_is_there() -> None:
     named = {name for item in OWN for name in item.values}
     assert named == set(OBJECTIVES)
-    folder = CORPUS.parents[1] / "environments"
-    assert {path.name for path in folder.glob("*_*.yaml")} == {
-        item.path.name for item in EXPECTED if item not in OWN
-    }
+    shipped = {path.resolve() for path in [*ENVIRONMENTS.glob("*_*.yaml"), *SIGNALS.glob("*.yaml")]}
+    assert shipped == {item.path.resolve() for item in EXPECTED if item not in OWN}
     maps = {"lane.yaml", "crossing.yaml", "expected.yaml"}
     assert {path.name for path in CORPUS.iterdir()} == maps | {item.path.name for item in OWN}
 
@@ -129,17 +151,17 @@ def test_the_runner_tells_every_difference() -> None:
 
 
 def test_what_takes_long_is_planned_on_request() -> None:
-    planned: list[str] = []
+    seen: list[str] = []
     other = tsplan.plan(load_mission(CORPUS / "team_travel.yaml"))
 
     def plan(mission: tsplan.Mission) -> Plan:
-        planned.append(mission.name)
+        seen.append(mission.name)
         return other
 
     for long in (False, True):
-        planned.clear()
+        seen.clear()
         run_corpus(CORPUS, long=long, planner=plan)
-        assert len(planned) == sum(long or not item.long for item in EXPECTED)
+        assert len(seen) == sum(long or not item.long for item in EXPECTED)
     assert 0 < sum(item.long for item in EXPECTED) < len(EXPECTED)
 
 

@@ -8,6 +8,7 @@ import pytest
 import tsplan
 from tests.command_line import command
 from tsplan.mission import load_mission
+from tsplan.signals.signal_files import load_signal_mission, signal_mission_from_text
 from tsplan.ts.io.map_files import load_map
 from tsplan.ts.map_lint import lint
 from tsplan.ts.reachability import reachable
@@ -15,6 +16,7 @@ from tsplan.ts.reachability import reachable
 FOLDER = Path(__file__).parents[1] / "environments"
 MAPS = sorted(path.stem for path in FOLDER.glob("*.yaml") if "_" not in path.stem)
 MISSIONS = sorted(path.stem for path in FOLDER.glob("*_*.yaml"))
+SIGNALS = sorted(f"signals/{path.stem}" for path in FOLDER.glob("signals/*.yaml"))
 
 
 def test_there_are_enough():
@@ -23,7 +25,7 @@ def test_there_are_enough():
     assert {name.split("_")[0] for name in MISSIONS} == set(MAPS)
 
 
-@pytest.mark.parametrize("name", [*MAPS, *MISSIONS])
+@pytest.mark.parametrize("name", [*MAPS, *MISSIONS, *SIGNALS])
 def test_each_says_what_it_shows(name):
     text = (FOLDER / f"{name}.yaml").read_text(encoding="utf-8")
     assert len(text.split("\n", maxsplit=1)[0]) > 20
@@ -58,6 +60,27 @@ def test_missions_are_modest_and_raise_no_warnings(name):
     assert mission.warnings == ()
     assert mission.horizon <= 60
     assert mission.size <= (40 if mission.swarm is None else 1000)
+
+
+@pytest.mark.parametrize("name", SIGNALS)
+def test_missions_over_signals_are_modest_and_written_as_they_are_read(name):
+    mission = load_signal_mission(FOLDER / f"{name}.yaml")
+    assert mission.warnings == ()
+    assert mission.horizon <= 60
+    assert signal_mission_from_text(mission.to_yaml()) == mission
+
+
+def test_every_kind_of_mission_over_signals_is_shown():
+    missions = [load_signal_mission(FOLDER / f"{name}.yaml") for name in SIGNALS]
+    assert {mission.language for mission in missions} == {"stl", "wstl"}
+    kinds = {
+        "free": any(mission.system.dynamics is None for mission in missions),
+        "several": any(mission.copies for mission in missions),
+        "in part": any(mission.satisfaction for mission in missions),
+        "preferred": any(mission.prefer for mission in missions),
+        "sum": any(aim.name == "J" for mission in missions for aim in mission.objective),
+    }
+    assert [kind for kind, there in kinds.items() if not there] == []
 
 
 @pytest.mark.parametrize("limit", ["0.6"])

@@ -10,7 +10,7 @@ their paths from the folder, the status that planning ends with, and the value o
       nowhere.yaml: {status: infeasible}
 
 `null` is the value of an availability without an end. An entry that says `long: true` is only
-planned where that is asked for.
+planned where that is asked for. Missions over signals stand beside those of teams.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -26,14 +26,19 @@ from tsplan.document import read_document
 from tsplan.document.fields import Number, Truth
 from tsplan.document.validation import validated
 from tsplan.errors import Finding, InputError, nearest
-from tsplan.mission import Mission, load_mission
+from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.run.planner import plan
+from tsplan.signals.signal_files import load_any_mission
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.synthesiser import synthesise_mission
+from tsplan.signals.trajectory import Trajectory
 from tsplan.words import number
 
 TABLE = "expected.yaml"
 TOLERANCE = 1e-6
-"""How far a value may be from what is expected: values are exact, but the floats that say them."""
+"""How far a value may be from what is expected: exact values by the floats that say them, values of
+trajectories by what solvers forgive."""
 
 
 class _Entry(BaseModel):
@@ -64,15 +69,16 @@ class Expectation:
         """The name of the mission's file without its ending."""
         return self.path.stem
 
-    def differences(self, made: Plan) -> tuple[Finding, ...]:
-        """Everything in which a plan is not what was expected."""
+    def differences(self, made: Plan | Trajectory) -> tuple[Finding, ...]:
+        """Everything in which a plan or trajectory is not what was expected."""
         said = {item.name: item.value for item in made.objective}
         if made.status != self.status:
             wrong = [f"planning ended with '{made.status}' instead of '{self.status}'"]
         elif list(said) != list(self.values):
             wrong = [f"its objectives are {list(said)} instead of {list(self.values)}"]
         else:
-            wrong = ["the plan is not verified"] if made.has_paths and not made.verified else []
+            unproven = made.status != "infeasible" and not made.verified
+            wrong = ["the plan is not verified"] if unproven else []
             wrong += [
                 f"'{name}' is {number(said[name])} instead of {number(value)}"
                 for name, value in self.values.items()
@@ -107,12 +113,17 @@ def expectations(folder: str | Path) -> tuple[Expectation, ...]:
     return tuple(made)
 
 
+def planned(mission: Mission | SignalMission) -> Plan | Trajectory:
+    """The plan of a mission, or the trajectory of one over signals."""
+    return synthesise_mission(mission) if isinstance(mission, SignalMission) else plan(mission)
+
+
 def run_corpus(
     folder: str | Path,
     *,
     names: Iterable[str] | None = None,
     long: bool = False,
-    planner: Callable[[Mission], Plan] = plan,
+    planner: Callable[[Any], Plan | Trajectory] = planned,
 ) -> tuple[Finding, ...]:
     r"""Plan the missions of a corpus: everything in which their plans are not what is expected.
 
@@ -143,5 +154,7 @@ def run_corpus(
             )
         chosen = [known[name] for name in wanted]
     return tuple(
-        finding for item in chosen for finding in item.differences(planner(load_mission(item.path)))
+        finding
+        for item in chosen
+        for finding in item.differences(planner(load_any_mission(item.path)))
     )
