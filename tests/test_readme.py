@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 
 from tests.command_line import here, python
+from tsplan import synthesise
+from tsplan.signals.signal_files import signal_mission_from_text
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -17,9 +19,9 @@ BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PROMPT = "$ tsplan "
 
 
-def blocks(language: str) -> list[str]:
-    """The README's blocks of one language."""
-    return [text for said, text in BLOCK.findall(README) if said == language]
+def blocks(language: str, page: str = README) -> list[str]:
+    """The blocks of one language, of the README or another page."""
+    return [text for said, text in BLOCK.findall(page) if said == language]
 
 
 def test_the_python_example_runs():
@@ -27,6 +29,20 @@ def test_the_python_example_runs():
     answer = python("-W", "error", "-c", text, folder=ROOT, PYTHONUTF8="1")
     assert (answer.code, answer.err) == (0, "")
     assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.out)
+
+
+def test_the_examples_of_signals_run():
+    page = (ROOT / "docs" / "signals.md").read_text(encoding="utf-8")
+    [text] = blocks("yaml", page)
+    assert synthesise(signal_mission_from_text(text)).status == "optimal"
+    first, second = blocks("python", page)
+    answer = python("-W", "error", "-c", first + second, folder=ROOT, PYTHONUTF8="1")
+    assert (answer.code, answer.err) == (0, "")
+    # what is printed is what the comments say
+    said = re.findall(r"^print.*# (.*)$", first, re.MULTILINE)
+    assert answer.out.splitlines()[: len(said)] == said
+    folder = ROOT / "environments" / "signals"
+    assert {path.name for path in folder.iterdir()} >= set(re.findall(r"signals/(\w+\.yaml)", page))
 
 
 CONSOLES = [text for text in blocks("") if text.startswith(PROMPT)]
@@ -48,7 +64,7 @@ def test_consoles_show_what_is_printed(text, monkeypatch):
 def test_there_are_consoles_and_the_files_it_names_are_there():
     assert len(CONSOLES) >= 2
     named = {path for path in re.findall(r"\]\(([^)#]+)", README) if "://" not in path}
-    named |= set(re.findall(r"environments/\w+\.yaml", README))
+    named |= set(re.findall(r"environments/[\w/]+\.yaml", README))
     assert sorted(path for path in named if not (ROOT / path).exists()) == []
 
 
