@@ -272,6 +272,23 @@ def test_where_a_part_is_written(text, way, words):
 @pytest.mark.parametrize(
     ("text", "way", "words"),
     [
+        ('b > 1 || 3*(b - 2*"c d") <= x - b', (0, "signal", "b"), "b"),
+        ('b > 1 || 3*(b - 2*"c d") <= x - b', (1, "signal", "c d"), '"c d"'),
+        ('b > 1 || 3*(b - 2*"c d") <= x - b', (1, "signal", "x"), "x"),
+        ("F[0,1] gap <= 1", (0, "signal", "gap"), "gap"),
+    ],
+)
+def test_where_signals_are_written(text, way, words):
+    gap = {"gap": ({"a": 1, "b": -1}, 2.0)}
+    written = parse_with_places(text, "stl", definitions=gap)[1]
+    begin, end = written[way]
+    assert text[begin:end] == words
+    assert begin == text.index(words, written[way[:1]].begin)
+
+
+@pytest.mark.parametrize(
+    ("text", "way", "words"),
+    [
         ("b || &&^ w (F[0,1]^w a, c)", (1,), "&&^ w (F[0,1]^w a, c)"),
         ("b || &&^ w (F[0,1]^w a, c)", (1, "weight"), "^ w"),
         ("b || &&^ w (F[0,1]^w a, c)", (1, 0), "F[0,1]^w a"),

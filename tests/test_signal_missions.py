@@ -191,6 +191,7 @@ def test_several_robots():
         (("max: 9", "max: 1e21"), "4:20", "as good as infinite"),
         (("in(goal)", "in(gaol)"), "13:23", "no region 'gaol'; did you mean 'goal'?"),
         (("gap <= 9", "gop <= 9"), "13:39", "'gop'; did you mean 'gap'?"),
+        (("gap <= 9", "x + (2*v - 3*w) <= 9"), "13:52", "signal or control 'w'"),
         (("gap <= 9", "x*v <= 9"), "13:41", "two signals are multiplied"),
         (("horizon: 10", "horizon: 3"), "15:10", "shorter than the formula's, 9; set it to at"),
         (("gap:", "x:", "gap", "x"), "8:14", "'x' is the name of a signal, too"),

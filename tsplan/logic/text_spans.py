@@ -31,7 +31,8 @@ class Written:
     operator, `weight` of one that has weights, `label`, `capability` and `bound` of a count,
     `duration`, `label` and `needs` of a task or limit. After `needs` (or `resources`), a number
     leads to a pair, and from there 0 to its name and 1 to its number; after `weight`, the name of
-    weights leads to where it is written. What is said of a region is one occurrence, with `region`
+    weights leads to where it is written, after `signal` that of a signal to where a predicate has
+    it first. What is said of a region is one occurrence, with `region`
     and `robot`.
 
     >>> from tsplan.logic import parse_with_places

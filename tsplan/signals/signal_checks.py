@@ -119,7 +119,7 @@ def formula_faults(formula: Formula, mission: SignalParts) -> Iterator[Fault]:
             elif name in shared:
                 one = mission.copies[0]
                 remedy = f"say of which robot: {prefixed(one, name)}, or in({one}, region)"
-            yield Fault(FORMULA, what, remedy, node=node)
+            yield Fault(FORMULA, what, remedy, node=node, way=("signal", name))
         if mission.horizon == 0 and any(name in mission.system.controls for name, _ in node.terms):
             what = f"'{node}' is about a control, and there is none with a horizon of 0"
             yield Fault(FORMULA, what, "set 'horizon' to at least 1", node=node)
@@ -160,7 +160,8 @@ def unbounded_faults(
                 if name in unbounded and name not in told:
                     told.add(name)
                     what = f"'{node}' need not hold, and '{name}' in it has no bounds"
-                    yield Fault(FORMULA, what, f"give '{name}' a min and a max", node=node)
+                    remedy = f"give '{name}' a min and a max"
+                    yield Fault(FORMULA, what, remedy, node=node, way=("signal", name))
 
 
 def _choices(normal: Formula) -> list[Formula]:

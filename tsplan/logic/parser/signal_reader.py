@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, cast
 
@@ -14,7 +14,7 @@ from tsplan.logic.parser.count_reader import relation_of
 from tsplan.logic.parser.numerals import exact, written
 from tsplan.logic.parser.reading import reach
 from tsplan.logic.parser.tree_reader import Reader
-from tsplan.logic.text_spans import Way, Written
+from tsplan.logic.text_spans import Span, Way, Written
 from tsplan.words import nfc
 
 _NOTHING = Fraction(0)
@@ -23,26 +23,33 @@ _HUGE = 10**800  # twice the digits of the largest and finest numbers that are r
 
 @dataclass(frozen=True, slots=True)
 class Expression:
-    """A linear expression, exact: the factor of every signal, and a constant."""
+    """A linear expression, exact: the factor of every signal, and a constant.
+
+    `places` has where each name in it is written first.
+    """
 
     factors: Mapping[str, Fraction] = field(default_factory=dict)
     constant: Fraction = Fraction(0)
+    places: Mapping[str, Span] = field(default_factory=dict)
 
     @classmethod
     def total(cls, signed: Iterable[tuple[int, Expression]]) -> Expression:
         """The sum of expressions, each with its sign, in time linear in their terms."""
         factors: dict[str, Fraction] = {}
+        places: dict[str, Span] = {}
         constant = Fraction(0)
         for sign, expression in signed:
             for name, value in expression.factors.items():
                 factors[name] = factors.get(name, _NOTHING) + sign * value
             constant += sign * expression.constant
-        return cls(factors, constant)
+            for name, place in expression.places.items():
+                places.setdefault(name, place)
+        return cls(factors, constant, places)
 
     def times(self, factor: Fraction) -> Expression:
         """Multiply by a number."""
         factors = {name: value * factor for name, value in self.factors.items()}
-        return Expression(factors, self.constant * factor)
+        return Expression(factors, self.constant * factor, self.places)
 
     def compared(self, relation: Relation, bound: Fraction = _NOTHING) -> Linear:
         """The predicate that compares it with a number.
@@ -92,10 +99,12 @@ class SignalReader(Reader):
             return None
         difference = Expression.total([(1, sides[0]), (-1, sides[1])])
         try:
-            return Written(difference.compared(relation_of(relations[0])), reach(part))
+            formula = difference.compared(relation_of(relations[0]))
         except (OverflowError, ValueError):
             self._too_large(part)
             return None
+        places: dict[Way, Span] = {("signal", n): at for n, at in difference.places.items()}
+        return Written(formula, reach(part), parts=places)
 
     def read_total(self, part: Any) -> Any:
         """Read terms added and subtracted."""
@@ -190,7 +199,7 @@ class SignalReader(Reader):
 
     def _defined(self, name: str, part: Any) -> Expression | None:
         try:
-            return self._named(name)
+            return replace(self._named(name), places={nfc(name): reach(part)})
         except (OverflowError, TypeError, ValueError):
             remedy = "define it by finite factors of signals and a finite constant"
             self.complain(part, f"'{name}' stands for no linear expression", remedy)
