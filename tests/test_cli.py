@@ -114,6 +114,20 @@ def test_lint(folder, capsys):
     assert capsys.readouterr().out.startswith("map.yaml: ")
 
 
+def test_lint_of_missions(folder, capsys):
+    write(folder)
+    assert main(["lint", "mission.yaml"]) == 0
+    assert capsys.readouterr().out == "2 agents, horizon 6, nothing looks odd\n"
+    path = folder / "signals.yaml"
+    text = "format: tsplan-signals/1\nsignals: {x: [0, 9]}\nspec: F[0,4] x %s 5\n"
+    path.write_text(text % ">=")
+    assert main(["lint", "signals.yaml"]) == 0
+    assert capsys.readouterr().out == "1 signal, 0 controls, horizon 4, nothing looks odd\n"
+    path.write_text(text % "=")
+    assert main(["lint", "signals.yaml"]) == 1
+    assert capsys.readouterr().out.startswith("signals.yaml:3:14: 'x = 5' can only hold with")
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -54,7 +54,6 @@ Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # n
 _FILES = {
     "mission": "mission file (YAML)",
     "plan": "plan file (JSON)",
-    "map": "map file (YAML)",
     "trace": "signals over steps (CSV): a line of names, then a row of numbers for each step",
 }
 
@@ -195,7 +194,9 @@ def _animate(commands: Commands) -> None:
 
 
 def _lint(commands: Commands) -> None:
-    _command(commands, "lint", "say what looks odd in a map; exit code 0 or 1", "map")
+    words = "say what looks odd in a map or a mission; exit code 0 or 1"
+    add = _command(commands, "lint", words)
+    add("file", type=Path, metavar="FILE", help="map or mission file")
 
 
 def _clipped(text: str) -> str:
