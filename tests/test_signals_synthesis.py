@@ -224,3 +224,18 @@ def test_the_tight_encoding_says_what_the_reference_says(language, block):
         assert tight.status == plain.status, seed
         for one, other in zip(tight.objective[:1], plain.objective[:1], strict=True):
             assert one.value == pytest.approx(other.value, rel=1e-4, abs=1e-4), seed
+
+
+@pytest.mark.parametrize("switch", ["outlook", "sharing", "families", "blocks"])
+def test_switching_methods_off_changes_no_answer(switch):
+    for seed in range(42_000, 42_012):
+        mission = random_signal_mission(seed)
+        every, fewer = (
+            synthesise_mission(mission, without=without, threads=1) for without in ((), (switch,))
+        )
+        assert every.status == fewer.status, seed
+        values = [[item.value for item in found.objective[:1]] for found in (every, fewer)]
+        assert values[0] == pytest.approx(values[1], abs=1e-5), seed
+    plane = tsplan.SignalMission.of(system=PLANE, start=START, formula=reach_avoid(16))
+    whole, without = (synthesise_mission(plane, without=names) for names in ((), (switch,)))
+    assert whole.robustness == pytest.approx(without.robustness, abs=1e-6)

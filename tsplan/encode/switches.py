@@ -17,6 +17,7 @@ class Switch(StrEnum):
     SHARING = "sharing"  # F under G: windows share their witnesses (encode.witness)
     CHAINS = "chains"  # F under G: a first plan with the fewest witnesses (encode.witness)
     FAMILIES = "families"  # one row for demands that exclude each other (encode.demand_rows)
+    BLOCKS = "blocks"  # signals: first trajectories with choices for blocks of steps
     VISITS = "visits"  # arrival cuts over windows (encode.demand_rows)
     TOGETHER = "together"  # needs of one witness at several places at once (encode.joint_demands)
     LAZY = "lazy"  # more arrival cuts where the LP violates them (encode.arrival_cuts)

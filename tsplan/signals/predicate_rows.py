@@ -28,12 +28,14 @@ Direction = tuple[Sum, float]  # the terms of a sum and the scale of its robustn
 class PredicateRows:
     """Collects rows over the columns of an encoder; `rho` is the robustness's column.
 
-    With a negative `rho` the robustness is the number `encoder.most`.
+    With a negative `rho` the robustness is the number `encoder.most`. Unless `merged`, options that
+    exclude each other have rows of their own.
     """
 
-    def __init__(self, encoder: LinearEncoder, rho: int) -> None:
+    def __init__(self, encoder: LinearEncoder, rho: int, *, merged: bool = True) -> None:
         self._encoder = encoder
         self._rho = rho
+        self._merged = merged
         self._terms: list[Terms] = []
         self._lower: list[float] = []
 
@@ -47,7 +49,8 @@ class PredicateRows:
                 base = max(hard, float(low[step]) - wanted)
                 if hard > low[step] - wanted:
                     self._row((terms, scale), step, hard, {})
-                for family in witnesses.choices.families(asked):
+                every = witnesses.choices.families(asked) if self._merged else [[c] for c in asked]
+                for family in every:
                     beyond = {c: asked[c] - base for c in family if asked[c] > base}
                     if beyond:
                         self._row((terms, scale), step, base, beyond)

@@ -21,6 +21,7 @@ from tsplan.encode.partial.partial_model import Wish, wished
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.selection import ALWAYS, SelectionColumns
+from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses, WitnessRules
 from tsplan.logic import Formula, Linear, conjunction, positive, simplify, walk
 from tsplan.logic.fraction import shares
@@ -70,6 +71,7 @@ class SignalSetting:
     efforts: tuple[tuple[tuple[str, float], ...], ...] = ()
     own: tuple[OwnRow, ...] = ()
     soft: Soft | None = None
+    switches: frozenset[Switch] = ALL_SWITCHES
     clock: Clock = field(default_factory=Clock)
 
     @property
@@ -176,7 +178,11 @@ class _Making:
     def tight(self, rules: WitnessRules) -> SignalModel:
         self._dynamics()
         atoms = self._setting.atoms(self._columns, *self._level)
-        encoder = WitnessEncoder(self._draft, OptimisticBound(self._setting.goal, atoms), rules)
+        switches = self._setting.switches
+        trusting = Switch.OUTLOOK not in switches
+        optimistic = OptimisticBound(self._setting.goal, atoms, trusting=trusting)
+        rules = replace(rules, share=Switch.SHARING in switches)
+        encoder = WitnessEncoder(self._draft, optimistic, rules)
         soft = self._setting.soft
         worth: tuple[Expression, ...] = ()
         claims: tuple[Ints, ...] = ()
@@ -218,7 +224,8 @@ class _Making:
     def _predicates(self, atoms: Atoms, witnesses: Witnesses) -> None:
         linear = atoms.encoders[Linear]
         assert isinstance(linear, LinearEncoder)
-        PredicateRows(linear, self._rho).write(witnesses, self._draft)
+        merged = Switch.FAMILIES in self._setting.switches
+        PredicateRows(linear, self._rho, merged=merged).write(witnesses, self._draft)
 
     def reference(self) -> SignalModel:
         self._dynamics()

@@ -18,6 +18,7 @@ from typing import Protocol
 import numpy as np
 
 from tsplan.clock import Clock
+from tsplan.encode.switches import Switch
 from tsplan.encode.witness import WitnessRules
 from tsplan.errors import SolverError
 from tsplan.logic.evaluation import margins
@@ -173,7 +174,8 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         robust = self._robust(first)
         level = max(self._ideal - CLOSE, self.least) if robust else self.least
         setting = self.setting if robust else self._firm_setting
-        able = [block for block in _BLOCKS if _TWICE * block <= self.setting.reach.horizon]
+        blocks = _BLOCKS if Switch.BLOCKS in self.setting.switches else ()
+        able = [block for block in blocks if _TWICE * block <= self.setting.reach.horizon]
         asked: list[tuple[int, SignalObjective | None]] = [(block, None) for block in able]
         if first is not None:
             asked += [(block, first) for block in able if block <= _FINE]

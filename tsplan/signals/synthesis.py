@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 from tsplan.clock import Clock
 from tsplan.encode.expressions import Constraint, Expression
 from tsplan.encode.partial.partial_model import Wish, everything
+from tsplan.encode.switches import ALL_SWITCHES
 from tsplan.errors import Finding, MissionError
 from tsplan.logic import conjunction, positive, simplify
 from tsplan.logic.evaluation import holds
@@ -144,6 +145,7 @@ class Synthesis:
             efforts_of(mission.objective, mission.system),
             tuple(_row(constraint) for constraint in self._constraints),
             soft,
+            ALL_SWITCHES - self.tuning.without,
         )
 
     def encode(self, level: tuple[float, float] | None = None) -> SignalModel:
