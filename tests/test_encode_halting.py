@@ -163,7 +163,9 @@ def line(states: int) -> ClassGraph:
     ones = np.ones(len(tail), dtype=np.int64)
     start = np.zeros(states, dtype=np.int64)
     start[0] = 1
-    return ClassGraph(frozenset(), start, tail, head, ones, ones.astype(np.float64), -ones)
+    return ClassGraph(
+        frozenset(), start, tail, head, ones, ones.astype(np.float64), 0.0 * ones, -ones
+    )
 
 
 @pytest.mark.parametrize("crowded", [0, 10**9], ids=["whole map", "nearby"])

@@ -56,6 +56,12 @@ def cost(traffic: Traffic) -> Fraction:
     return sum(costs, Fraction(0))
 
 
+def risk(traffic: Traffic) -> Fraction:
+    """-log of the probability that no move fails, each edge's in millionths."""
+    risks = (item.agents * item.times * item.edge.risk for item in traffic.segments)
+    return sum(risks, Fraction(0))
+
+
 def makespan(traffic: Traffic) -> int:
     """The step at which the last move arrives, perhaps beyond the horizon; 0 without one."""
     return max((item.left for item in traffic.away), default=0)
@@ -87,6 +93,7 @@ _REGISTER: dict[str, Measure] = {
     "availability": availability,
     "travel": travel,
     "cost": cost,
+    "risk": risk,
     "makespan": makespan,
     "agents": agents,
     "splits": split,

@@ -19,6 +19,7 @@ from tsplan.exact import exact
 from tsplan.milp.model import Floats, Ints
 from tsplan.mission import Group, SwarmBounds
 from tsplan.ts import TransitionSystem
+from tsplan.ts.edges import RISKS
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +31,7 @@ class MapArrays:
     tail: Ints
     head: Ints
     group: Ints
+    risk: Floats
     capacity: tuple[tuple[int, int], ...]  # (state, most agents there)
     group_capacity: tuple[int, ...]
 
@@ -70,6 +72,7 @@ def map_arrays(system: TransitionSystem) -> MapArrays:
         tail=np.array([number[source] for source, _ in pairs], dtype=np.int64),
         head=np.array([number[target] for _, target in pairs], dtype=np.int64),
         group=group,
+        risk=np.array([float(edge.risk * RISKS) for edge in system.edges.values()]),
         capacity=tuple(
             (number[state.name], state.capacity)
             for state in system.states.values()
@@ -159,6 +162,7 @@ def agent_classes(
             head=arrays.head[chosen],
             duration=usable[chosen],
             cost=costs[chosen],
+            risk=arrays.risk[chosen],
             group=arrays.group[chosen],
         )
         classes[key] = AgentClass(graph, (index,), swarm)

@@ -34,6 +34,7 @@ class ClassGraph:
     head: Ints
     duration: Ints
     cost: Floats
+    risk: Floats  # in millionths
     group: Ints
 
     @property

@@ -87,6 +87,7 @@ def _assemble(
     tail, head = ends
     duration = np.array([graph.duration[path].sum() for path in paths], dtype=np.int64)
     cost = np.array([graph.cost[path].sum() for path in paths], dtype=np.float64)
+    risk = np.array([graph.risk[path].sum() for path in paths], dtype=np.float64)
     joined = ClassGraph(
         capabilities=graph.capabilities,
         start=graph.start,
@@ -94,6 +95,7 @@ def _assemble(
         head=np.concatenate([graph.head[own], head]),
         duration=np.concatenate([graph.duration[own], duration]),
         cost=np.concatenate([graph.cost[own], cost]),
+        risk=np.concatenate([graph.risk[own], risk]),
         group=np.concatenate([graph.group[own], np.full(len(tail), -1)]),
     )
     return Reduced(joined, (*own.reshape(-1, 1), *paths))

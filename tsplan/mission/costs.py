@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from tsplan.exact import MOST_EXACT, digits, exact
 from tsplan.mission.findings import Fault
 from tsplan.mission.team import Group
 from tsplan.ts import Edge, TransitionSystem
+from tsplan.ts.edges import RISKS
 
 _DECIMALS = 10**15
 """Decimal numbers of up to 15 digits are told apart in double precision."""
@@ -22,9 +23,17 @@ def cost_faults(
     Costs are counted in the largest unit of which all are multiples. What a plan can come to must
     be told apart in this unit: up to 2^53 of it, or 10^15 where it is a part of 1.
     """
+    if "risk" in objective:
+        risked = _most(system, sum(group.count for group in team), horizon, _risk)
+        if risked * RISKS > MOST_EXACT:
+            what = (
+                f"the risk of a plan can come to {float(risked):.3g}, too much to be told exactly"
+            )
+            remedy = "give edges a greater chance of success"
+            return [Fault(("objective", objective.index("risk")), what, remedy)]
     if "cost" not in objective:
         return []
-    most = _most(system, sum(group.count for group in team), horizon)
+    most = _most(system, sum(group.count for group in team), horizon, _cost)
     unit = system.cost_unit
     if most / unit <= _limit(unit):
         return []
@@ -37,16 +46,24 @@ def cost_faults(
     return [_fault(system, edge, most, needed) for edge in fine]
 
 
-def _most(system: TransitionSystem, agents: int, horizon: int) -> Fraction:
+def _cost(edge: Edge, duration: int) -> Fraction:
+    return exact(edge.cost) if edge.cost is not None else Fraction(0 if edge.is_wait else duration)
+
+
+def _risk(edge: Edge, _duration: int) -> Fraction:
+    return edge.risk
+
+
+def _most(
+    system: TransitionSystem, agents: int, horizon: int, price: Callable[[Edge, int], Fraction]
+) -> Fraction:
     """What the moves of all agents can cost at the most: the dearest steps, and a last move."""
     dearest, last = Fraction(0), Fraction(0)
     for edge in system.edges.values():
         duration = edge.shortest()
         if duration is None:
             continue
-        cost = (
-            exact(edge.cost) if edge.cost is not None else Fraction(0 if edge.is_wait else duration)
-        )
+        cost = price(edge, duration)
         dearest, last = max(dearest, cost / duration), max(last, cost)
     return agents * (dearest * horizon + last)
 

@@ -67,6 +67,7 @@ for _objective in (
     Objective("availability", "maximise", "agents that may fail with the formula still holding"),
     Objective("travel", "minimise", "steps that all agents together spend on moves"),
     Objective("cost", "minimise", "summed costs of all edges that are entered", whole=False),
+    Objective("risk", "minimise", "-log of the chance that no move fails", whole=False),
     Objective("makespan", "minimise", "step at which the last move arrives"),
     Objective("agents", "minimise", "agents that ever move"),
     Objective("splits", "minimise", "how often sub-swarms split", of_groups=True),

@@ -104,6 +104,8 @@ def infinite_word(plan: Plan) -> str:
 def objective_line(item: ObjectiveValue, infinite: str = "unbounded", noun: str = "plan") -> str:
     """One objective: its value, and what is proven about it; `infinite` is one without a number."""
     value = number(item.value, infinite)
+    if item.name == "risk" and item.value is not None:
+        value += f", all moves succeed with probability {math.exp(-item.value):.4g}"
     if item.value is None or item.bound is None:
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):

@@ -123,7 +123,8 @@ def from_networkx(
     labels, at, duration
         Names of the attributes that hold a node's labels (one, or a collection), its coordinates,
         and an edge's duration (1 where absent; for example `weight` for other sources).
-        Attributes called `shape`, `color`, `capacity`, `needs` and `cost` are used as they are.
+        Attributes called `shape`, `color`, `capacity`, `needs`, `cost` and `success` are used as
+        they are.
     waits
         Whether to add a wait of one step to every state that has none.
     name
@@ -273,6 +274,7 @@ _OF_STATES: _Converters = {
 _OF_EDGES: _Converters = {
     "duration": _steps,
     "cost": _number,
+    "success": _number,
     "capacity": _number,
     "needs": _words,
 }

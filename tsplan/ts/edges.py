@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TypeAlias
 
 from tsplan.words import nfc
 
 NOTHING: frozenset[str] = frozenset()
+
+RISKS = 1_000_000
+"""Parts of a unit in which risks are told apart, so that their sums are exact."""
 
 # the key of a per-class mapping that stands for every class it does not list
 DEFAULT = "default"
@@ -93,6 +97,7 @@ class Edge:
     between. `cost` is per use; without it, a move costs its duration and a wait nothing.
     `capacity` bounds the agents that have entered and not yet arrived. The two directions of an
     edge written `both_ways` share that capacity. Only agents with all of `needs` may use it.
+    `success` is how likely an agent that enters arrives, above 0 and at most 1.
     """
 
     source: str
@@ -102,6 +107,7 @@ class Edge:
     capacity: int | None = None
     needs: frozenset[str] = NOTHING
     both_ways: bool = False
+    success: float = 1.0
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection."""
@@ -137,6 +143,15 @@ class Edge:
             return 0.0
         duration = self.duration_for(class_name)
         return math.inf if duration is None else float(duration)
+
+    @property
+    def risk(self) -> Fraction:
+        """-log(success) in millionths: summed over moves, the less the more likely all succeed.
+
+        >>> Edge("a", "b", success=0.98).risk
+        Fraction(20203, 1000000)
+        """
+        return Fraction(round(-math.log(self.success) * RISKS), RISKS)
 
     def shortest(self) -> int | None:
         """Steps that the quickest class needs; None where the edge lists no class at all."""

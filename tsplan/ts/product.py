@@ -84,7 +84,8 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
     """The same map with every move split into moves of one step each.
 
     An edge of duration w passes through w - 1 new states without labels, which only it uses: an
-    agent there counts nowhere, as one on the edge does. The whole cost is paid on entering it.
+    agent there counts nowhere, as one on the edge does. The whole cost is paid and all is risked
+    on entering it.
     Waits that take longer than one step are split in the same way.
 
     Parameters
@@ -119,11 +120,10 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
         else:
             between = [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
             states += map(State, between)
-            costs = [edge.cost_for(class_name or ""), *[0.0] * len(between)]
-            for pair, cost in zip(
-                pairwise([edge.source, *between, edge.target]), costs, strict=True
-            ):
-                edges.append(Edge(*pair, 1, cost, needs=edge.needs))
+            cost, success = edge.cost_for(class_name or ""), edge.success
+            for pair in pairwise([edge.source, *between, edge.target]):
+                edges.append(Edge(*pair, 1, cost, needs=edge.needs, success=success))
+                cost, success = 0.0, 1.0
     if faults:
         raise MapError(faults)
     return TransitionSystem.build(states, edges, system.name)

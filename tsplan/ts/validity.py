@@ -124,6 +124,10 @@ def _edge(edge: Edge) -> Iterator[_Flaw]:
             f"cost: {float(cost):g} is not below {MOST_COST:g}, which solvers take for infinity"
         )
         yield "cost", message, "write a number such as 2.5"
+    success: Any = edge.success
+    if not is_number(success) or not 0 < success <= 1:
+        message = f"success: {success} is no probability above 0"
+        yield "success", message, "write how likely the move succeeds, such as 0.98"
     yield from _capacity(edge.capacity)
 
 

@@ -56,6 +56,7 @@ class _StateMore(BaseModel):
 class _EdgeMore(_StateMore):
     duration: dict[Word, Positive] | None = None
     cost: Annotated[Number, Field(ge=0)] | None = None
+    success: Annotated[Number, Field(gt=0, le=1)] = 1.0
     both_ways: Truth = False
 
 
@@ -280,6 +281,7 @@ def _edge(edge: Edge, extras: Extras, directed: bool) -> Iterator[str]:
     """The lines of an edge: one, or one for each of the parallel edges it stands for."""
     own = given(
         cost=short(edge.cost),
+        success=None if edge.success == 1 else edge.success,
         capacity=edge.capacity,
         needs=sorted(edge.needs),
         duration=edge.duration if isinstance(edge.duration, Mapping) else None,

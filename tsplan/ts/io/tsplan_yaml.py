@@ -67,6 +67,7 @@ class _EdgeEntry(_Strict):
     target: _Reference = Field(alias="to")
     duration: _Duration
     cost: Annotated[Number, Field(ge=0)] | None = None
+    success: Annotated[Number, Field(gt=0, le=1)] = 1.0
     capacity: Natural | None = None
     needs: Words = []
     both_ways: Truth = False
@@ -182,6 +183,7 @@ def _edge(edge: Edge) -> dict[str, Any] | list[Any]:
     ends = [edge.source, edge.target, edge.duration]
     more = given(
         cost=short(edge.cost),
+        success=None if edge.success == 1 else edge.success,
         capacity=edge.capacity,
         needs=sorted(edge.needs),
         both_ways=edge.both_ways or None,
