@@ -18,7 +18,6 @@ from tsplan.version import VERSION
 
 if TYPE_CHECKING:  # each under its own name, so that type checkers see it as public
     from tsplan.checking.assignment import assign as assign
-    from tsplan.checking.plan_check import check as check
     from tsplan.errors import Finding as Finding
     from tsplan.errors import FormulaError as FormulaError
     from tsplan.errors import InputError as InputError
@@ -42,11 +41,14 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.plans.plan_file import load_plan as load_plan
     from tsplan.plans.plan_file import save_plan as save_plan
     from tsplan.plans.subswarms import SubSwarm as SubSwarm
+    from tsplan.protocol.disturbances import DisturbedRuns as DisturbedRuns
+    from tsplan.protocol.disturbances import simulate_disturbed as simulate_disturbed
     from tsplan.protocol.margin_size import margin_for as margin_for
     from tsplan.protocol.simulation import Simulation as Simulation
     from tsplan.protocol.simulation import simulate as simulate
     from tsplan.run.planner import plan as plan
     from tsplan.run.problem import Problem as Problem
+    from tsplan.signals.result_check import check as check
     from tsplan.signals.signal_files import load_signal_mission as load_signal_mission
     from tsplan.signals.signal_mission import SignalMission as SignalMission
     from tsplan.signals.synthesis import Synthesis as Synthesis
@@ -85,7 +87,8 @@ _HOMES = {
     "plans.plan": ("Plan",),
     "plans.plan_file": ("load_plan", "save_plan"),
     "plans.subswarms": ("SubSwarm",),
-    "checking.plan_check": ("check",),
+    "protocol.disturbances": ("DisturbedRuns", "simulate_disturbed"),
+    "signals.result_check": ("check",),
     "protocol.margin_size": ("margin_for",),
     "protocol.simulation": ("Simulation", "simulate"),
     "signals.synthesiser": ("synthesise",),

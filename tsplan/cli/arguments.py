@@ -38,7 +38,7 @@ def parser() -> argparse.ArgumentParser:
     """The whole command line."""
     top = argparse.ArgumentParser(
         prog="tsplan",
-        description="Plan a team of robots from a map and a temporal-logic formula.",
+        description="Plan a team of robots, or signals, from a temporal-logic formula.",
         epilog=_CODES,
     )
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
@@ -53,7 +53,7 @@ Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # n
 
 _FILES = {
     "mission": "mission file (YAML)",
-    "plan": "plan file (JSON)",
+    "plan": "file of a plan or a trajectory (JSON)",
     "trace": "signals over steps (CSV): a line of names, then a row of numbers for each step",
 }
 
@@ -112,16 +112,24 @@ def _explain(commands: Commands) -> None:
 
 
 def _check(commands: Commands) -> None:
-    words = "judge a plan without any solver; exit code 0 or 1"
+    words = "judge a plan or a trajectory without any solver; exit code 0 or 1"
     add = _command(commands, "check", words, "mission", "plan")
     add("--quiet", action="store_true", help="print only what is wrong")
 
 
 def _simulate(commands: Commands) -> None:
-    words = "let the agents of a swarm follow their plan's shares by chance"
+    words = "let the agents of a swarm follow their plan by chance, or shake a trajectory"
     add = _command(commands, "simulate", words, "mission", "plan")
     add("--runs", type=_runs, default=1000, metavar="N", help="default 1000")
     add("--seed", type=_seed, default=0, metavar="N", help="of the chances")
+    add(
+        "--amplitude",
+        type=_amplitude,
+        action="append",
+        default=[],
+        metavar="A",
+        help="most by which a step shakes every signal, or as NAME=A one of them; may be repeated",
+    )
     add(
         "--probability",
         type=_chance,
@@ -158,17 +166,18 @@ def _robustness(commands: Commands) -> None:
 
 
 def _show(commands: Commands) -> None:
-    add = _command(commands, "show", "draw a map, a mission or a plan; say why a plan holds")
-    add("file", type=Path, metavar="FILE", help="map, mission or plan file")
+    words = "draw a map, a mission, a plan or a trajectory; say why one holds"
+    add = _command(commands, "show", words)
+    add("file", type=Path, metavar="FILE", help="map, mission, plan or trajectory file")
     add("-o", "--output", type=Path, metavar="PICTURE", help="write .png, .svg or .pdf, no window")
     what = "mission of a plan, to draw its paths on the map (default: looked for beside it)"
     add("--mission", type=Path, metavar="MISSION", help=what)
     add(
         "--view",
-        choices=("page", "paths", "timeline", "requirements", "flow", "map"),
-        help="picture of a plan: everything on one page (default), or one view of it",
+        choices=("page", "paths", "timeline", "requirements", "flow", "map", "signals", "plane"),
+        help="everything on one page (default), or one view; signals, plane: of a trajectory",
     )
-    why = "print why a plan satisfies its formula: where each part holds, and by whom"
+    why = "print why the formula holds: where each part does, by whom or by how much"
     add("--why", action="store_true", help=why)
 
 
@@ -176,14 +185,16 @@ _OF_PLAN = "mission of the plan (default: looked for beside it)"
 
 
 def _view(commands: Commands) -> None:
-    add = _command(commands, "view", "play a plan in the browser, from one file", "plan")
+    add = _command(
+        commands, "view", "play a plan or a trajectory in the browser, from one file", "plan"
+    )
     add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
     what = "write the page here and open nothing"
     add("-o", "--output", type=Path, metavar="HTML", help=what)
 
 
 def _animate(commands: Commands) -> None:
-    add = _command(commands, "animate", "write a plan as a moving picture", "plan")
+    add = _command(commands, "animate", "write a plan or a trajectory as a moving picture", "plan")
     add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
     what = "picture to write: .gif, .mp4 (needs ffmpeg) or .html (see view)"
     add("-o", "--output", type=Path, required=True, metavar="FILE", help=what)
@@ -218,6 +229,13 @@ def _reader(allowed: Range) -> Callable[[str], Any]:
         return value
 
     return read
+
+
+def _amplitude(text: str) -> tuple[str, float]:
+    """A number for all signals, by no name, or for the one that is named before it."""
+    name, _, value = text.rpartition("=")
+    size: float = _reader(Range(0, LARGEST))(value)
+    return name.strip(), size
 
 
 def _size(text: str) -> tuple[int, int]:

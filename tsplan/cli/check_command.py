@@ -1,23 +1,24 @@
-"""`tsplan check`: judge a plan with the evaluator alone."""
+"""`tsplan check`: judge a plan or a trajectory with the evaluator alone."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tsplan.checking.plan_check import check
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_and_plan
+from tsplan.cli.inputs import mission_and_result
 from tsplan.cli.output import say
 from tsplan.errors import clipped
+from tsplan.plans.plan import Plan
+from tsplan.signals.result_check import check
 
 if TYPE_CHECKING:
     import argparse
 
 
 def run(options: argparse.Namespace) -> Exit:
-    """Print what holds of a plan, or what does not."""
-    mission, plan = mission_and_plan(options.mission, options.plan)
-    report = check(mission, plan)
+    """Print what holds of a plan or a trajectory, or what does not."""
+    mission, result = mission_and_result(options.mission, options.plan)
+    report = check(mission, result)
     for finding in report.findings:
         say(f"{options.plan}: {clipped(finding.message)}")
     if not report.ok:
@@ -25,7 +26,8 @@ def run(options: argparse.Namespace) -> Exit:
     if not options.quiet:
         for fact in report.facts:
             say(fact)
-        if plan.mission.sha256 != mission.digest:
-            say("the mission file has changed since the plan was made")
-        say("the plan is accepted")
+        noun = "plan" if isinstance(result, Plan) else "trajectory"
+        if result.mission.sha256 != mission.digest:
+            say(f"the mission file has changed since the {noun} was made")
+        say(f"the {noun} is accepted")
     return Exit.DONE

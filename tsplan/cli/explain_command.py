@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, cast
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_to_solve
+from tsplan.cli.inputs import mission_of, mission_to_solve
 from tsplan.cli.output import ERR, attempted, console, remark, say_json
 from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> Exit:
     """Explain the mission; write a changed one where that is asked for."""
     if (options.fix is None) != (options.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
-    mission, choice, _ = mission_to_solve(options, "the mission")
+    mission, choice, _ = mission_to_solve(options, "the mission", mission_of)
     requests, unwritten = Requests(what=b"what is known"), None
     with requests.heard():
         explanation = _explained(mission, choice, options, requests)

@@ -6,7 +6,7 @@ import os
 import time
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from tsplan.checking.fitting import refuse_impossible, refuse_pathless, with_groups
 from tsplan.cli.output import remark
@@ -14,17 +14,23 @@ from tsplan.document.document import LARGEST_FILE
 from tsplan.document.files import read_text
 from tsplan.errors import Finding, InputError, PlanError, nearest, told
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission import load_mission
+from tsplan.mission import Mission, load_mission
 from tsplan.mission.mission import digest_of
-from tsplan.plans.plan_file import load_plan
+from tsplan.plans.plan import Plan
 from tsplan.process.interrupt import alarm
+from tsplan.signals.motion_check import refuse_misfit
+from tsplan.signals.result_check import load_result, mixed_up
+from tsplan.signals.signal_files import load_any_mission
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
-    from tsplan.mission import Mission
-    from tsplan.plans.plan import Plan
+    from tsplan.signals.result_check import AnyMission, Result
+
+M = TypeVar("M", Mission, SignalMission, "AnyMission")
 
 _READING = 2.0  # seconds that reading may always take: without it there is no answer at all
 _CHOICES = ("solver", "time_limit", "gap", "threads", "seed")  # as options of a command
@@ -38,7 +44,16 @@ def mission_of(path: Path) -> Mission:
     return mission
 
 
-def mission_to_solve(options: argparse.Namespace, what: str) -> tuple[Mission, SolverChoice, float]:
+def any_mission_of(path: Path) -> AnyMission:
+    """The mission of a file, for a team or over signals, its warnings written to stderr."""
+    mission = load_any_mission(path)
+    warn(mission.warnings)
+    return mission
+
+
+def mission_to_solve(
+    options: argparse.Namespace, what: str, read: Callable[[Path], M]
+) -> tuple[M, SolverChoice, float]:
     """The mission of a command that solves and may write `what`, and what is chosen of the solver.
 
     Reading the mission is a part of the work: it has to keep the time limit, which is chosen less
@@ -48,7 +63,7 @@ def mission_to_solve(options: argparse.Namespace, what: str) -> tuple[Mission, S
     limit = None if options.time_limit is None else max(options.time_limit, _READING)
     began = time.perf_counter()
     with alarm(limit, "the time limit was reached while the mission was read"):
-        mission = mission_of(options.mission)
+        mission = read(options.mission)
     loaded = time.perf_counter() - began
     refuse_place(options.output, what, files_of(mission))
     given = (getattr(options, name, None) for name in _CHOICES)
@@ -66,20 +81,22 @@ def rest(limit: float | None, spent: float) -> float | None:
     return None if limit is None else max(limit - spent, min(limit, _LEAST))
 
 
-def mission_and_plan(mission_path: Path, plan_path: Path) -> tuple[Mission, Plan]:
-    """The mission and the plan of two files, or the findings of both."""
+def mission_and_result(mission_path: Path, path: Path) -> tuple[AnyMission, Result]:
+    """The mission and the plan or trajectory of two files, or the findings of both."""
     findings: list[Finding] = []
     try:
-        mission = mission_of(mission_path)
+        mission = any_mission_of(mission_path)
     except InputError as error:
         findings += error.findings
     try:
-        plan = load_plan(plan_path)
+        result = load_result(path)
     except InputError as error:
         findings += error.findings
+    if not findings and isinstance(mission, SignalMission) is not isinstance(result, Trajectory):
+        findings = [mixed_up(mission, result, str(path))]
     if findings:
         raise InputError(findings)
-    return mission, plan
+    return mission, result
 
 
 def warn(findings: Iterable[Finding]) -> None:
@@ -89,35 +106,44 @@ def warn(findings: Iterable[Finding]) -> None:
         remark(" ".join(line.splitlines()))
 
 
-def fitted(path: Path, plan: Plan, given: Path | None) -> tuple[Plan, Mission]:
-    """A plan, complete, and its mission: the one that is given, or the one found beside the plan.
+def fitted(path: Path, result: Result, given: Path | None) -> tuple[Result, AnyMission]:
+    """A plan, complete, or a trajectory, and its mission: the given one or one found beside it.
 
-    Raises PlanError if there is none, or if the plan has no paths, impossible ones, or those of
-    another mission.
+    Raises PlanError if there is none, or if the result is empty, impossible, or of another mission.
     """
-    refuse_pathless(plan, str(path))
-    mission = mission_of(given) if given is not None else mission_beside(path, plan)
+    if isinstance(result, Plan):
+        refuse_pathless(result, str(path))
+    else:
+        refuse_misfit(result, None, str(path))
+    mission = any_mission_of(given) if given is not None else mission_beside(path, result)
     if mission is None:
-        what = f"the mission of the plan ('{plan.mission.name}') is in no YAML file beside it"
+        noun = "plan" if isinstance(result, Plan) else "trajectory"
+        name = result.mission.name
+        what = f"the mission of the {noun} ('{name}') is in no YAML file beside it"
         raise PlanError([Finding(what, "name its file with --mission MISSION", str(path))])
-    plan = with_groups(plan, mission)
-    refuse_impossible(plan, mission, str(path))
-    return plan, mission
+    if isinstance(result, Plan) and isinstance(mission, Mission):
+        result = with_groups(result, mission)
+        refuse_impossible(result, mission, str(path))
+    elif isinstance(result, Trajectory) and isinstance(mission, SignalMission):
+        refuse_misfit(result, mission, str(path))
+    else:
+        raise PlanError([mixed_up(mission, result, str(path))])
+    return result, mission
 
 
-def plan_to_show(options: argparse.Namespace, what: str) -> tuple[Plan, Mission]:
-    """The plan and the mission of a command that shows them and may write `what`."""
-    plan, mission = fitted(options.plan, load_plan(options.plan), options.mission)
+def result_to_show(options: argparse.Namespace, what: str) -> tuple[Result, AnyMission]:
+    """The plan or trajectory and the mission of a command that shows them and may write `what`."""
+    result, mission = fitted(options.plan, load_result(options.plan), options.mission)
     refuse_place(options.output, what, [options.plan, *files_of(mission)])
-    return plan, mission
+    return result, mission
 
 
-def mission_beside(path: Path, plan: Plan) -> Mission | None:
-    """The mission of a plan, found by its digest among the YAML files beside it."""
+def mission_beside(path: Path, result: Result) -> AnyMission | None:
+    """The mission of a plan or trajectory, found by its digest among the YAML files beside it."""
     for other in sorted([*path.parent.glob("*.yaml"), *path.parent.glob("*.yml")]):
         try:
-            if digest_of(read_text(other, most=LARGEST_FILE)) == plan.mission.sha256:
-                return load_mission(other)
+            if digest_of(read_text(other, most=LARGEST_FILE)) == result.mission.sha256:
+                return load_any_mission(other)
         except InputError:
             continue
     return None
@@ -161,7 +187,7 @@ def _same(path: Path, other: Path | None) -> bool:
         return False
 
 
-def files_of(mission: Mission | None) -> list[Path]:
+def files_of(mission: AnyMission | None) -> list[Path]:
     """The files that a mission was read from: its own, and its map's."""
     if mission is None or mission.origin is None:
         return []

@@ -1,26 +1,33 @@
-"""`tsplan plan`: plan a mission and print what the independent check accepted."""
+"""`tsplan plan`: plan a mission of either kind and print what the independent check accepted."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, cast
 
 from tsplan.checking.assignment import assign
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_to_solve
+from tsplan.cli.inputs import any_mission_of, mission_to_solve
 from tsplan.cli.output import attempted, console, remark, say_json
 from tsplan.cli.progress import Progress
 from tsplan.errors import SolverError
-from tsplan.plans.plan import Plan, Status
+from tsplan.plans.plan import FOUND, Plan, Status
 from tsplan.plans.plan_file import save_plan
 from tsplan.process.child_process import may_have_children
 from tsplan.process.interrupt import Requests
 from tsplan.run.isolate import Order, Planning
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
+from tsplan.signals.trajectory_summary import trajectory_lines
 
 if TYPE_CHECKING:
     import argparse
 
     from tsplan.mission import Mission
+    from tsplan.signals.result_check import AnyMission, Result
+
+R = TypeVar("R", Plan, Trajectory)
+_SYNTHESISER = ("tsplan.signals.synthesiser", "synthesise_mission")
 
 _CODES = {
     Status.OPTIMAL: Exit.DONE,
@@ -34,18 +41,20 @@ _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
-    mission, choice, loaded = mission_to_solve(options, "the plan")
+    mission, choice, loaded = mission_to_solve(options, "the plan", any_mission_of)
     order = Order(mission, choice, options.encoding, tuple(options.without))
+    if isinstance(mission, SignalMission):
+        order = replace(order, planner=_SYNTHESISER, kind=Trajectory)
     requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
         if not (may_have_children() or options.quiet):
             remark("this process may start no other: a crash of the solver would end it")
         with Progress(quiet=options.quiet) as progress:
             plan = _timed(Planning(progress, requests).plan(order), mission, loaded)
-        if plan.has_paths and not plan.verified:
+        if plan.status in FOUND and not plan.verified:
             raise SolverError("the plan that was found has not been checked; it is not shown")
-        if options.agents and plan.moves and not plan.agents:
-            plan = assign(mission, plan, seed=options.seed)
+        if options.agents and isinstance(plan, Plan) and plan.moves and not plan.agents:
+            plan = assign(cast("Mission", mission), plan, seed=options.seed)
         if options.output is not None:
             unwritten = attempted(lambda: save_plan(plan, options.output))
     _show(plan, options)
@@ -54,7 +63,7 @@ def run(options: argparse.Namespace) -> Exit:
     return _CODES[plan.status]
 
 
-def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:
+def _timed(plan: R, mission: AnyMission, loaded: float) -> R:
     """The plan with the seconds that reading the mission took, which the limit was for, too."""
     timings = replace(
         plan.timings,
@@ -65,12 +74,13 @@ def _timed(plan: Plan, mission: Mission, loaded: float) -> Plan:
     return replace(plan, timings=timings)
 
 
-def _show(plan: Plan, options: argparse.Namespace) -> None:
+def _show(plan: Result, options: argparse.Namespace) -> None:
     if options.json:
         say_json(plan.to_json())
     elif not options.quiet:
-        from tsplan.plans.summary import print_summary  # noqa: PLC0415  (needs rich, slow)
+        from tsplan.plans.summary import print_parts, summary  # noqa: PLC0415  (needs rich, slow)
 
-        print_summary(plan, console(_PIPE_WIDTH))
+        parts = summary(plan) if isinstance(plan, Plan) else trajectory_lines(plan)
+        print_parts(parts, console(_PIPE_WIDTH))
     if plan.status is Status.INFEASIBLE and not options.quiet:
         remark(f"to see why, and what would help: tsplan explain {options.mission}")

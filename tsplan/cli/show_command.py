@@ -1,27 +1,33 @@
-"""`tsplan show`: draw a map, a mission or a plan, or say why a plan satisfies its formula."""
+"""`tsplan show`: draw maps, missions, plans and trajectories, or say why a formula holds."""
 
 from __future__ import annotations
 
 import os
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from tsplan.checking.fitting import refuse_pathless
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import files_of, fitted, mission_beside, mission_of, refuse_place
+from tsplan.cli.inputs import any_mission_of, files_of, fitted, mission_beside, refuse_place
 from tsplan.cli.output import remark, say
 from tsplan.document import read_document
 from tsplan.document.files import beginning
-from tsplan.document.kinds import MISSION, kind_of_data
+from tsplan.document.kinds import MISSION, SIGNALS, kind_of_data
 from tsplan.draw.map import draw_map
 from tsplan.draw.matplotlib_loading import PlotUnavailableError, library
 from tsplan.draw.picture_files import kind_of, save
 from tsplan.draw.starts import draw_mission
 from tsplan.draw.timeline import draw_timeline
+from tsplan.draw.trajectory_views import draw_trajectory
 from tsplan.draw.views import PAGE, draw_page, draw_view
 from tsplan.errors import Finding, InputError
+from tsplan.explanation.why.trajectory_reasons import explain_wishes
 from tsplan.explanation.why.witness_tree import explain_preferred
-from tsplan.plans.plan_file import load_plan
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
+from tsplan.signals.result_check import load_result
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
 from tsplan.ts.io.map_files import load_map
 
 if TYPE_CHECKING:
@@ -29,7 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-    from tsplan.mission import Mission
+    from tsplan.signals.result_check import AnyMission
 
 _SCREENLESS = frozenset({"agg", "pdf", "ps", "svg", "cairo", "template"})
 
@@ -69,21 +75,24 @@ def _save(options: argparse.Namespace) -> None:
     save(_draw(options, None), options.output, tell=remark)
 
 
-def _refuse_inputs(options: argparse.Namespace, mission: Mission | None) -> None:
+def _refuse_inputs(options: argparse.Namespace, mission: AnyMission | None) -> None:
     """Do not draw over what is drawn."""
     inputs = [options.file, options.mission, *files_of(mission)]
     refuse_place(options.output, "the picture", inputs)
 
 
 def _reasons(options: argparse.Namespace) -> str:
-    """Why the plan satisfies its formula, and what became of what is preferred."""
+    """Why a plan or a trajectory satisfies its formula, and what became of what is preferred."""
     if not _is_plan(options.file):
         what = "--why is about a plan, and this is none"
         raise InputError([Finding(what, "give the file that 'plan -o' wrote", str(options.file))])
-    plan, mission = fitted(options.file, load_plan(options.file), options.mission)
-    trees = [str(plan.explain(mission))]
-    for name, tree in explain_preferred(plan, mission).items():
-        trees.append(f"preferred: {name}\n{tree}")
+    result, mission = fitted(options.file, load_result(options.file), options.mission)
+    if isinstance(result, Plan) and isinstance(mission, Mission):
+        tree, wishes = result.explain(mission), explain_preferred(result, mission)
+    else:
+        trajectory, signals = cast("Trajectory", result), cast("SignalMission", mission)
+        tree, wishes = trajectory.explain(signals), explain_wishes(trajectory, signals)
+    trees = [str(tree), *(f"preferred: {name}\n{tree}" for name, tree in wishes.items())]
     return "\n\n".join(trees)
 
 
@@ -99,24 +108,31 @@ def _draw(options: argparse.Namespace, figure: Any) -> Any:
     """The picture of whatever the file holds, on a given figure or a new one."""
     ax = None if figure is None else figure.add_subplot()
     if _is_plan(options.file):
-        return _draw_plan(options, figure, ax)
-    if kind_of_data(read_document(options.file).data) == MISSION:
-        drawn = mission_of(options.file)
+        return _draw_result(options, figure, ax)
+    kind = kind_of_data(read_document(options.file).data)
+    if kind in (MISSION, SIGNALS):
+        drawn = any_mission_of(options.file)
         _refuse_inputs(options, drawn)
-        return draw_mission(drawn, ax)[0]
+        if isinstance(drawn, Mission):
+            return draw_mission(drawn, ax)[0]
+        return _draw_signals(None, drawn, options.view, figure)
     return draw_map(load_map(options.file), ax)[0]
 
 
-def _draw_plan(options: argparse.Namespace, figure: Any, ax: Any) -> Any:
-    """A view of a plan; without its mission, the timeline, which needs no map."""
-    plan = load_plan(options.file)
-    refuse_pathless(plan, str(options.file))
-    alone = options.view in (None, "timeline") and options.mission is None
-    if alone and mission_beside(options.file, plan) is None:
-        return draw_timeline(plan, None, ax)[0]
-    plan, mission = fitted(options.file, plan, options.mission)
+def _draw_result(options: argparse.Namespace, figure: Any, ax: Any) -> Any:
+    """A view of a plan or a trajectory; what can be seen without the mission where it is away."""
+    result = load_result(options.file)
+    lost = options.mission is None and mission_beside(options.file, result) is None
+    if lost and isinstance(result, Trajectory):
+        return _draw_signals(result, None, options.view, figure)
+    if lost and isinstance(result, Plan) and options.view in (None, "timeline"):
+        refuse_pathless(result, str(options.file))
+        return draw_timeline(result, None, ax)[0]
+    result, mission = fitted(options.file, result, options.mission)
     _refuse_inputs(options, mission)
-    view = options.view or PAGE
+    if isinstance(mission, SignalMission):
+        return _draw_signals(cast("Trajectory", result), mission, options.view, figure)
+    plan, view = cast("Plan", result), options.view or PAGE
     if view != PAGE:
         return draw_view(plan, mission, view, ax)[0]
     if figure is not None:
@@ -124,6 +140,17 @@ def _draw_plan(options: argparse.Namespace, figure: Any, ax: Any) -> Any:
     return draw_page(plan, mission, figure)[0]
 
 
+def _draw_signals(
+    trajectory: Trajectory | None, mission: SignalMission | None, view: str | None, figure: Any
+) -> Any:
+    """A view of a trajectory, or of what a mission asks for."""
+    if figure is not None:
+        figure.clear()
+    return draw_trajectory(trajectory, mission, view or PAGE, on=figure)[0]
+
+
 def _is_plan(path: Path) -> bool:
     """Whether a file is JSON, which maps and missions are not."""
-    return '"tsplan-plan/' in beginning(path, 1000) or path.suffix.lower() == ".json"
+    text = beginning(path, 1000)
+    marks = ('"tsplan-plan/', '"tsplan-trajectory/')
+    return any(mark in text for mark in marks) or path.suffix.lower() == ".json"

@@ -1,11 +1,11 @@
-"""`tsplan view`: a plan as a page that plays in the browser."""
+"""`tsplan view`: a plan or a trajectory as a page that plays in the browser."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import plan_to_show
+from tsplan.cli.inputs import result_to_show
 from tsplan.cli.output import say
 from tsplan.viewer.browser import open_page, write_page
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 def run(options: argparse.Namespace) -> Exit:
     """Write the page; without a file to write it to, also open it."""
-    plan, mission = plan_to_show(options, "the page")
-    path = write_page(mission, plan, options.output)
+    result, mission = result_to_show(options, "the page")
+    path = write_page(mission, result, options.output)
     if options.output is None:
         opened = open_page(path)
         words = "opened" if opened else "no browser was found; open this file in one:"

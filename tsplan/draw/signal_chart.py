@@ -74,12 +74,14 @@ def draw_signals(
     mission: SignalMission | None = None,
     names: Iterable[str] = (),
     ax: Any = None,
+    *,
+    on: Any = None,
 ) -> tuple[Any, Any]:
     """Signals, expressions and controls, each in a panel; the figure and its axes, one a panel.
 
     `names` chooses some; on a given `ax` all of them are drawn together, without thresholds where
     they are several. Without a trajectory there is what the mission asks for. Raises InputError
-    for a name that is unknown.
+    for a name that is unknown. A whole figure may be given as `on`.
     """
     panels = panels_of(trajectory, mission, tuple(names))
     if ax is not None:
@@ -87,8 +89,7 @@ def draw_signals(
         one = panels[0] if len(panels) == 1 else Panel(rows)
         return _finished(ax.figure, [ax], [one], title_of(trajectory, mission))
     shown = panels[:MOST_PANELS]
-    height = height_of(shown)
-    figure = canvas.new_figure(_width(shown), height)
+    figure = on if on is not None else canvas.new_figure(_width(shown), height_of(shown))
     more = f" ({len(panels) - len(shown)} more)" if len(panels) > len(shown) else ""
     return draw_panels(figure, shown, title_of(trajectory, mission) + more)
 

@@ -26,12 +26,15 @@ def draw_trajectory(
     view: str = "",
     names: Sequence[str] = (),
     ax: Any = None,
+    *,
+    on: Any = None,
 ) -> Picture:
     """One of the `TRAJECTORY_VIEWS`: signals over time unless named.
 
     Without a trajectory there is what the mission asks for. `names` are the signals to show, in a
-    plane two of them. Raises InputError for unknown views and names, and PlanError for a trajectory
-    without signals or of another mission.
+    plane two of them. A given `ax` is drawn on, or a whole empty figure, `on`. Raises InputError
+    for unknown views and names, and PlanError for a trajectory without signals or of another
+    mission.
     """
     if trajectory is not None:
         refuse_misfit(trajectory, mission)
@@ -41,10 +44,11 @@ def draw_trajectory(
         raise InputError([found])
     if view == "plane":
         across, up = names or plane_of(trajectory, mission)
+        ax = on.add_subplot() if on is not None else ax
         return draw_plane(trajectory, mission, (across, up), ax)
     if view == PAGE:
-        return draw_signal_page(trajectory, mission)
-    return draw_signals(trajectory, mission, names, ax)
+        return draw_signal_page(trajectory, mission, on)
+    return draw_signals(trajectory, mission, names, ax, on=on)
 
 
 def draw_signal_page(

@@ -43,3 +43,8 @@ class SignalParts:
     warnings: tuple[Finding, ...] = field(default=(), compare=False)
     parse_seconds: float = field(default=0.0, compare=False, repr=False)
     origin: Document | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def size(self) -> int:
+        """How many values a trajectory has at a step."""
+        return len(self.system.names)

@@ -214,7 +214,7 @@ class Trajectory(Record, display.Displayed):
         self,
         mission: SignalMission | None = None,
         *,
-        amplitude: float,
+        amplitude: float | Mapping[str, float],
         runs: int = 1000,
         seed: int = 0,
     ) -> display.DisturbedRuns:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -21,8 +21,11 @@ from tsplan.draw.matplotlib_loading import tell_lost
 from tsplan.errors import Finding, InputError, TsplanError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
 from tsplan.viewer.browser import write_page
-from tsplan.viewer.scene import Pixels, Scene, Size
+from tsplan.viewer.scene import Film, Pixels, Scene, Size
+from tsplan.viewer.signal_scene import SignalScene
 
 LONGEST = 30.0
 """Seconds that an animation takes at most, unless the seconds of a step are given."""
@@ -67,13 +70,15 @@ class Pace:
 
 
 def animate(
-    mission: Mission,
-    plan: Plan,
+    mission: Mission | SignalMission,
+    plan: Plan | Trajectory,
     path: Path,
     pace: Pace | None = None,
     tell: Callable[[str], object] | None = None,
 ) -> None:
-    """Write a plan as a moving picture; the file's name says which kind: .gif, .mp4 or .html.
+    """Write a plan or a trajectory as a moving picture.
+
+    The file's name says which kind: .gif, .mp4 or .html.
 
     Letters that no font could draw are named in one sentence to `tell`, without it as
     MissingLettersWarning.
@@ -93,12 +98,15 @@ def animate(
     if kind == ".mp4":
         _ffmpeg()  # says what is missing before anything is painted
         width, height = width // 2 * 2, height // 2 * 2  # the usual codec asks for it
-    scene = Scene(mission, plan, (width, height))
+    if isinstance(plan, Trajectory):
+        scene: Film = SignalScene(cast("SignalMission", mission), plan, (width, height))
+    else:
+        scene = Scene(cast("Mission", mission), plan, (width, height))
     write_whole(path, _WRITERS[kind](scene, pace.times(plan.horizon), pace.fps))
     tell_lost(scene.letters, "an .html file is shown in the reader's fonts", tell, path)
 
 
-def gif(scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
+def gif(scene: Film, times: tuple[float, ...], fps: int) -> bytes:
     """The pictures at some times as a GIF that starts again at its end."""
     from PIL import Image  # noqa: PLC0415  (comes with matplotlib, an extra)
 
@@ -126,7 +134,7 @@ def _ffmpeg() -> str:
     return program
 
 
-def _mp4(scene: Scene, times: tuple[float, ...], fps: int) -> bytes:
+def _mp4(scene: Film, times: tuple[float, ...], fps: int) -> bytes:
     width, height = scene.size
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "plan.mp4")

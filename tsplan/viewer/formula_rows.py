@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import TypeAlias, cast
 
@@ -95,6 +95,7 @@ class _Judged:
     meaning: Mapping[Formula, Formula]
     early: Mapping[Formula, Floats]
     places: Callable[[Iterable[Atom]], tuple[str, ...]]
+    texts: Mapping[Formula, str] = field(default_factory=dict)
 
 
 def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
@@ -130,11 +131,17 @@ def with_wishes(
 
 
 def signal_rows(
-    formula: Formula, trace: SignalTrace, places: Callable[[Iterable[Atom]], tuple[str, ...]]
+    formula: Formula,
+    trace: SignalTrace,
+    places: Callable[[Iterable[Atom]], tuple[str, ...]],
+    texts: Mapping[Formula, str],
 ) -> list[Part]:
-    """The rows of a formula over signals; `places` are the regions that predicates speak of."""
+    """The rows of a formula over signals.
+
+    `places` are the regions that predicates speak of, `texts` how some parts were written.
+    """
     meaning = {node: node for node in walk(formula)}
-    return _rows(formula, _Judged(trace, meaning, earliness(formula, trace), places))
+    return _rows(formula, _Judged(trace, meaning, earliness(formula, trace), places, texts))
 
 
 def _rows(whole: Formula, judged: _Judged) -> list[Part]:
@@ -177,7 +184,7 @@ def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, open
     counts = {key: one for key, one in every.items() if one.steps.size}
     charts = [_chart(judged, key, one) for key, one in list(counts.items())[:MOST_CHARTS]]
     settled = Counter(step for one in counts.values() for step in one.steps.tolist())
-    text = text_of(formula, _LONGEST)
+    text = judged.texts.get(formula) or text_of(formula, _LONGEST)
     return Part(
         text=text,
         heading=heading(formula) if opened else text,

@@ -6,7 +6,8 @@ What stays the same is painted once; for each picture the rest is painted on a c
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -20,7 +21,7 @@ from tsplan.draw.palette import Palette, classes_of
 from tsplan.draw.tracks import tracks
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
-from tsplan.viewer.formula_rows import formula_parts
+from tsplan.viewer.formula_rows import Part, formula_parts
 from tsplan.viewer.markers import Ground, Markers, markers
 from tsplan.viewer.positions import slots_within, with_slots
 from tsplan.viewer.status_panel import LegendLine, StatusPanel
@@ -37,41 +38,40 @@ _SHARE = 0.66  # of the width, for the map
 _WIDEST = 60  # dots around a state that single agents may take
 
 
-class Scene:
-    """Pictures of one plan, all of one size; `letters` are those that no font could draw.
+class Film(ABC):
+    """Pictures of one size: what stays, and on it what is painted for each time anew.
 
-    Raises PlotUnavailableError without matplotlib, and PlanError for a plan without paths or one
-    that does not fit the mission's map.
+    `letters` are those that no font could draw. Raises PlotUnavailableError without matplotlib.
     """
 
-    def __init__(self, mission: Mission, plan: Plan, size: Size) -> None:
-        refuse_misfit(plan, mission)
+    def __init__(self, size: Size) -> None:
         figure = figure_class()  # says what to install where matplotlib is missing
-
         self._figure = figure(figsize=(size[0] / DOTS, size[1] / DOTS), dpi=DOTS)
         self._canvas = library("backends.backend_agg").FigureCanvasAgg(self._figure)
-        self._tracks = with_slots(tracks(plan, mission, moving=True))
-        colours = {name: paint.colour for name, paint in Palette.of(mission).classes.items()}
-        self._looks = {
-            name: (colour, _MARKERS[place % len(_MARKERS)])
-            for place, (name, colour) in enumerate(colours.items())
-        }
-        self._axes = self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
-        drawn = base(Palette(mission.system), self._axes, ())
-        finish(drawn, "")
-        title = plan.mission.name or mission.system.name
-        panel = StatusPanel(self._figure, (title, plan.horizon), _SHARE)
-        panel.show(formula_parts(mission, plan))
-        sizes = ((name, group.agents) for name, group in classes_of(mission).items())
-        classes = [(f"{agents:,} {name}", *self._looks[name]) for name, agents in sizes]
-        panel.legend([*classes, *self._map_legend()])
+        self._axes = self._ground_axes()
+        self.letters: Mapping[str, None] = {}
+
+    @abstractmethod
+    def _ground_axes(self) -> Any:
+        """The axes that things move on."""
+
+    @abstractmethod
+    def _moved(self, time: float) -> Iterator[Any]:
+        """What is painted anew at a time."""
+
+    def _beside(
+        self, what: tuple[str, int], parts: Sequence[Part], legend: Sequence[LegendLine]
+    ) -> None:
+        """The panel of the formula, and then everything that stays is painted."""
+        panel = StatusPanel(self._figure, what, _SHARE)
+        panel.show(parts)
+        panel.legend([*legend, *self._own_legend()])
         self._panel = panel
         with lacking() as self.letters:
             self._canvas.draw()
-        self.ground = self._ground(mission, drawn)
-        self._marks = {name: self._mark(*look) for name, look in self._looks.items()}
-        self._counts = self._count_texts() if len(mission.system.states) <= MOST_COUNTED else {}
-        self._numbers: list[Any] = []
+
+    def _keep(self) -> None:
+        """Remember what is painted: it stays in every picture."""
         self._still = self._canvas.copy_from_bbox(self._figure.bbox)
 
     @property
@@ -83,10 +83,66 @@ class Scene:
     def at(self, time: float) -> Pixels:
         """The picture at a time between 0 and the horizon: (height, width, 3)."""
         self._canvas.restore_region(self._still)
-        for artist in self._changed(markers(self._tracks, self.ground, time)):
+        for artist in self._moved(time):
             self._axes.draw_artist(artist)
         self._panel.paint(time)
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
+
+    def _dots(self, points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+        """Points of the axes in dots of the figure."""
+        found = self._axes.transData.transform(list(points)) if points else ()
+        return [(float(x), float(y)) for x, y in found]
+
+    def _own_legend(self) -> Iterator[LegendLine]:
+        """What stands beside the axes otherwise: the panel has that place here."""
+        legend = self._axes.get_legend()
+        if legend is None:
+            return
+        legend.remove()
+        for handle, text in zip(legend.legend_handles, legend.get_texts(), strict=True):
+            words = text.get_text().replace(r"\$", "$")  # the panel reads no formulas of TeX
+            if hasattr(handle, "get_facecolor"):
+                colour, marker = handle.get_facecolor(), "s"
+            elif handle.get_linestyle() == "None":  # a mark alone, or words alone
+                colour, marker = handle.get_markeredgecolor(), handle.get_marker()
+            else:
+                colour, marker = handle.get_color(), "_"
+            yield words, library("colors").to_hex(colour), marker
+
+
+class Scene(Film):
+    """Pictures of one plan.
+
+    Raises PlotUnavailableError without matplotlib, and PlanError for a plan without paths or one
+    that does not fit the mission's map.
+    """
+
+    def __init__(self, mission: Mission, plan: Plan, size: Size) -> None:
+        refuse_misfit(plan, mission)
+        super().__init__(size)
+        self._tracks = with_slots(tracks(plan, mission, moving=True))
+        colours = {name: paint.colour for name, paint in Palette.of(mission).classes.items()}
+        self._looks = {
+            name: (colour, _MARKERS[place % len(_MARKERS)])
+            for place, (name, colour) in enumerate(colours.items())
+        }
+        drawn = base(Palette(mission.system), self._axes, ())
+        finish(drawn, "")
+        title = plan.mission.name or mission.system.name
+        sizes = ((name, group.agents) for name, group in classes_of(mission).items())
+        classes = [(f"{agents:,} {name}", *self._looks[name]) for name, agents in sizes]
+        self._beside((title, plan.horizon), formula_parts(mission, plan), classes)
+        self.ground = self._ground(mission, drawn)
+        self._marks = {name: self._mark(*look) for name, look in self._looks.items()}
+        self._counts = self._count_texts() if len(mission.system.states) <= MOST_COUNTED else {}
+        self._numbers: list[Any] = []
+        self._keep()
+
+    def _ground_axes(self) -> Any:
+        return self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
+
+    def _moved(self, time: float) -> Iterator[Any]:
+        return self._changed(markers(self._tracks, self.ground, time))
 
     def _ground(self, mission: Mission, drawn: DrawnMap) -> Ground:
         """The states in dots of the figure, and how large marks may be there."""
@@ -107,23 +163,6 @@ class Scene:
                 below = max(floor, at[name][1] - written - 1.6 * radius)
                 at[name] = at[name][0], min(at[name][1], below)
         return Ground(at, radius, slots_within(min(room * 0.42, _WIDEST) / (2.35 * radius)))
-
-    def _dots(self, points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-        """Points of the map in dots of the figure."""
-        found = self._axes.transData.transform(list(points)) if points else ()
-        return [(float(x), float(y)) for x, y in found]
-
-    def _map_legend(self) -> Iterator[LegendLine]:
-        """What stands beside the map otherwise: the panel has that place here."""
-        legend = self._axes.get_legend()
-        if legend is None:
-            return
-        legend.remove()
-        for handle, text in zip(legend.legend_handles, legend.get_texts(), strict=True):
-            area = hasattr(handle, "get_facecolor")
-            color = handle.get_facecolor() if area else handle.get_color()
-            words = text.get_text().replace(r"\$", "$")  # the panel reads no formulas of TeX
-            yield words, library("colors").to_hex(color), "s" if area else "_"
 
     def _mark(self, colour: str, marker: str) -> Any:
         """All marks of one class."""

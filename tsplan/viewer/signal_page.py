@@ -21,7 +21,7 @@ from tsplan.draw.plane_map import (
 from tsplan.logic import Linear
 from tsplan.plans.summary import objective_line, outcome
 from tsplan.signals.motion_check import refuse_misfit
-from tsplan.viewer.formula_rows import Atom, signal_rows, with_wishes
+from tsplan.viewer.formula_rows import Atom, Part, signal_rows, with_wishes
 from tsplan.viewer.page_data import Json, fact_words, part_data
 
 if TYPE_CHECKING:
@@ -63,7 +63,10 @@ def signal_page_data(mission: SignalMission, trajectory: Trajectory) -> Json:
             "places": _places(places),
             "paths": [path.T.tolist() for path in paths.values()],
         },
-        "formula": _formula(mission, trajectory, places, plane),
+        "formula": [
+            part_data(part, {place.name: n for n, place in enumerate(places)})
+            for part in signal_parts(mission, trajectory, places, plane)
+        ],
     }
 
 
@@ -81,11 +84,14 @@ def _places(places: tuple[Place, ...]) -> list[Json]:
     ]
 
 
-def _formula(
+def signal_parts(
     mission: SignalMission, trajectory: Trajectory, places: tuple[Place, ...], plane: Axes
-) -> list[Json]:
+) -> tuple[Part, ...]:
+    """The rows of a mission's formula for a trajectory, then of what it prefers.
+
+    A row has the names of the places in the plane that it speaks of.
+    """
     trace = trajectory.trace()
-    number = {place.name: n for n, place in enumerate(places)}
     sides = [
         [
             {
@@ -108,9 +114,9 @@ def _formula(
             if any(own <= used for own in every)
         )
 
-    rows = with_wishes(
-        lambda formula: signal_rows(formula, trace, spoken_of),
+    texts = {part: text for text, part in mission.parts}
+    return with_wishes(
+        lambda formula: signal_rows(formula, trace, spoken_of, texts),
         mission.formula,
         ((wish.name, wish.formula) for wish in mission.prefer),
     )
-    return [part_data(part, number) for part in rows]

@@ -42,6 +42,7 @@ MOST_LINES = 2000
 
 _LONGEST = 60  # characters of a formula in one line
 _RUNS = 4
+_CLOSE = 1e-9  # values that sums of floats in different orders may give for one
 _STATES = 4
 
 
@@ -101,10 +102,15 @@ class WitnessNode:
         for node in self._rests_on():
             if isinstance(node.meaning, Count | Linear):
                 judged = zip(node.steps, node.availability, strict=True)
-                at = {step for step, value in judged if value == self.worst}
+                at = {step for step, value in judged if self._is_worst(value)}
                 if at:
                     found.setdefault(node.meaning, set()).update(at)
         return MappingProxyType({atom: tuple(sorted(steps)) for atom, steps in found.items()})
+
+    def _is_worst(self, value: float) -> bool:
+        return self.worst is not None and math.isclose(
+            value, self.worst, rel_tol=_CLOSE, abs_tol=_CLOSE
+        )
 
     def _rests_on(self) -> Iterator[WitnessNode]:
         """It and the needed nodes below, each once."""

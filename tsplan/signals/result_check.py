@@ -1,0 +1,58 @@
+"""Plans and trajectories alike: reading the file of either, and judging it against its mission."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TypeAlias
+
+from tsplan.checking import plan_check
+from tsplan.checking.check_report import Report
+from tsplan.document.files import beginning
+from tsplan.errors import Finding, InputError, PlanError
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
+from tsplan.plans.plan_file import load_plan
+from tsplan.plans.plan_text import TRAJECTORIES
+from tsplan.signals import trajectory_check
+from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.trajectory import Trajectory
+from tsplan.signals.trajectory_file import load_trajectory
+
+AnyMission: TypeAlias = Mission | SignalMission
+Result: TypeAlias = Plan | Trajectory
+
+_GLANCE = 1000  # bytes within which a file says what it is
+
+
+def check(mission: AnyMission, result: Result) -> Report:
+    """Judge a plan or a trajectory against its mission by itself alone, without any solver.
+
+    Of a plan the agents' paths and the swarms' moves are followed over the map, of a trajectory
+    the start and the controls are simulated; then the formula is evaluated as written. The report
+    lists everything that is wrong at once. Raises PlanError where one is not of the other's kind.
+    """
+    if isinstance(mission, Mission) and isinstance(result, Plan):
+        return plan_check.check(mission, result)
+    if isinstance(mission, SignalMission) and isinstance(result, Trajectory):
+        return trajectory_check.check(mission, result)
+    raise PlanError([mixed_up(mission, result)])
+
+
+def mixed_up(mission: AnyMission, result: Result, source: str = "") -> Finding:
+    """That a mission for a team does not go with a trajectory, or one over signals with a plan."""
+    noun = "plan" if isinstance(result, Plan) else "trajectory"
+    kind = "over signals" if isinstance(mission, SignalMission) else "for a team on a map"
+    what = f"this is a {noun}, and the mission is one {kind}"
+    return Finding(what, "name the mission that it was made for", source)
+
+
+def load_result(path: str | Path) -> Result:
+    """Read the file of a plan or a trajectory, whichever it says it is.
+
+    Raises PlanError if it is missing, no ordinary file, or neither.
+    """
+    try:
+        other = TRAJECTORIES.mark.partition("/")[0] in beginning(path, _GLANCE)
+    except InputError:  # said in full by whoever reads it
+        other = False
+    return load_trajectory(path) if other else load_plan(path)
