@@ -6,19 +6,21 @@ from collections import Counter, defaultdict
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from math import inf
 from random import Random
 
 import pytest
 
 import tsplan
-from tests.joint_plans import JointPlan, joint_plans, small_enough
+from tests.joint_plans import SENSE, JointPlan, joint_plans, small_enough
 from tests.seeds import seed_blocks
 from tsplan import Mission
 from tsplan.checking.plan_check import check
-from tsplan.logic import CountTrace, Formula, holds, horizon, parse
+from tsplan.logic import CountTrace, Formula, holds, horizon, parse, robustness
 from tsplan.logic.fraction import shares
 from tsplan.logic.witness_steps import levels
-from tsplan.mission import Preference
+from tsplan.mission import Group, Preference
+from tsplan.plans.plan import Plan
 from tsplan.testing import random_mission, random_swarm_mission
 from tsplan.testing.random_missions import (
     LABELS,
@@ -26,6 +28,7 @@ from tsplan.testing.random_missions import (
     random_formula,
     without_capabilities,
 )
+from tsplan.ts import Edge, State, TransitionSystem
 
 ORDERS = ("weighted", "hierarchical", "depth")
 
@@ -33,7 +36,8 @@ ORDERS = ("weighted", "hierarchical", "depth")
 def team_in_part(seed: int) -> Mission:
     """A random mission that may hold in part; most of them cannot hold as a whole."""
     mission = random_mission(seed, states=4, most_agents=3, steps=5)
-    return replace(mission, objective=("satisfaction", "travel"), satisfaction=ORDERS[seed % 3])
+    others = [("travel",), ("availability", "travel"), ("travel", "availability")][seed // 3 % 3]
+    return replace(mission, objective=("satisfaction", *others), satisfaction=ORDERS[seed % 3])
 
 
 def rival_text(random: Random) -> str:
@@ -78,7 +82,8 @@ def team_preferring(seed: int) -> Mission:
     random = Random(seed)
     mission = random_mission(seed, states=3, most_agents=2, steps=4)
     made = wishes(mission, random, lambda: random_formula(random, random.randint(0, 2)))
-    return replace(mission, prefer=made, objective=("travel",))
+    objective = ("availability", "travel") if seed % 3 == 0 else ("travel",)
+    return replace(mission, prefer=made, objective=objective)
 
 
 def swarms_preferring(seed: int) -> Mission:
@@ -107,11 +112,41 @@ def share(mission: Mission, formula: Formula, counts: CountTrace) -> Fraction:
     return shares(tree, counts)[tree][0].fraction
 
 
+def spare(mission: Mission, counts: CountTrace) -> float:
+    """The least robustness of what a plan is worth something for."""
+    tree = mission.tree(mission.formula)
+    shared = shares(tree, counts)
+    if mission.satisfaction == "weighted":
+        return shared[tree][0].spare
+    held = levels(tree, counts).pairs
+    return min((shared[node][step].spare for node, step in held), default=inf)
+
+
+def judge_availability(mission: Mission, plan: Plan, best: list[tuple[JointPlan, float]]) -> None:
+    """None of the best joint plans has more to spare and is as good in what comes before.
+
+    Other objectives are best for the parts that were chosen, so they are taken as they are.
+    """
+    names = mission.objective[: mission.objective.index("availability") + 1]
+    before = [
+        (item.name, SENSE[item.name] * item.value) for item in plan.objective[1 : len(names) - 1]
+    ]
+    found = [
+        free
+        for joint, free in best
+        if all(SENSE[name] * joint.worth(name) <= value + 1e-6 for name, value in before)
+    ]
+    item = plan.objective[len(names) - 1]
+    assert max(found) == (inf if item.value is None else item.value)
+    assert item.bound == item.value
+
+
 def compare_satisfaction(mission: Mission) -> str:
     if not small_enough(mission):
         return "too large"
     weighted = mission.satisfaction == "weighted"
     worths = []
+    joints = []
     whole = False
     for joint in joint_plans(mission):
         counts = joint.trace()
@@ -120,6 +155,7 @@ def compare_satisfaction(mission: Mission) -> str:
         whole = whole or worth == 1
         depths = None if weighted else levels(mission.tree(mission.formula), counts).counts
         worths.append((worth,) if weighted else depths)
+        joints.append((joint, spare(mission, counts)))
     plan = tsplan.plan(mission)
     if not worths:
         assert plan.status == "infeasible"
@@ -135,6 +171,9 @@ def compare_satisfaction(mission: Mission) -> str:
         assert tuple(item.value for item in plan.satisfaction.depths) == best
         if not whole:
             assert tuple(item.bound for item in plan.satisfaction.depths) == best
+    if "availability" in mission.objective:
+        equals = zip(joints, worths, strict=True)
+        judge_availability(mission, plan, [made for made, worth in equals if worth == best])
     if whole:
         assert (plan.satisfaction.fraction, plan.objective[0].bound) == (1, 1)
         return "whole"
@@ -148,6 +187,17 @@ def gains(mission: Mission, joint: JointPlan) -> tuple[Fraction, ...]:
         worth = share(mission, wish.formula, joint.trace())
         by_level[wish.level] += wish.weight * (worth if wish.partial else worth // 1)
     return tuple(by_level[level] for level in sorted(by_level, reverse=True))
+
+
+def spare_at_preferences(mission: Mission, counts: CountTrace) -> float:
+    """The least robustness of what must hold, and of the preferences that do."""
+    least = float(robustness(mission.counted, counts)[0])
+    for wish in mission.prefer:
+        tree = mission.tree(wish.formula)
+        found = shares(tree, counts)[tree][0]
+        if wish.partial or found.fraction == 1:
+            least = min(least, found.spare)
+    return least
 
 
 def compare_preferences(mission: Mission) -> str:
@@ -171,6 +221,13 @@ def compare_preferences(mission: Mission) -> str:
     assert tuple(made[level] for level in sorted(made, reverse=True)) == best
     assert plan.objective[0].value == pytest.approx(float(sum(best)))
     assert plan.objective[0].bound == pytest.approx(float(sum(best)))
+    if "availability" in mission.objective:
+        equals = [
+            (joint, spare_at_preferences(mission, joint.trace()))
+            for worth, joint in found
+            if worth == best
+        ]
+        judge_availability(mission, plan, equals)
     if any(wish.partial for wish in mission.prefer):
         return "partial"
     if mission.objective[1:2] == ("travel",):
@@ -214,11 +271,55 @@ def test_as_much_of_what_robots_and_a_swarm_are_asked_holds_as_can() -> None:
     assert min(seen["part"], seen["whole"]) >= 3, seen
 
 
-def test_other_parts_that_hold_have_more_to_spare() -> None:
+@pytest.mark.parametrize("order", ORDERS)
+@pytest.mark.parametrize("encoding", ["tight", "reference"])
+def test_other_parts_that_hold_have_more_to_spare(order: str, encoding: str) -> None:
+    places = [State("h"), *(State(name.lower(), frozenset(name)) for name in "ABC")]
+    ways = [("h", "a", 4), ("a", "h", 3), ("h", "b", 4), ("b", "h", 1), ("h", "c", 4)]
+    edges = [*(Edge(item.name, item.name) for item in places), *(Edge(*way) for way in ways)]
+    mission = Mission.of(
+        map=TransitionSystem.build(places, edges),
+        team=[Group.of("cart", {"h": 2})],
+        formula="G[2,4] sum(A) <= 1 && (F[4,5] sum(B) >= 1 && F[5,5] sum(C) >= 2)",
+        language="mtl",
+        objective=[{"satisfaction": order}, "availability", "makespan"],
+    )
+    plan = tsplan.plan(mission, encoding=encoding)
+    # two at B, where one is enough, and not two at C, where two are needed
+    assert plan.status == "optimal"
+    assert [(item.value, item.bound) for item in plan.objective[1:]] == [(1, 1), (4, 4)]
+
+
+def test_what_counts_by_depth_is_what_has_agents_to_spare() -> None:
     mission = mixed_in_part(62_741)
     plan = tsplan.plan(mission)
-    assert (plan.objective[1].name, plan.objective[1].value) == ("availability", 2)
-    assert plan.objective[1].bound is None or plan.objective[1].bound >= 2
+    # the fraction is made of another part, which has two
+    assert plan.satisfaction is not None
+    assert plan.satisfaction.availability == 2
+    assert (plan.objective[1].name, plan.objective[1].value, plan.status) == (
+        "availability",
+        0,
+        "optimal",
+    )
+
+
+def test_a_margin_of_what_must_hold_is_to_spare_as_well() -> None:
+    places = [State(name.lower(), frozenset(name)) for name in "ABC"]
+    edges = [*(Edge(item.name, item.name) for item in places), Edge("a", "b"), Edge("b", "c")]
+    mission = Mission.of(
+        map=TransitionSystem.build(places, edges),
+        team=[Group.of("cart", {"a": 1})],
+        swarm={"size": 8, "at": "a"},
+        margin=2,
+        must="F[3,4] sum(C) >= 2",
+        prefer=[{"formula": "F[1,2] sum(B) >= 4"}, {"formula": "F[0,9] sum(C) >= 10"}],
+        language="mtl",
+        objective=["availability"],
+    )
+    plan = tsplan.plan(mission)
+    assert plan.status == "optimal"
+    # nine agents come to B for the four that are preferred, and to C for the two that must
+    assert [(item.value, item.bound) for item in plan.objective] == [(1, 1), (5, 5)]
 
 
 def test_preferences_of_robots_and_a_swarm_are_met_as_far_as_they_can_be() -> None:

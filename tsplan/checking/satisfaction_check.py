@@ -41,11 +41,16 @@ def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction:
 def slack_of(mission: Mission, trace: CountTrace, availability: float) -> float:
     """Agents to spare at all that holds: what must, and what may and does; infinite for nothing.
 
-    `availability` is that of the formula as a whole.
+    Of a formula that may hold in part it is what counts in its order: the atoms that its fraction
+    is made of, or all parts that hold while none around them does. `availability` is that of the
+    formula as a whole.
     """
-    whole = [(mission.tree(mission.formula), True)] if mission.partial else []
-    wishes = [(mission.tree(item.formula), item.partial) for item in mission.prefer]
-    return least_spare(whole or wishes, trace, math.inf if whole else availability)
+    if not mission.partial:
+        wishes = [(mission.tree(item.formula), item.partial) for item in mission.prefer]
+        return least_spare(wishes, trace, availability)
+    tree = mission.tree(mission.formula)
+    by_depth = mission.satisfaction != "weighted"
+    return levels(tree, trace).spare if by_depth else least_spare([(tree, True)], trace)
 
 
 def least_spare(

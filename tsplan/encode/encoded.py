@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -19,7 +20,8 @@ from tsplan.encode.groups.group_rows import Swarm
 from tsplan.encode.map_reduction import Reduced
 from tsplan.encode.memory import Watch
 from tsplan.encode.switches import ALL_SWITCHES, Switch
-from tsplan.logic import Formula, simplify, tighten
+from tsplan.logic import Formula, conjunction, simplify, tighten
+from tsplan.logic.margin import shifted
 from tsplan.milp.model import Draft, Floats, Ints, Model
 from tsplan.mission import Mission
 
@@ -40,25 +42,28 @@ class Setting:
     switches: frozenset[Switch] = ALL_SWITCHES
     monotone: bool = False  # nothing bounds a count from above
     clock: Clock = field(default_factory=Clock)  # heard while models are made
-    plain: Formula | None = None  # the goal without the margin by which it is tightened
+    plain: Formula | None = None  # what of the goal a margin tightens, without that
+    beside: Formula | None = None  # what is in the goal beside that, as it is written
     level: int = 0  # the availability that is asked for beside that
 
     def atoms(self, network: Network) -> Atoms:
         """How atoms are encoded over a network."""
         return atoms_over(network, self.mission.system, self.arrays, self.level)
 
-    @property
+    @cached_property
     def judged(self) -> Formula:
         """What availability is told of: the goal without a margin."""
-        return self.goal if self.plain is None else self.plain
+        parts = [part for part in (self.plain, self.beside) if part is not None]
+        return simplify(conjunction(parts)) if parts else self.goal
 
     def at(self, level: int) -> Setting:
         """The setting of plans with availability at least `level`."""
         rules = self.mission.swarm
         if self.plain is None or rules is None or not level:
             return replace(self, level=level)
-        goal = tighten(self.plain, self.mission.having, rules.spare, level)
-        return replace(self, goal=simplify(goal))
+        goal = [tighten(self.plain, self.mission.having, rules.spare, level)]
+        goal += [] if self.beside is None else [shifted(self.beside, level)]
+        return replace(self, goal=simplify(conjunction(goal)))
 
     @property
     def together(self) -> int | None:

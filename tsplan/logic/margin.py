@@ -10,6 +10,16 @@ from tsplan.logic.nodes import Formula
 from tsplan.logic.traversal import fold
 
 
+def shifted(formula: Formula, by: int) -> Formula:
+    """A formula in positive normal form whose every atom asks for so many agents more.
+
+    >>> from tsplan.logic import parse
+    >>> print(shifted(parse("sum(A) >= 4 && sum(B) <= 1"), -2))
+    sum(A) >= 2 && sum(B) <= 3
+    """
+    return _bounded(formula, lambda node, bound: bound + (by if node.relation == ">=" else -by))
+
+
 def tighten(
     formula: Formula,
     total_of: Callable[[str | None], int],
@@ -27,17 +37,24 @@ def tighten(
     sum(A) >= 5 && sum(B) <= 0
     """
 
+    def wanted(node: Count, bound: int) -> int:
+        total = total_of(node.capability)
+        spare = spare_of(total) if 0 < bound < total else 0
+        if node.relation == ">=":
+            return max(min(bound + spare, total) if spare else bound, bound + level)
+        return min(max(bound - spare, 0) if spare else bound, bound - level)
+
+    return _bounded(formula, wanted)
+
+
+def _bounded(formula: Formula, bound_of: Callable[[Count, int], int]) -> Formula:
+    """A formula with other bounds of its atoms, which are numbers."""
+
     def moved(node: Formula, below: tuple[Formula, ...]) -> Formula:
         if not isinstance(node, Count):
             return node.over(below)
         if isinstance(node.bound, Percent):
             raise TypeError(f"'{node}' is a percentage; resolve_percent() makes it a number")
-        total = total_of(node.capability)
-        spare = spare_of(total) if 0 < node.bound < total else 0
-        if node.relation == ">=":
-            wanted = min(node.bound + spare, total) if spare else node.bound
-            return replace(node, bound=max(wanted, node.bound + level))
-        wanted = max(node.bound - spare, 0) if spare else node.bound
-        return replace(node, bound=min(wanted, node.bound - level))
+        return replace(node, bound=bound_of(node, node.bound))
 
     return fold(formula, moved)

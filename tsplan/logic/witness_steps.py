@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 from typing import NamedTuple, TypeAlias
 
 from tsplan.logic.fraction import Shares, changes, shares
@@ -229,10 +230,14 @@ def reach(node: Formula, child: int, step: int) -> range:
 
 
 class Levels(NamedTuple):
-    """How many pairs of each depth hold without any of their ancestors, and which they are."""
+    """How many pairs of each depth hold without any of their ancestors, and which they are.
+
+    `spare` is the least robustness of these, infinite where there are none.
+    """
 
     counts: tuple[int, ...]
     pairs: tuple[Pair, ...]
+    spare: float
 
 
 def levels(tree: Formula, trace: Trace) -> Levels:
@@ -253,7 +258,8 @@ def levels(tree: Formula, trace: Trace) -> Levels:
         counts[occurrence.depth] += len(topmost)
         pairs.update(((occurrence.node, step), None) for step in sorted(topmost))
         covered.append(held | above)
-    return Levels(tuple(counts), tuple(pairs))
+    spare = min((values[node][step].spare for node, step in pairs), default=inf)
+    return Levels(tuple(counts), tuple(pairs), spare)
 
 
 def _covered_from_above(

@@ -93,6 +93,10 @@ class Target:
         value = (own - float(self.constant)) / float(self.unit)
         return float(round(value)) if self.step else value
 
+    def of_own(self, value: Fraction) -> float:
+        """The value of points that are worth so much, the inverse of `own`."""
+        return float((value - self.constant) / self.unit)
+
     # --- what is believed of linear programs ---------------------------------------------------
 
     def doubt(self, value: float) -> float:

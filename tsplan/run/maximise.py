@@ -6,14 +6,14 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import floor, lcm
+from typing import TypeAlias
 
 import numpy as np
 
 from tsplan.clock import Clock
-from tsplan.encode.encoded import Encoded, Point, Setting
+from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.expressions import Expression
-from tsplan.encode.partial.conflict_graph import ConflictGraph
-from tsplan.encode.partial.partial_model import Claimed, Wish, claimed, valued
+from tsplan.encode.partial.partial_model import PartialModel, Valued, Wish, claimed, valued
 from tsplan.encode.switches import Switch
 from tsplan.exact import exact
 from tsplan.logic import Formula
@@ -29,13 +29,19 @@ from tsplan.search.scaling import aim_at, below, by_depth, chunks
 from tsplan.search.search import Search
 from tsplan.stopping import StoppedBy
 
+Rivals: TypeAlias = Callable[[Setting, Formula], PartialModel]
+"""Makes the model of all plans for a demand that reach what was settled."""
+
 _PART = 0.8  # of the time limit that settling may take
 _PATIENCE = 30.0  # seconds before the general solver takes over
 
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """The best point known, what is proven of each level, and what ended the search."""
+    """The best point known, what is proven of each level, and what ended the search.
+
+    `rivals` are the plans that reach as much as the point, whatever parts hold in them.
+    """
 
     point: Point | None
     levels: tuple[ObjectiveValue, ...]
@@ -43,6 +49,7 @@ class Settled:
     infeasible: bool
     stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
+    rivals: Rivals | None = None
 
 
 @dataclass(eq=False)
@@ -86,25 +93,30 @@ class Settling:
         """
         with self.clock.timed("build"):
             model = valued(self.setting, demand, wishes)
-        encoded = model.encoded
+        best: dict[int, Fraction] = {}
         for level in sorted(levels, reverse=True):
-            entries = levels[level]
-            total = Expression.total((model.worth[number], weight) for number, weight in entries)
-            most = _total(entries)
-            units = lcm(*(wishes[n].denominator * weight.denominator for n, weight in entries))
-            aim = aim_at(total, units, encoded.model.size.columns)
+            most = _total(levels[level])
+            aim = _worth(model, wishes, levels[level])
             if refuted and not self._levels:
-                encoded = below(encoded, aim, most)
+                model = replace(model, encoded=below(model.encoded, aim, most))
             others = sum((_total(levels[lower]) for lower in levels if lower < level), Fraction(0))
-            found = self._best(encoded, aim, model.conflicts, self._bounded(others))
+            found = self._best(model, aim, self._bounded(others))
             certain = self._noted(found)
             if found.objective is None:
                 return self._settled(infeasible=found.proven)
             reached = min(aim.own(found.objective if certain else found.bound), float(most))
             self._levels.append(ObjectiveValue(str(level), aim.own(found.objective), reached))
-            kept = aim.kept(encoded.model, found.objective, "kept")
-            encoded = replace(encoded, model=kept)
-        return self._settled()
+            best[level] = exact(aim.own(found.objective))
+            model = model.having(aim.kept(model.encoded.model, found.objective, "kept"))
+
+        def rivals(setting: Setting, demand: Formula) -> PartialModel:
+            model = valued(setting, demand, wishes)
+            for level, value in best.items():
+                aim = _worth(model, wishes, levels[level])
+                model = model.having(aim.kept(model.encoded.model, aim.of_own(value), "kept"))
+            return model
+
+        return self._settled(rivals)
 
     def _bounded(self, others: Fraction) -> Callable[[float], float | None]:
         """A bound on all levels from one on the present level; `others` is all that may follow."""
@@ -137,7 +149,7 @@ class Settling:
                 model = claimed(self.setting, tree, chunk[-1])
             columns = model.encoded.model.size.columns
             aim = by_depth([model.claims.by_depth[depth] for depth in chunk], columns)
-            found = self._best(_within(model, known), aim, model.conflicts, lambda _: None)
+            found = self._best(model.with_claims(known), aim, lambda _: None)
             surest, certain = self._proven, self._noted(found)
             if found.values is None:
                 return self._settled(infeasible=found.proven)
@@ -153,19 +165,24 @@ class Settling:
                 bounds |= {**dict.fromkeys(chunk), chunk[0]: float(first)}
         values = {depth: known.get(depth, (0.0, 0.0))[0] for depth in range(len(counts))}
         self._levels = [ObjectiveValue(str(d), value, bounds.get(d)) for d, value in values.items()]
-        return self._settled()
+
+        def rivals(setting: Setting, _demand: Formula) -> PartialModel:
+            return claimed(setting, tree, deepest).with_claims(
+                {d: (n, n) for d, n in values.items()}
+            )
+
+        return self._settled(rivals)
 
     # --- search ------------------------------------------------------------------------------
 
     def _best(
         self,
-        encoded: Encoded,
+        model: PartialModel,
         aim: Target,
-        conflicts: ConflictGraph,
         bounded: Callable[[float], float | None],
     ) -> Found:
         """Search for the best point; `bounded` makes a bound of the objective from the aim's."""
-        encoded = with_clique_cuts(encoded, aim.vector, conflicts, self.clock)
+        encoded = with_clique_cuts(model.encoded, aim.vector, model.conflicts, self.clock)
         best: float | None = None
 
         def report(values: Floats | None, _value: float | None, bound: float | None) -> None:
@@ -196,27 +213,25 @@ class Settling:
         self._stopped = self._stopped or found.stopped_by
         return certain
 
-    def _settled(self, *, infeasible: bool = False) -> Settled:
+    def _settled(self, rivals: Rivals | None = None, *, infeasible: bool = False) -> Settled:
         proven = self._proven and self._point is not None
         stopped = None
         if not proven and not infeasible:
             stopped = self._stopped or self.clock.stopped_by or StoppedBy.PRECISION
         levels = tuple(self._levels)
         none = infeasible and self._point is None
-        return Settled(self._point, levels, proven, none, stopped, self._size)
+        return Settled(self._point, levels, proven, none, stopped, self._size, rivals)
+
+
+def _worth(
+    model: Valued, wishes: Sequence[Wish], entries: Sequence[tuple[int, Fraction]]
+) -> Target:
+    """The weighted worth of some wishes, as a target."""
+    total = Expression.total((model.worth[number], weight) for number, weight in entries)
+    units = lcm(*(wishes[n].denominator * weight.denominator for n, weight in entries))
+    return aim_at(total, units, model.encoded.model.size.columns)
 
 
 def _total(entries: Sequence[tuple[int, Fraction]]) -> Fraction:
     """What the wishes of a level are worth together."""
     return sum((weight for _, weight in entries), Fraction(0))
-
-
-def _within(model: Claimed, known: Mapping[int, tuple[float, float]]) -> Encoded:
-    """The model with as many claims at the depths settled before."""
-    inner = model.encoded.model
-    for depth, (least, most) in known.items():
-        vector = np.zeros(inner.size.columns)
-        vector[model.claims.by_depth[depth]] = 1.0
-        if vector.any():
-            inner = inner.with_row(vector, least, most, "kept")
-    return replace(model.encoded, model=inner)

@@ -8,7 +8,7 @@ with the availability of what is satisfied.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -17,7 +17,7 @@ from tsplan.clock import Clock
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.expressions import Constraint
 from tsplan.encode.model_objectives import Availability
-from tsplan.encode.partial.partial_model import Wish, demand_of, everything, wish_of
+from tsplan.encode.partial.partial_model import PartialModel, Wish, everything, wish_of
 from tsplan.encode.preparation import prepare
 from tsplan.encode.read_back import counts_of
 from tsplan.encode.switches import Switch
@@ -25,10 +25,11 @@ from tsplan.errors import Finding, MissionError
 from tsplan.exact import exact
 from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.fraction import shares
-from tsplan.logic.traces import CountTrace
+from tsplan.logic.margin import shifted, tighten
 from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences, satisfied
 from tsplan.mission import Mission
 from tsplan.plans.plan import ObjectiveValue
+from tsplan.run.chosen_parts import ChosenParts
 from tsplan.run.maximise import Settled, Settling
 from tsplan.search.lexicographic import Outcome
 from tsplan.search.stages import Stages
@@ -58,6 +59,20 @@ def prepare_soft(
     return prepare(mission, constraints, switches, goal, clock=clock)
 
 
+def demand_of(mission: Mission, level: int = 0) -> Formula:
+    """What must hold in any case, in positive normal form.
+
+    With `level` agents to spare where every atom asks for so many more than it says here; a margin
+    is kept all the same.
+    """
+    if mission.partial:
+        return conjunction([])
+    if mission.swarm is None or not level:
+        return mission.goal
+    written = positive(mission.counted)
+    return simplify(shifted(tighten(written, mission.having, mission.swarm.spare, level), -level))
+
+
 def wishes_of(mission: Mission) -> tuple[Wish, ...]:
     """What is to hold as far as possible."""
     if mission.partial:
@@ -67,10 +82,10 @@ def wishes_of(mission: Mission) -> tuple[Wish, ...]:
 
 @dataclass(frozen=True, eq=False)
 class Choice:
-    """What was settled, what is to hold from now on, and what the first objective came to."""
+    """What was settled, what of the wishes is to hold from now on, and the first objective."""
 
     settled: Settled
-    goal: Formula
+    held: Formula
     objective: ObjectiveValue
 
 
@@ -101,41 +116,59 @@ def _pursued(stages: Stages, choice: Choice, known: Point) -> Outcome[Point]:
     # of a team that does part of its formula, it is said how many agents that could do without
     implied = mission.partial and mission.swarm is None and "availability" not in names
     objectives = (Availability(), *stages.objectives) if implied else stages.objectives
-    rest = replace(
-        stages,
-        setting=replace(stages.setting, goal=choice.goal),
-        objectives=objectives,
-        known=known.values[known.encoded.flows] if stages.tight else None,
-    )
-    outcome = rest.run()
+    while True:
+        rest = ChosenParts(
+            setting=_demanding(stages.setting, choice.held),
+            objectives=objectives,
+            effort=stages.effort,
+            clock=stages.clock,
+            tell=stages.tell,
+            tight=stages.tight,
+            known=known.values[known.encoded.flows] if stages.tight else None,
+            rivals=None if implied else _rivals(stages.setting, settled),
+        )
+        outcome = rest.run()
+        if rest.better is None:
+            break
+        known = rest.better
+        choice = replace(choice, held=_held(stages.setting, known))
     point = outcome.point or known
-    others = outcome.reached[1:] if implied else outcome.reached
-    told = tuple(_of_all_plans(rest.setting, item, point) for item in others)
-    proven = settled.proven and outcome.proven and told == others
+    told = outcome.reached[1:] if implied else outcome.reached
+    if not settled.proven:  # then availability may be more where more holds
+        told = tuple(replace(i, bound=None) if i.name == "availability" else i for i in told)
     why = _why_open(settled.stopped_by, outcome.stopped_by, refuted=outcome.infeasible)
     return Outcome(
         point=point,
         reached=(choice.objective, *(told or (ObjectiveValue(name, None, None) for name in names))),
-        proven=proven,
-        stopped_by=why if proven else why or StoppedBy.PRECISION,
+        proven=settled.proven and outcome.proven,
+        stopped_by=why,
         size=outcome.size,
         levels=settled.levels,
         notes=outcome.notes,
     )
 
 
-def _of_all_plans(setting: Setting, reached: ObjectiveValue, point: Point) -> ObjectiveValue:
-    """A value without its bound where the plan refutes it.
+def _rivals(setting: Setting, settled: Settled) -> Callable[[int], PartialModel] | None:
+    """Makes the model of all plans that reach what was settled, with so many agents to spare."""
+    made, mission = settled.rivals, setting.mission
+    if made is None or not settled.proven:
+        return None
 
-    Availability is bounded for the parts that were chosen to hold. A plan in which other parts
-    hold as well may have more to spare at what holds best, and then nothing is known of all plans.
-    """
+    def rivals(level: int) -> PartialModel:
+        demand = demand_of(mission, level)
+        goal = everything(demand, wishes_of(mission))
+        return made(replace(setting, goal=goal).at(level), demand)
+
+    return rivals
+
+
+def _demanding(setting: Setting, held: Formula) -> Setting:
+    """The setting of plans in which what must hold does, and what was chosen beside it."""
     mission = setting.mission
-    if not mission.partial or reached.name != "availability" or reached.bound is None:
-        return reached
-    tree = mission.tree(mission.formula)
-    spare = shares(tree, counts_of(setting, tree, point))[tree][0].spare
-    return replace(reached, bound=None) if spare > reached.bound else reached
+    demanding = replace(setting, goal=simplify(conjunction([demand_of(mission), held])))
+    if mission.swarm is None or not mission.swarm.margin:
+        return demanding
+    return replace(demanding, plain=positive(mission.counted), beside=held)
 
 
 def _why_open(
@@ -195,59 +228,47 @@ def worth_of(setting: Setting, point: Point) -> float:
 def _chosen(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
     """What is to hold; `refuted` says that not everything can."""
     if setting.mission.partial:
-        return _satisfy(settling, setting, refuted=refuted)
-    return _prefer(settling, setting)
+        settled, objective = _satisfied(settling, setting.mission, refuted=refuted)
+    else:
+        settled, objective = _preferred(settling, setting.mission)
+    held = conjunction([]) if settled.point is None else _held(setting, settled.point)
+    return Choice(settled, held, objective)
 
 
-def _satisfy(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
+def _satisfied(
+    settling: Settling, mission: Mission, *, refuted: bool
+) -> tuple[Settled, ObjectiveValue]:
     """As much of the formula as can hold, in the mission's order."""
-    mission = setting.mission
     (wish,) = wishes_of(mission)
     if mission.satisfaction == "weighted":
         whole = {0: [(0, Fraction(1))]}
         settled = settling.weights(conjunction([]), [wish], whole, refuted=refuted)
         value, bound = _summed(settled)
-        settled = replace(settled, levels=())
-    else:
-        together = mission.satisfaction == "depth"
-        settled = settling.depths(wish.tree, together=together, refuted=refuted)
-        value, bound = None, None
-    goal = conjunction([])
-    if settled.point is not None:
-        trace = counts_of(setting, wish.tree, settled.point)
-        find = satisfied if mission.satisfaction == "weighted" else _topmost
-        goal = simplify(positive(demanded(find(wish.tree, trace))))
-    return Choice(settled, goal, ObjectiveValue("satisfaction", value, bound))
+        return replace(settled, levels=()), ObjectiveValue("satisfaction", value, bound)
+    together = mission.satisfaction == "depth"
+    settled = settling.depths(wish.tree, together=together, refuted=refuted)
+    return settled, ObjectiveValue("satisfaction", None, None)
 
 
-def _topmost(tree: Formula, trace: CountTrace) -> tuple[Pair, ...]:
-    return levels(tree, trace).pairs
-
-
-def _prefer(settling: Settling, setting: Setting) -> Choice:
+def _preferred(settling: Settling, mission: Mission) -> tuple[Settled, ObjectiveValue]:
     """As many of the preferred formulas as can hold beside what must."""
-    mission = setting.mission
-    wishes = wishes_of(mission)
-    demand = demand_of(mission)
     wanted: dict[int, list[tuple[int, Fraction]]] = defaultdict(list)
     for number, preference in enumerate(mission.prefer):
         wanted[preference.level].append((number, preference.weight))
-    settled = settling.weights(demand, wishes, wanted)
-    value, bound = _summed(settled)
-    if settled.point is not None:
-        every = conjunction(wish.tree for wish in wishes)
-        trace = counts_of(setting, every, settled.point)
-        pairs = [pair for wish in wishes for pair in _met(wish, trace)]
-        demand = simplify(conjunction([demand, positive(demanded(pairs))]))
-    return Choice(settled, demand, ObjectiveValue("preferences", value, bound))
+    settled = settling.weights(demand_of(mission), wishes_of(mission), wanted)
+    return settled, ObjectiveValue("preferences", *_summed(settled))
 
 
-def _met(wish: Wish, trace: CountTrace) -> Iterable[Pair]:
-    """What a plan meets of a wish."""
-    if wish.partial:
-        return satisfied(wish.tree, trace)
-    held = shares(wish.tree, trace)[wish.tree][0].fraction == 1
-    return [(wish.tree, 0)] if held else []
+def _held(setting: Setting, point: Point) -> Formula:
+    """What the plan of a point satisfies of the wishes."""
+    mission, pairs = setting.mission, list[Pair]()
+    for wish in wishes_of(mission):
+        trace = counts_of(setting, wish.tree, point)
+        if mission.partial and mission.satisfaction != "weighted":
+            pairs += levels(wish.tree, trace).pairs
+        elif wish.partial or shares(wish.tree, trace)[wish.tree][0].fraction == 1:
+            pairs += satisfied(wish.tree, trace)
+    return simplify(positive(demanded(pairs)))
 
 
 def _summed(settled: Settled) -> tuple[float | None, float | None]:

@@ -30,7 +30,7 @@ def below(encoded: Encoded, target: Target, value: Fraction) -> Encoded:
     """The model of those plans that reach less than `value`, where that can be told apart."""
     if not target.step:
         return encoded
-    least = float((value - target.constant) / target.unit) + _HALF
+    least = target.of_own(value) + _HALF
     model = encoded.model.with_row(target.vector, least, INFINITY, "less")
     return replace(encoded, model=model)
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
 
 from tsplan.encode.assemble import assembled
 from tsplan.encode.encoded import Encoded, Setting
@@ -18,7 +21,7 @@ from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
 from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares_of
 from tsplan.logic.witness_steps import occurrences
-from tsplan.milp.model import Draft
+from tsplan.milp.model import Draft, Model
 from tsplan.mission import Mission, Preference
 
 
@@ -45,22 +48,27 @@ def wish_of(mission: Mission, preference: Preference) -> Wish:
     return Wish(mission.tree(preference.formula), preference.partial)
 
 
-def demand_of(mission: Mission) -> Formula:
-    """What must hold in any case, in positive normal form."""
-    return conjunction([]) if mission.partial else mission.goal
-
-
 def everything(demand: Formula, wishes: Sequence[Wish]) -> Formula:
     """A positive formula that has all sub-formulas that may be asked for."""
     return conjunction([demand, *(positive(w.tree) if w.partial else w.whole for w in wishes)])
 
 
 @dataclass(frozen=True, eq=False)
-class Valued:
-    """A model and what each wish is worth in it."""
+class PartialModel:
+    """A model in which not everything need hold, and what excludes each other in it."""
 
     encoded: Encoded
     conflicts: ConflictGraph
+
+    def having(self, model: Model) -> Self:
+        """The same with more rows."""
+        return replace(self, encoded=replace(self.encoded, model=model))
+
+
+@dataclass(frozen=True, eq=False)
+class Valued(PartialModel):
+    """A model and what each wish is worth in it."""
+
     worth: tuple[Expression, ...]
 
 
@@ -101,12 +109,20 @@ def wished(
 
 
 @dataclass(frozen=True, eq=False)
-class Claimed:
+class Claimed(PartialModel):
     """A model and the claims in it."""
 
-    encoded: Encoded
-    conflicts: ConflictGraph
     claims: Claims
+
+    def with_claims(self, counts: Mapping[int, tuple[float, float]]) -> Self:
+        """Between so many and so many claims at some depths."""
+        model = self.encoded.model
+        for depth, (least, most) in counts.items():
+            vector = np.zeros(model.size.columns)
+            vector[self.claims.by_depth[depth]] = 1.0
+            if vector.any() or least > 0:
+                model = model.with_row(vector, least, most, "kept")
+        return self.having(model)
 
 
 def claimed(setting: Setting, tree: Formula, deepest: int) -> Claimed:
