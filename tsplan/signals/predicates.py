@@ -112,6 +112,8 @@ class LinearEncoder:
 def jointly(node: Formula, atoms: Atoms) -> float:
     """The most robustness that a conjunction has because of predicates that look at each other.
 
+    Like that of a predicate it is counted beyond the least that is wanted.
+
     A box of width w is nowhere left by more than w/2. Infinite where no predicates face each other.
 
     >>> from tsplan.logic import parse
@@ -122,13 +124,16 @@ def jointly(node: Formula, atoms: Atoms) -> float:
     0.5
     """
     facing: dict[Terms, list[HalfSpace]] = defaultdict(list)
+    wanted = 0.0
     waiting = list(node.children)
     while waiting:
         part = waiting.pop()
         if isinstance(part, And):
             waiting += part.children
         elif part in atoms:
-            for bound in atoms.of(part)[1].bounds:
+            encoder, needed = atoms.of(part)
+            wanted = getattr(encoder, "least", 0.0)
+            for bound in needed.bounds:
                 facing[bound.terms].append(bound)
     least = np.inf
     for bounds in facing.values():
@@ -136,4 +141,4 @@ def jointly(node: Formula, atoms: Atoms) -> float:
             for other in facing.get(one.opposite, ()):
                 room = -(one.amount + other.amount)
                 least = min(least, room / (1 / one.scale + 1 / other.scale))
-    return float(least)
+    return float(least) - wanted
