@@ -129,6 +129,19 @@ class System:
         first, last = self.initial.get(name, (low, high))
         return max(low, first), min(high, last)
 
+    def led(self, state: Mapping[str, float], control: Mapping[str, float]) -> dict[str, float]:
+        """The signals one step after a state, as a control leads them.
+
+        Raises ValueError for a system without dynamics, KeyError for values that are missing.
+
+        >>> cart = System({"p": (0, 9)}, {"u": (-1, 1)}, Dynamics(((1,),), ((1,),), (0,)))
+        >>> cart.led({"p": 2.0}, {"u": 0.5})
+        {'p': 2.5}
+        """
+        steered = np.array([[control[name]] for name in self.controls]).reshape(-1, 1)
+        later = self.simulated([state[name] for name in self.signals], steered)[:, 1]
+        return dict(zip(self.signals, later.tolist(), strict=True))
+
     def simulated(self, start: Sequence[float], controls: Floats) -> Floats:
         """The signals (n, T+1) from a start by controls (m, T), step by step in floats.
 

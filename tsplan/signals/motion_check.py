@@ -20,11 +20,12 @@ class Motion:
     """A trajectory that has exactly the signals and controls of its system.
 
     `values` has each of them as an array, (T+1,) and (T,). `scales` is the range of each: between
-    its bounds, and where these are infinite or one, the size of its values, at least 1.
+    its bounds, and where these are infinite or one, the size of its values, at least 1. What is
+    `past` was measured: the signals up to that step and the controls before it are as they are.
     """
 
-    def __init__(self, system: System, trajectory: Trajectory) -> None:
-        self.system, self.horizon = system, trajectory.horizon
+    def __init__(self, system: System, trajectory: Trajectory, past: int | None = None) -> None:
+        self.system, self.horizon, self.past = system, trajectory.horizon, past
         self.values: Mapping[str, Floats] = {name: trajectory[name] for name in system.names}
         ranges = {**system.signals, **system.controls}
         self.scales = {name: _scale(ranges[name], row) for name, row in self.values.items()}
@@ -32,6 +33,16 @@ class Motion:
     def width(self, terms: Terms) -> float:
         """The range of a sum."""
         return sum((abs(factor) * self.scales[name] for name, factor in terms), 0.0)
+
+    @property
+    def now(self) -> int:
+        """The first step whose controls are judged."""
+        return 0 if self.past is None else self.past
+
+    @property
+    def ahead(self) -> int:
+        """The first step whose signals are judged."""
+        return 0 if self.past is None else self.past + 1
 
     @property
     def simulated(self) -> Mapping[str, Floats]:
@@ -42,7 +53,8 @@ class Motion:
             steered = [self.values[name] for name in self.system.controls]
             controls = np.array(steered).reshape(len(steered), rows.shape[1] - 1)
             with np.errstate(over="ignore", invalid="ignore"):  # whoever asks looks at that
-                rows = self.system.simulated(rows[:, 0].tolist(), controls)
+                later = self.system.simulated(rows[:, self.now].tolist(), controls[:, self.now :])
+            rows = np.hstack([rows[:, : self.now], later])
         return dict(zip(signals, rows, strict=True))
 
 
@@ -77,20 +89,22 @@ def refuse_misfit(trajectory: Trajectory, mission: SignalMission | None, source:
         raise PlanError(findings)
 
 
-def settled(system: System, trajectory: Trajectory) -> Trajectory:
+def settled(system: System, trajectory: Trajectory, past: int | None = None) -> Trajectory:
     """The trajectory as it will be: its start and controls in their bounds, its signals simulated.
 
-    Signals without dynamics are brought into their bounds.
+    Signals without dynamics are brought into their bounds. What is `past` stays as it was measured.
     """
-    rows = {
-        name: np.clip(trajectory[name], *ends)
-        for name, ends in {**system.signals, **system.controls}.items()
-    }
-    for name in system.signals:
-        rows[name][0] = np.clip(rows[name][0], *system.begins(name))
+    motion = Motion(system, trajectory, past)
+    rows = dict(motion.values)
+    for kind, first in ((system.signals, motion.ahead), (system.controls, motion.now)):
+        for name, ends in kind.items():
+            rows[name][first:] = np.clip(rows[name][first:], *ends)
+    if past is None:
+        for name in system.signals:
+            rows[name][0] = np.clip(rows[name][0], *system.begins(name))
     signals, controls = (_plain(rows, names) for names in (system.signals, system.controls))
     moved = replace(trajectory, signals=signals, controls=controls)
-    return led(Motion(system, moved), moved)
+    return led(Motion(system, moved, past), moved)
 
 
 def led(motion: Motion, trajectory: Trajectory) -> Trajectory:
@@ -112,31 +126,35 @@ def deviations(motion: Motion, other: Mapping[str, Floats], what: str) -> Iterat
 
 
 def broken(motion: Motion) -> Iterator[str]:
-    """Ranges, bounds and limits that are not kept, in words."""
+    """Ranges, bounds and limits that are not kept from now on, in words."""
     system = motion.system
-    for kind, bounds in (("signal", system.signals), ("control", system.controls)):
+    for kind, bounds, since in (
+        ("signal", system.signals, motion.ahead),
+        ("control", system.controls, motion.now),
+    ):
         for name, ends in bounds.items():
             row, slack = motion.values[name], TOLERANCE * motion.scales[name]
             for place, side, sign in ((0, "below", 1), (1, "above", -1)):
                 bound = np.full(len(row), float(ends[place]))
                 if kind == "signal":
                     bound[0] = system.begins(name)[place]
-                for step, words in _first(sign * (bound - row) > slack):
+                for step, words in _first(sign * (bound - row) > slack, since):
                     end = "start" if step == 0 and name in system.initial else "bound"
                     what = f"{kind} {name} is {_exact(row[step])}"
                     yield f"at step {step} {what}, {side} its {end} {_exact(bound[step])}{words}"
     for limit in system.limits:
-        value, width = _left_side(motion, limit)
-        for step, words in _first(value - limit.bound > TOLERANCE * width):
+        value, width = left_side(motion, limit)
+        steered = any(name in system.controls for name in limit.names)
+        since = motion.now if steered else motion.ahead
+        for step, words in _first(value - limit.bound > TOLERANCE * width, since):
             what = f"at step {step} the left side of {limit} is"
             yield f"{what} {_exact(value[step])}{words}"
 
 
-def _left_side(motion: Motion, limit: Limit) -> tuple[Floats, float]:
+def left_side(motion: Motion, limit: Limit) -> tuple[Floats, float]:
     """What a limit bounds, at each step that it holds for, and the range of that."""
     parts = [(1.0, limit.terms, False), *((factor, t, True) for factor, t in limit.absolute)]
-    names = {name for _, terms, _ in parts for name, _ in terms}
-    steps = min((len(motion.values[name]) for name in names), default=1)
+    steps = min((len(motion.values[name]) for name in limit.names), default=1)
     total, width = np.zeros(steps), 0.0
     for factor, terms, absolute in parts:
         inner = sum(own * motion.values[name][:steps] for name, own in terms)
@@ -145,9 +163,9 @@ def _left_side(motion: Motion, limit: Limit) -> tuple[Floats, float]:
     return total, width
 
 
-def _first(far: Bools) -> Iterator[tuple[int, str]]:
-    """The first step at which something is amiss, and how many more there are."""
-    steps = np.flatnonzero(far)
+def _first(far: Bools, since: int = 0) -> Iterator[tuple[int, str]]:
+    """The first step from `since` on at which something is amiss, and how many more there are."""
+    steps = since + np.flatnonzero(far[since:])
     if steps.size:
         more = int(steps.size) - 1
         yield int(steps[0]), f" (and at {many(more, 'more step')})" if more else ""

@@ -1,6 +1,7 @@
 """Where signals can be at each step: intervals that are carried forward from the start.
 
-The intervals of all signals together are a box, so what they say of a sum of signals is interval
+What was measured already is known to the point, and the way on begins there. The intervals of all
+signals together are a box, so what they say of a sum of signals is interval
 arithmetic. Bounds on columns follow from them, constants of rows, and which parts of a formula can
 hold at all.
 """
@@ -12,7 +13,24 @@ from dataclasses import dataclass
 import numpy as np
 
 from tsplan.milp.model import Floats
+from tsplan.signals.equalities import TOLERANCE
 from tsplan.signals.linear_system import System, Terms
+
+_ROUNDED = TOLERANCE / 2
+"""Of a range: by how much values may be led over a bound, half of what checks forgive."""
+
+
+@dataclass(frozen=True, eq=False)
+class Past:
+    """What was measured: signals (n, k+1) at the steps 0..k, controls (m, k) applied before k."""
+
+    signals: Floats
+    controls: Floats
+
+    @property
+    def step(self) -> int:
+        """The step of the last measurement."""
+        return int(self.signals.shape[1]) - 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,11 +38,23 @@ class Reach:
     """The least and greatest value of every signal and control at the steps 0..T.
 
     Arrays (names, T+1), in the order of `System.names`; controls are held after the last step.
+    `past` has what of it was measured.
     """
 
     system: System
     low: Floats
     high: Floats
+    past: Past | None = None
+
+    @property
+    def now(self) -> int:
+        """The first step from which on the system is still to be led."""
+        return 0 if self.past is None else self.past.step
+
+    @property
+    def ahead(self) -> int:
+        """The first step at which the signals are not known."""
+        return 0 if self.past is None else self.past.step + 1
 
     @property
     def horizon(self) -> int:
@@ -45,8 +75,11 @@ class Reach:
         return np.minimum(*ends).sum(axis=0), np.maximum(*ends).sum(axis=0)
 
 
-def reach(system: System, horizon: int) -> Reach:
-    """The intervals of a system over the steps 0..horizon.
+def reach(system: System, horizon: int, past: Past | None = None, beyond: float = 0.0) -> Reach:
+    """The intervals of a system over the steps 0..horizon, from what was measured of them on.
+
+    Signals may be `beyond` their bounds by so much. What was led to a bound is measured there but
+    for what solvers and floats round, so after a past they may be led over one by as much.
 
     >>> from tsplan.signals.linear_system import Dynamics
     >>> whole = Dynamics(((1,),), ((1,),), (0,))
@@ -58,14 +91,30 @@ def reach(system: System, horizon: int) -> Reach:
     count = len(system.signals)
     start = np.array([system.begins(name) for name in system.signals], dtype=np.float64)
     low[:count, 0], high[:count, 0] = start.T
+    if past is not None:
+        low[:count] -= beyond
+        high[:count] += beyond
+        for side in (low, high):
+            side[:count, : past.step + 1] = past.signals
+            side[count:, : past.step] = past.controls
     if system.dynamics is not None:
         a, b, d = system.dynamics.arrays
         whole = np.hstack([a, b])
-        for step in range(horizon):
+        for step in range(0 if past is None else past.step, horizon):
             below, above = _through(whole, low[:, step], high[:, step])
-            low[:count, step + 1] = np.maximum(low[:count, step + 1], below + d)
-            high[:count, step + 1] = np.minimum(high[:count, step + 1], above + d)
-    return Reach(system, low, high)
+            least, most = low[:count, step + 1], high[:count, step + 1]
+            width = most - least
+            np.maximum(least, below + d, out=least)
+            np.minimum(most, above + d, out=most)
+            if past is not None:
+                _forced(least, most, width)
+    return Reach(system, low, high, past)
+
+
+def _forced(low: Floats, high: Floats, width: Floats) -> None:
+    """Let values be where they are led, where that is off a bound by what solvers forgive."""
+    close = (low > high) & (low - high <= _ROUNDED * np.where(np.isfinite(width), width, 1.0))
+    low[close], high[close] = high[close], low[close]
 
 
 def _through(matrix: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:

@@ -32,7 +32,7 @@ from tsplan.milp.model import Terms as Entries
 from tsplan.signals.linear_system import Limit, System, Terms
 from tsplan.signals.predicate_rows import PredicateRows
 from tsplan.signals.predicates import HalfSpace, LinearEncoder, jointly
-from tsplan.signals.reach import Reach
+from tsplan.signals.reach import Past, Reach
 
 _RULES = WitnessRules()
 
@@ -43,6 +43,12 @@ class OwnRow(NamedTuple):
     terms: tuple[tuple[str, int, float], ...]
     low: float
     high: float
+
+    def settled(self, system: System, past: Past | None) -> bool:
+        """Whether all that it is about is past."""
+        if past is None:
+            return False
+        return all(step < past.step + (name in system.signals) for name, step, _ in self.terms)
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +70,7 @@ class SignalSetting:
     `goal` is in positive normal form, without weights. `efforts` are the sums of absolute values
     that an objective weighs: for each, the factor of every signal or control in it. `own` are
     a user's own rows. Where not all must hold, `soft` says what should, and `goal` has all of that.
+    Up to `beyond`, bounds of signals, limits and rows that name one, and the formula may be missed.
     """
 
     reach: Reach
@@ -72,6 +79,7 @@ class SignalSetting:
     own: tuple[OwnRow, ...] = ()
     soft: Soft | None = None
     switches: frozenset[Switch] = ALL_SWITCHES
+    beyond: float = 0.0
     clock: Clock = field(default_factory=Clock)
 
     @property
@@ -124,7 +132,7 @@ class SignalModel:
     robustness, -1 where the model asks for `level`. `efforts` has the columns of absolute values
     of each effort, with their factors. `worth` is what each wish is worth, and `claims` are the
     columns of what holds at each depth of the tree of a wish. In a `chosen` model all choices are
-    made.
+    made. `missed` are the columns of what may be missed, of the amount by which it is.
     """
 
     model: Model
@@ -136,6 +144,13 @@ class SignalModel:
     worth: tuple[Expression, ...] = ()
     claims: tuple[Ints, ...] = ()
     chosen: bool = False
+    missed: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
+
+    @classmethod
+    def given(cls, rows: Floats) -> SignalModel:
+        """A model of nothing but the columns of the signals and controls, for a point of `rows`."""
+        columns = np.arange(rows.size).reshape(rows.shape)
+        return cls(Draft().build(), columns, rho=-1, level=0.0)
 
 
 def signal_model(
@@ -172,6 +187,7 @@ class _Making:
         self._columns = self._laid()
         least, most = level
         self._rho = -1
+        self._missed = [np.empty(0, dtype=np.int64)]
         if least < most:
             self._rho = int(self._draft.columns(1, lower=least, upper=most)[0])
 
@@ -238,7 +254,8 @@ class _Making:
     def _made(self) -> SignalModel:
         efforts = tuple(self._effort(effort) for effort in self._setting.efforts)
         model = self._draft.build()
-        return SignalModel(model, self._columns, self._rho, self._level[1], efforts)
+        missed = np.concatenate(self._missed)
+        return SignalModel(model, self._columns, self._rho, self._level[1], efforts, missed=missed)
 
     def _laid(self) -> Ints:
         """Columns of signals for the steps 0..T, of controls for 0..T-1."""
@@ -252,11 +269,11 @@ class _Making:
 
     def _dynamics(self) -> None:
         """How the signals go on, and what limits them at every step."""
-        system, steps = self._setting.system, self._setting.reach.horizon
-        count = len(system.signals)
+        system, first = self._setting.system, self._setting.reach.now
+        count, steps = len(system.signals), self._setting.reach.horizon - first
         if system.dynamics is not None and steps:
             a, b, d = system.dynamics.arrays
-            now, after = self._columns[:, :steps], self._columns[:count, 1:]
+            now, after = self._columns[:, first:-1], self._columns[:count, first + 1 :]
             which, of = np.nonzero(np.hstack([a, b]))
             factors = np.hstack([a, b])[which, of]
             rows = np.arange(count * steps).reshape(count, steps)
@@ -270,25 +287,64 @@ class _Making:
             self._limit(limit)
         for row in self._setting.own:
             self._own(row)
+        if self._setting.beyond:
+            self._bounds()
 
     def _limit(self, limit: Limit) -> None:
-        """A limit at every step; one on controls at those at which there is one."""
-        of = [limit.terms, *(terms for _, terms in limit.absolute)]
-        last = self._last(name for terms in of for name, _ in terms)
-        every = np.arange(last)
-        parts: list[Entries] = [self._sum(limit.terms, last)]
+        """A limit at every step to come; one on controls at those at which there is one."""
+        last = self._last(limit.names)
+        first = self._first(limit.names)
+        every = np.arange(max(last - first, 0))
+        parts: list[Entries] = [self._sum(limit.terms, last, first)]
         for factor, terms in limit.absolute:
-            size = self._draft.columns(last)
-            self._sized(size, terms, last)
+            size = self._draft.columns(len(every))
+            self._sized(size, terms, last, first)
             parts.append((every, size, factor))
-        self._draft.sums(*parts, lower=-INFINITY, upper=limit.bound, count=last, kind="limit")
+        if not set(limit.names) <= self._setting.system.controls.keys():
+            parts += self._leave(len(every), -1.0)
+        self._draft.sums(*parts, lower=-INFINITY, upper=limit.bound, count=len(every), kind="limit")
 
     def _own(self, row: OwnRow) -> None:
-        """A user's own row."""
+        """A user's own row, unless all of it is past."""
+        if row.settled(self._setting.system, self._setting.reach.past):
+            return
         place = self._place()
         columns = [int(self._columns[place[name], step]) for name, step, _ in row.terms]
         factors = [factor for _, _, factor in row.terms]
-        self._draft.sums((0, columns, factors), lower=row.low, upper=row.high, kind="own")
+        sides = [(row.low, row.high, 0.0)]
+        if self._setting.beyond:
+            sides = [(row.low, INFINITY, 1.0), (-INFINITY, row.high, -1.0)]
+        for low, high, sign in sides:
+            parts = self._leave(1, sign)
+            self._draft.sums((0, columns, factors), *parts, lower=low, upper=high, kind="own")
+
+    def _bounds(self) -> None:
+        """Bounds that may be missed: those of the signals to come, and the least robustness."""
+        reach, bounds = self._setting.reach, self._setting.system.signals.values()
+        count = reach.horizon + 1 - reach.ahead
+        for row, ends in enumerate(bounds):
+            own: Entries = (np.arange(count), self._columns[row, reach.ahead :], 1.0)
+            for end, sign in zip(ends, (1.0, -1.0), strict=True):
+                low, high = (end, INFINITY) if sign > 0 else (-INFINITY, end)
+                if np.isfinite(end):
+                    self._draft.sums(
+                        own,
+                        *self._leave(count, sign),
+                        lower=low,
+                        upper=high,
+                        count=count,
+                        kind="bound",
+                    )
+        if self._rho >= 0:
+            self._draft.sums((0, [self._rho], 1.0), *self._leave(1, 1.0), kind="bound")
+
+    def _leave(self, count: int, sign: float) -> list[Entries]:
+        """What lets rows be missed, each by an amount of its own."""
+        if not self._setting.beyond:
+            return []
+        columns = self._draft.columns(count, upper=self._setting.beyond)
+        self._missed.append(columns)
+        return [(np.arange(count), columns, sign)]
 
     def _effort(self, effort: tuple[tuple[str, float], ...]) -> tuple[Ints, Floats]:
         """Columns for the absolute values of signals and controls at every step they have."""
@@ -301,25 +357,33 @@ class _Making:
             factors.append(np.full(last, factor))
         return np.concatenate(columns), np.concatenate(factors)
 
-    def _sized(self, size: Ints, terms: Terms, last: int) -> None:
-        """Let columns be at least the absolute value of a sum at the steps before `last`."""
-        every = np.arange(last)
-        index, columns, factors = self._sum(terms, last)
+    def _sized(self, size: Ints, terms: Terms, last: int, first: int = 0) -> None:
+        """Let columns be at least the absolute value of a sum at the steps `first` to `last`."""
+        index, columns, factors = self._sum(terms, last, first)
         for sign in (1.0, -1.0):
             self._draft.sums(
-                (every, size, 1.0), (index, columns, sign * factors), count=last, kind="size"
+                (np.arange(len(size)), size, 1.0),
+                (index, columns, sign * factors),
+                count=len(size),
+                kind="size",
             )
 
-    def _sum(self, terms: Terms, last: int) -> tuple[Ints, Ints, Floats]:
-        """A sum at the steps before `last`, as a row for each."""
+    def _sum(self, terms: Terms, last: int, first: int = 0) -> tuple[Ints, Ints, Floats]:
+        """A sum at the steps from `first` to before `last`, as a row for each."""
         place = self._place()
         rows = [place[name] for name, _ in terms]
-        index = np.tile(np.arange(last), len(rows))
-        factors = np.repeat([factor for _, factor in terms], last)
-        return index, self._columns[rows, :last].ravel(), factors
+        count = max(last - first, 0)
+        index = np.tile(np.arange(count), len(rows))
+        factors = np.repeat([factor for _, factor in terms], count)
+        return index, self._columns[rows, first:last].ravel(), factors
 
     def _place(self) -> dict[str, int]:
         return {name: row for row, name in enumerate(self._setting.system.names)}
+
+    def _first(self, names: Iterable[str]) -> int:
+        """The first step at which not all of some signals and controls are known."""
+        steered = any(name in self._setting.system.controls for name in names)
+        return self._setting.reach.now if steered else self._setting.reach.ahead
 
     def _last(self, names: Iterable[str]) -> int:
         """At how many steps all of some signals and controls are there."""

@@ -33,6 +33,11 @@ class SignalPoint:
     made: SignalModel
     values: Floats
 
+    @classmethod
+    def of(cls, rows: Floats) -> SignalPoint:
+        """A point with these values of every signal and control, of no model."""
+        return cls(SignalModel.given(rows), rows.ravel())
+
     @cached_property
     def rows(self) -> Floats:
         """Every signal and control (names, T+1), controls held after the last step."""

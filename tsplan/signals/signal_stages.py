@@ -67,13 +67,25 @@ class Judge(Protocol):
         """Whether what must hold does, on what the controls truly lead to."""
 
 
+@dataclass(frozen=True, eq=False)
+class Start:
+    """Where a search begins: values (names, T+1) of a trajectory, and whether it is one.
+
+    If it is not, what it chooses may still do for one: which part of a formula holds, and when.
+    """
+
+    rows: Floats
+    holds: bool
+
+
 @dataclass(eq=False)
 class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     """Runs the objectives of a problem over signals in order.
 
     `least` is the robustness that a trajectory must have, `margin` the share of its range by which
     a predicate must hold. `tight` is False for the reference encoding, searched as a whole; what
-    need not hold as a whole is the tight encoding's in any case.
+    need not hold as a whole is the tight encoding's in any case. `start` has the
+    values of a trajectory that is known, or of one whose choices may do for another.
     """
 
     problem: Judge
@@ -84,6 +96,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     least: float = 0.0
     margin: float = 0.0
     tight: bool = True
+    start: Start | None = None
     _kept: list[tuple[SignalObjective, float]] = field(default_factory=list, init=False)
     _stage: str = field(default="first plan", init=False)
     _told: SignalObjective | None = field(default=None, init=False)
@@ -100,6 +113,9 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     def opened(self, opening: SignalObjective | None) -> Found:
         """Some trajectory; one of the greatest robustness where that comes first."""
         self._begin("first plan", None)
+        self._begun()
+        if self.point is not None:
+            return Found(self.point.values, None, -np.inf, proven=False)
         if self._ideal < self.least - CLOSE or self.setting.reach.empty:
             return Found(None, None, np.inf, proven=True)
         made = self._whole()
@@ -128,13 +144,28 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         """
         return replace(self.problem.setting(max(self.margin, _MARGINS[-1])), clock=self.clock)
 
+    def _begun(self) -> None:
+        """Take in where the search is to begin."""
+        if self.start is None:
+            return
+        point = SignalPoint.of(self.start.rows)
+        if self.start.holds:
+            self._hear(point)
+            if self.objectives:
+                self._polish(self.objectives[0])
+            return
+        found = self._best_of(point, self._leading, self.setting)
+        if found is not None:
+            self._hear(found)
+
     def settled(self, objective: SignalObjective, done: Found | None) -> float | None:
         """Optimise one objective and keep what it reached; its bound."""
         self._begin(objective.name, objective)
         bound = objective.ideal(self.setting)
         if not self._closed(objective, bound):
-            made = self._whole()
             self._polish(objective)
+        if not self._closed(objective, bound):
+            made = self._whole()
             found = self._ask(made, objective)
             self._polish(objective)
             self.stopping(found.stopped_by)
@@ -282,15 +313,19 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
 
     def _firmed(self, point: SignalPoint) -> SignalPoint | None:
         """A trajectory of the same choices that truly holds; by as little as it takes."""
-        first = self.objectives[0] if self.objectives else None
-        objective = self._told or first
-        if objective is None or objective.chooses:
-            objective = AimObjective(Aim((("robustness", 1.0),)))
         for margin in _MARGINS:
-            firm = self._best_of(point, objective, self.problem.setting(margin))
+            firm = self._best_of(point, self._leading, self.problem.setting(margin))
             if firm is not None and self.problem.holds(firm):
                 return firm
         return None
+
+    @property
+    def _leading(self) -> SignalObjective:
+        """The objective at hand, or the robustness where that says what is to hold."""
+        objective = self._told or (self.objectives[0] if self.objectives else None)
+        if objective is None or objective.chooses:
+            return AimObjective(Aim((("robustness", 1.0),)))
+        return objective
 
     def _best_of(
         self, point: SignalPoint, objective: SignalObjective, setting: SignalSetting

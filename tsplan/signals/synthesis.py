@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from copy import copy
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from reprlib import repr as clipped
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 from tsplan.clock import Clock
 from tsplan.encode.expressions import Constraint, Expression
 from tsplan.encode.partial.partial_model import Wish, everything
 from tsplan.encode.switches import ALL_SWITCHES
 from tsplan.errors import Finding, MissionError
-from tsplan.logic import conjunction, positive, simplify
+from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.evaluation import holds
 from tsplan.logic.fraction import tree_of
 from tsplan.logic.weights import unweighted
@@ -28,8 +29,9 @@ from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.signals.aims import CHOSEN, Aim
 from tsplan.signals.equalities import TOLERANCE, approximate
+from tsplan.signals.least_violation import LeastViolation, remaining
 from tsplan.signals.motion_check import settled
-from tsplan.signals.reach import reach
+from tsplan.signals.reach import Past, reach
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_model import OwnRow, SignalModel, SignalSetting, Soft, signal_model
 from tsplan.signals.signal_objectives import (
@@ -41,7 +43,7 @@ from tsplan.signals.signal_objectives import (
     WishObjective,
     efforts_of,
 )
-from tsplan.signals.signal_stages import SignalStages
+from tsplan.signals.signal_stages import SignalStages, Start
 from tsplan.signals.trajectory import Trajectory
 from tsplan.stopping import StoppedBy
 
@@ -84,6 +86,9 @@ class Synthesis:
         self.tuning = tuning or Tuning()
         self._constraints: list[Constraint] = []
         self._objective = Expression()
+        self.past: Past | None = None
+        self.beyond = 0.0
+        self._goals: dict[tuple[float, bool], Formula] = {}
 
     def value(self, name: str, step: int) -> Expression:
         """The value of a signal or control at a step, for own constraints and objectives.
@@ -124,28 +129,55 @@ class Synthesis:
                 raise MissionError([Finding(f"'{term}' is no value of a signal", remedy)])
             self.value(term.name, term.step)
 
-    def setting(self, margin: float = 0.0, *, satisfied: bool = True) -> SignalSetting:
-        """What every model is made of; with the factors of violated parts if not `satisfied`.
+    def after(self, past: Past, beyond: float = 0.0) -> Self:
+        """The same problem after what was measured.
+
+        Bounds of signals to come, limits and constraints that name one and what is left of the
+        formula may be missed by `beyond`; how much of that is needed is minimised before all else.
+        """
+        made = copy(self)
+        made.past, made.beyond = past, beyond
+        return made
+
+    @property
+    def now(self) -> int | None:
+        """The step of the last measurement; None where nothing was measured."""
+        return None if self.past is None else self.past.step
+
+    def _goal(self, margin: float, *, satisfied: bool) -> Formula:
+        """The formula in its normal form, made once."""
+        key = (margin, satisfied)
+        if key not in self._goals:
+            mission = self.mission
+            near = approximate(mission.formula, mission.system, TOLERANCE / 2, margin)
+            plain = unweighted(positive(near), mission.weighting, satisfied=satisfied)
+            self._goals[key] = simplify(plain)
+        return self._goals[key]
+
+    def setting(self, margin: float = 0.0) -> SignalSetting:
+        """What every model is made of; of a formula that is missed, with the factors of that.
 
         Predicates are to hold by a `margin`, a share of their range.
         """
         mission = self.mission
-        near = approximate(mission.formula, mission.system, TOLERANCE / 2, margin)
-        goal = simplify(unweighted(positive(near), mission.weighting, satisfied=satisfied))
+        goal = self._goal(margin, satisfied=not self.beyond)
+        if self.beyond and self.past is not None:
+            goal = remaining(goal, self.past.step)
         soft = None
         if mission.satisfaction is not None:
             wish = Wish(tree_of(mission.formula), partial=True)
             soft = Soft(conjunction([]), (wish,), depths=mission.satisfaction != "weighted")
-        elif mission.prefer:
+        elif mission.prefer and not self.beyond:
             wishes = (Wish(tree_of(wish.formula), wish.partial) for wish in mission.prefer)
             soft = Soft(goal, tuple(wishes))
         return SignalSetting(
-            reach(mission.system, mission.horizon),
+            reach(mission.system, mission.horizon, self.past, self.beyond),
             goal if soft is None else everything(soft.demand, soft.wishes),
             efforts_of(mission.objective, mission.system),
             tuple(_row(constraint) for constraint in self._constraints),
             soft,
             ALL_SWITCHES - self.tuning.without,
+            self.beyond,
         )
 
     def encode(self, level: tuple[float, float] | None = None) -> SignalModel:
@@ -163,9 +195,11 @@ class Synthesis:
         return solver_named(solver).native(self.model)
 
     def broken(self, trajectory: Trajectory) -> tuple[str, ...]:
-        """The own constraints that a trajectory does not keep, in words."""
+        """The own constraints that a trajectory does not keep, in words, but for those all past."""
         found = []
         for constraint in self._constraints:
+            if _row(constraint).settled(self.mission.system, self.past):
+                continue
             total = sum(
                 float(factor) * float(trajectory[term.name][term.step])
                 for term, factor in constraint.terms
@@ -183,7 +217,9 @@ class Synthesis:
         """
         mission = self.mission
         terms = tuple((t.name, t.step, float(factor)) for t, factor in self._objective.terms)
-        found = [*_choosing(mission)]
+        found: list[SignalObjective] = [LeastViolation()] if self.beyond else []
+        if mission.satisfaction is not None or not self.beyond:
+            found += _choosing(mission)
         found += [OwnTerms(terms, float(self._objective.constant))] if terms else []
         aims = [aim for aim in mission.objective if aim.name not in CHOSEN]
         named = any(name == "robustness" for aim in aims for name, _ in aim.weights)
@@ -192,12 +228,18 @@ class Synthesis:
         return (*found, *map(AimObjective, aims))
 
     def solve(
-        self, effort: Effort, clock: Clock, tell: Tell[SignalPoint], margin: float = 0.0
+        self,
+        effort: Effort,
+        clock: Clock,
+        tell: Tell[SignalPoint],
+        margin: float = 0.0,
+        start: Start | None = None,
     ) -> Outcome[SignalPoint]:
         """Run all objectives over trajectories whose predicates hold by a margin."""
         tight = self.tuning.encoding == "tight"
+        least = 0.0 if self.mission.satisfaction is not None else -self.beyond
         return SignalStages(
-            self, self.objectives, effort, clock, tell, margin=margin, tight=tight
+            self, self.objectives, effort, clock, tell, least, margin, tight, start
         ).run()
 
     def read(
@@ -219,10 +261,11 @@ class Synthesis:
     def holds(self, point: SignalPoint) -> bool:
         """Whether what must hold does, on what the controls of a point truly lead to."""
         mission = self.mission
-        if mission.satisfaction is not None:
+        if mission.satisfaction is not None or self.beyond:
             return True
         formula = approximate(mission.formula, mission.system)
-        return bool(holds(formula, settled(mission.system, self.read(point)).trace())[0])
+        led = settled(mission.system, self.read(point), self.now)
+        return bool(holds(formula, led.trace())[0])
 
 
 def _choosing(mission: SignalMission) -> Iterator[SignalObjective]:

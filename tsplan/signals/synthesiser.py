@@ -38,19 +38,19 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
     """One run of synthesis."""
 
     def __init__(self, problem: Synthesis, choice: SolverChoice, listener: Listener | None) -> None:
-        self._problem = problem
-        self._mission = problem.mission
-        super().__init__(choice.over(self._mission.solver), listener)
+        self.problem = problem
+        self.mission = problem.mission
+        super().__init__(choice.over(self.mission.solver), listener)
 
     def prepared(self) -> None:
         """Nothing is done before the first model is made."""
 
     def solved(self, effort: Effort) -> Outcome[SignalPoint]:
         """Run all objectives; once more with a margin where the formula holds by none."""
-        outcome = self._problem.solve(effort, self.clock, self.tell)
-        if outcome.point is None or self._problem.holds(outcome.point):
+        outcome = self.sought(effort)
+        if outcome.point is None or self.problem.holds(outcome.point):
             return outcome
-        second = self._problem.solve(effort, self.clock, self.tell, _MARGIN)
+        second = self.sought(effort, _MARGIN)
         if second.point is not None:
             # the bounds of what need not hold by a margin are those of all trajectories
             pairs = zip(second.reached, outcome.reached, strict=True)
@@ -60,17 +60,28 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         why = second.stopped_by or StoppedBy.PRECISION
         return Outcome(stopped_by=why, size=second.size, notes=(words,))
 
+    def sought(self, effort: Effort, margin: float = 0.0) -> Outcome[SignalPoint]:
+        """Run all objectives over trajectories whose predicates hold by a margin."""
+        return self.problem.solve(effort, self.clock, self.tell, margin)
+
+    def certified(self, made: Trajectory) -> Trajectory:
+        """The trajectory after the independent check; SolverError where that refuses it."""
+        checked = certify(self.mission, made)
+        if broken := self.problem.broken(checked) if checked.has_signals else ():
+            raise SolverError(f"the trajectory breaks an own constraint: {'; '.join(broken)}")
+        return checked
+
     def provisional(self, found: SignalPoint) -> Trajectory:
         """The verified trajectory of something found on the way."""
-        return certify(self._mission, self._problem.read(found))
+        return certify(self.mission, self.problem.read(found))
 
     def finished(self, outcome: Outcome[SignalPoint], used: SolverUse) -> Trajectory:
         """The trajectory of what was found, after the independent check."""
-        mission, point = self._mission, outcome.point
+        point = outcome.point
         if point is not None:
             self.tell(FINISHING, None, None, None)
         why, status = self.reason(outcome), outcome.status
-        read = self._nothing if point is None else partial(self._problem.read, point)
+        read = self._nothing if point is None else partial(self.problem.read, point)
         made = replace(
             read(status, why),
             objective=self._claimed(outcome),
@@ -80,14 +91,12 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
             size=ModelSize(*outcome.size),
         )
         began = time.perf_counter()
-        checked = certify(mission, made)
-        if broken := self._problem.broken(checked) if checked.has_signals else ():
-            raise SolverError(f"the trajectory breaks an own constraint: {'; '.join(broken)}")
+        checked = self.certified(made)
         self.seconds["verify"] = time.perf_counter() - began
         return replace(checked, timings=self.timings)
 
     def _nothing(self, status: Status, why: StoppedBy | None) -> Trajectory:
-        mission = self._mission
+        mission = self.mission
         return Trajectory(status, MissionRef(mission.name, mission.digest), mission.horizon, why)
 
     def _claimed(self, outcome: Outcome[SignalPoint]) -> tuple[ObjectiveValue, ...]:
@@ -96,19 +105,19 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         for item in outcome.reached:
             reached[item.name].append(item)
         claims = []
-        for aim in self._mission.objective:
+        for aim in self.mission.objective:
             items = reached[aim.name]
             if aim.name == "preferences":
                 known_all = all(item.bound is not None for item in items)
                 bound = sum(item.bound or 0.0 for item in items) if known_all else None
                 claims.append(ObjectiveValue(aim.name, None, bound))
-            elif self._mission.satisfaction in (None, "weighted") or aim.name != "satisfaction":
+            elif self.mission.satisfaction in (None, "weighted") or aim.name != "satisfaction":
                 claims += [replace(items.pop(0), value=None)] if items else []
         return tuple(replace(item, bound=known(item.bound)) for item in claims)
 
     def _depths(self, outcome: Outcome[SignalPoint]) -> tuple[Depth, ...]:
         """What is proven of each depth, where what holds is counted by its depth."""
-        if self._mission.satisfaction in (None, "weighted"):
+        if self.mission.satisfaction in (None, "weighted"):
             return ()
         levels = [item for item in outcome.reached if item.name == "satisfaction"]
         return tuple(
@@ -117,7 +126,7 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         )
 
     def _open(self) -> tuple[ObjectiveValue, ...]:
-        return tuple(ObjectiveValue(aim.name, None) for aim in self._mission.objective)
+        return tuple(ObjectiveValue(aim.name, None) for aim in self.mission.objective)
 
 
 def synthesise_mission(

@@ -78,21 +78,35 @@ def certify(mission: SignalMission, trajectory: Trajectory) -> Trajectory:
     if not trajectory.has_signals:
         return trajectory
     refuse(list(strangers(mission.system, trajectory, mission.horizon)), _NOUN)
-    own = settled(mission.system, trajectory)
-    motion = Motion(mission.system, own)
-    measures = measured(mission, motion, own.trace())
-    if problems := [*broken(motion), *_broken_formula(mission, measures)]:
+    own, problems = appraised(mission, trajectory)
+    if problems:
         claimed = {name: trajectory[name] for name in mission.system.signals}
+        motion = Motion(mission.system, own)
         refuse([*problems, *deviations(motion, claimed, "where the search had")], _NOUN)
-    return replace(
+    return replace(own, verified=True)
+
+
+def appraised(
+    mission: SignalMission, trajectory: Trajectory, past: int | None = None
+) -> tuple[Trajectory, tuple[str, ...]]:
+    """The trajectory with everything in it measured as `certify` does, and what is wrong, in words.
+
+    What is `past` stays as it was measured: the signals up to that step and the controls before it.
+    The dynamics lead on from there, and bounds and limits are judged from there on; the formula is
+    judged on all of it.
+    """
+    own = settled(mission.system, trajectory, past)
+    motion = Motion(mission.system, own, past)
+    measures = measured(mission, motion, own.trace())
+    told = replace(
         _with_claims(own, measures),
         robustness=known(measures.robustness),
         agm=measures.agm,
         fraction=measures.fraction,
         preference=measures.preference,
         parts=measures.parts,
-        verified=True,
     )
+    return told, (*broken(motion), *_broken_formula(mission, measures))
 
 
 def _broken_formula(mission: SignalMission, measures: Measures) -> Iterator[str]:
