@@ -48,6 +48,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.protocol.simulation import simulate as simulate
     from tsplan.run.planner import plan as plan
     from tsplan.run.problem import Problem as Problem
+    from tsplan.signals.controller import Controller as Controller
     from tsplan.signals.result_check import check as check
     from tsplan.signals.signal_files import load_signal_mission as load_signal_mission
     from tsplan.signals.signal_mission import SignalMission as SignalMission
@@ -93,6 +94,7 @@ _HOMES = {
     "protocol.simulation": ("Simulation", "simulate"),
     "signals.synthesiser": ("synthesise",),
     "signals.synthesis": ("Synthesis",),
+    "signals.controller": ("Controller",),
     "signals.trajectory": ("Trajectory",),
     "signals.trajectory_file": ("load_trajectory", "save_trajectory"),
     "signals.signal_files": ("load_signal_mission",),
