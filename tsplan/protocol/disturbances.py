@@ -1,13 +1,14 @@
 """Trajectories that are shaken: how often the formula still holds.
 
 At every step a random number, even between minus and plus the amplitude and independent of all
-others, is added to every signal; the controls are those of the trajectory, nobody looks at where
-the signals are (open loop). Signals without dynamics are shaken where they are.
+others, is added to every signal. The controls are those of the trajectory, where nobody looks at
+where the signals are (open loop), or those of a controller that does (closed loop). Signals without
+dynamics are shaken where they are.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, TypeAlias
@@ -19,6 +20,7 @@ from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.traces import SignalTrace
 from tsplan.parameters import refuse_options
 from tsplan.protocol.simulation import Frequency
+from tsplan.signals.controller import Controller
 from tsplan.signals.equalities import TOLERANCE, approximate
 from tsplan.signals.trajectory_check import check
 
@@ -64,6 +66,53 @@ def simulate_disturbed(
     check refuses, InputError for amplitudes below 0 and of unknown signals, and ValueError for
     fewer runs than one and other numbers out of range.
     """
+    noises = _noises(mission, trajectory, amplitude, runs, seed)
+    traces = (_shaken(mission.system, trajectory, noise) for noise in noises)
+    return _judged(mission, traces, runs, seed)
+
+
+def simulate_controlled(
+    mission: SignalMission,
+    trajectory: Trajectory,
+    *,
+    amplitude: Amplitude,
+    runs: int = 100,
+    seed: int = 0,
+    deadline: float | None = None,
+) -> DisturbedRuns:
+    """Let a `Controller` with the trajectory as its plan lead the signals while they are shaken.
+
+    For equal seeds the signals are shaken as in `simulate_disturbed`, so that the two compare. The
+    controller has `deadline` seconds for a step; with one the result depends on the machine.
+    Raises what `simulate_disturbed` and `Controller` do.
+    """
+    noises = _noises(mission, trajectory, amplitude, runs, seed)
+    names = mission.system.names
+
+    def led(noise: Floats) -> SignalTrace:
+        traces = [_led(mission, trajectory, one, deadline) for one in noise]
+        return SignalTrace({n: np.array([trace.signal(n) for trace in traces]) for n in names})
+
+    return _judged(mission, map(led, noises), runs, seed)
+
+
+def _led(
+    mission: SignalMission, plan: Trajectory, noise: Floats, deadline: float | None
+) -> SignalTrace:
+    """One run of a controller; a row of `noise` (T, n) is added at every step."""
+    controller, system = Controller(mission, plan=plan), mission.system
+    state = {name: float(plan[name][0]) for name in system.signals}
+    for row in noise:
+        led = system.led(state, controller.step(state, deadline).control)
+        state = {name: led[name] + by for name, by in zip(led, row.tolist(), strict=True)}
+    controller.step(state)
+    return controller.trajectory.trace()
+
+
+def _noises(
+    mission: SignalMission, trajectory: Trajectory, amplitude: Amplitude, runs: int, seed: int
+) -> Iterator[Floats]:
+    """What is added to the signals (runs, T, n), in batches whose values fit into memory."""
     if runs < 1:
         raise ValueError(f"at least one run is needed, not {runs}")
     refuse_options(runs=runs, seed=seed)
@@ -72,11 +121,20 @@ def simulate_disturbed(
     if not report.ok:
         raise PlanError(report.findings)
     random = np.random.default_rng(seed)
+    return (
+        random.uniform(-1.0, 1.0, (size, trajectory.horizon, len(sizes))) * sizes
+        for size in _batches(trajectory, runs)
+    )
+
+
+def _judged(
+    mission: SignalMission, traces: Iterable[SignalTrace], runs: int, seed: int
+) -> DisturbedRuns:
+    """What came of runs, in batches."""
     judged = approximate(mission.formula, mission.system)
     held = kept = 0
     least, total = np.inf, 0.0
-    for size in _batches(trajectory, runs):
-        trace = _shaken(mission.system, trajectory, sizes, random, size)
+    for trace in traces:
         held += int(holds(judged, trace)[..., 0].sum())
         kept += int(_within(mission.system, trace).sum())
         margins = robustness(mission.formula, trace, kind=mission.weighting)[..., 0]
@@ -113,18 +171,16 @@ def _batches(trajectory: Trajectory, runs: int) -> Iterator[int]:
         yield min(size, runs - begin)
 
 
-def _shaken(
-    system: System, trajectory: Trajectory, sizes: Floats, random: np.random.Generator, runs: int
-) -> SignalTrace:
+def _shaken(system: System, trajectory: Trajectory, noise: Floats) -> SignalTrace:
     """The signals (runs, T+1) of a batch, and the controls, which are as planned."""
+    runs = len(noise)
     planned = np.array([trajectory[name] for name in system.signals]).T
-    noise = random.uniform(-1.0, 1.0, (runs, trajectory.horizon, len(sizes))) * sizes
     rows = np.repeat(planned[np.newaxis], runs, axis=0)
     if system.dynamics is None:
         rows[:, 1:] += noise
     else:  # the signals differ from the planned ones by what the dynamics make of the noise
         a = system.dynamics.arrays[0]
-        strayed = np.zeros((runs, len(sizes)))
+        strayed = np.zeros((runs, noise.shape[-1]))
         for step in range(trajectory.horizon):
             strayed = strayed @ a.T + noise[:, step]
             rows[:, step + 1] += strayed
