@@ -14,6 +14,7 @@ from tsplan.logic import parse
 from tsplan.logic.evaluation import SignalTrace, holds, robustness
 from tsplan.milp.highs import Highs
 from tsplan.plans.plan import Status
+from tsplan.protocol.disturbances import simulate_controlled, simulate_disturbed
 from tsplan.run.problem import Tuning
 from tsplan.signals import Region, System, double_integrator, free_signals
 from tsplan.signals.least_violation import remaining
@@ -362,3 +363,25 @@ def test_disturbed_steps_are_judged_alike_by_both_encodings(seeds):
                 break
             led = system.led(state, one.control)
             state = {name: value + rng.uniform(-0.3, 0.3) for name, value in led.items()}
+
+
+def test_a_controller_keeps_what_is_shaken_on_its_way():
+    mission = plane_mission(14)
+    plan = tsplan.synthesise(mission)
+    blind = simulate_disturbed(mission, plan, amplitude=0.1, runs=8, seed=2)
+    led = simulate_controlled(mission, plan, amplitude=0.1, runs=8, seed=2)
+    assert led.formula.rate > blind.formula.rate
+    assert led.mean > blind.mean
+    # without disturbances there is nothing between them
+    calm = simulate_controlled(mission, plan, amplitude=0.0, runs=1)
+    assert calm.formula.rate == 1
+    assert calm.mean == pytest.approx(plan.robustness, abs=1e-6)
+
+
+def test_what_is_missed_is_the_least_of_all_choices():
+    """Of F over predicates that face each other, the step at which least is missed is found."""
+    system = System(LINE.signals, LINE.controls, LINE.dynamics)
+    formula = parse("F[2,5] (x <= 1 && x >= 2)", "stl")
+    mission = tsplan.SignalMission.of(system=system, formula=formula, start={"x": 6, "vx": 0})
+    step = tsplan.Controller(mission).step({"x": 6, "vx": 0})
+    assert (step.status, step.robustness) == (Status.INFEASIBLE, pytest.approx(-0.5, abs=1e-6))

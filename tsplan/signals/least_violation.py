@@ -34,7 +34,7 @@ def remaining(goal: Formula, step: int) -> Formula:
 
     >>> from tsplan.logic import parse
     >>> print(remaining(parse("F[0,3] a > 0 && G[2,9] (b > 0 && F[0,1] c > 0)", "stl"), 4))
-    G[5,9] b > 0 && G[4,9] F[0,1] c > 0
+    G[5,9] (b > 0) && G[4,9] F[0,1] (c > 0)
     """
     return conjunction(_remaining(goal, 0, 0, step))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from numbers import Real
 from reprlib import repr as clipped
 from typing import Any
 
@@ -35,16 +36,9 @@ def complaints(values: object, names: Collection[str], kind: str) -> list[Findin
         if name not in names:
             remedy = f"the system has {', '.join(names)}"
             found.append(Finding(f"the system has no {kind} {clipped(name)}", remedy))
-        elif isinstance(value, bool) or not _is_real(value):
+        elif isinstance(value, bool) or not (isinstance(value, Real) and is_finite(value)):
             found.append(Finding(f"{kind} {name} is {clipped(value)}, which is no finite number"))
     return found
-
-
-def _is_real(value: Any) -> bool:
-    try:
-        return is_finite(float(value))
-    except (TypeError, ValueError, OverflowError):
-        return False
 
 
 def column(values: Mapping[str, float], names: Collection[str]) -> Floats:
