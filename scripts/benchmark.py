@@ -6,6 +6,7 @@
     python scripts/benchmark.py swarm --sizes 30,100 --agents 120 --objective splits
     python scripts/benchmark.py signals --compare stlpy,sos1 --time-limit 60
     python scripts/benchmark.py signals --scenes either-or:T=40 door:T=50,n=3
+    python scripts/benchmark.py control --scenes narrow:T=25 --seeds 0-9 --time-limit 0.5
     python scripts/benchmark.py missions FOLDER
     python scripts/benchmark.py build
 
@@ -25,6 +26,7 @@ from dataclasses import asdict, replace
 from importlib.metadata import version
 from pathlib import Path
 
+import control_speed
 import families
 import signal_encodings
 import signal_scenes
@@ -230,7 +232,7 @@ def parser() -> argparse.ArgumentParser:
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     choices = ["grid", "decomposition", "scaling", "swarm", "partial", "signals", "missions"]
-    made.add_argument("family", choices=[*choices, "build"])
+    made.add_argument("family", choices=[*choices, "control", "build"])
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument(
         "--sizes", default="5,6", help="grid: rows and columns, such as 5,6 or 3-6; swarm: states"
@@ -263,6 +265,11 @@ def main() -> None:
     options = made.parse_args()
     if options.family == "build":
         build_speed(options)
+        return
+    if options.family == "control":
+        scenes = options.scenes or control_speed.SCENES
+        runs = len(numbers(options.seeds))
+        print(control_speed.table(scenes, runs, options.time_limit, options.threads))
         return
     encodings = [options.encoding, *(name for name in options.compare.split(",") if name)]
     known = {"reference"} if options.family != "signals" else set(signal_encodings.ENCODINGS)
