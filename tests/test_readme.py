@@ -35,8 +35,8 @@ def test_the_examples_of_signals_run():
     page = (ROOT / "docs" / "signals.md").read_text(encoding="utf-8")
     [text] = blocks("yaml", page)
     assert synthesise(signal_mission_from_text(text)).status == "optimal"
-    first, second = blocks("python", page)
-    answer = python("-W", "error", "-c", first + second, folder=ROOT, PYTHONUTF8="1")
+    first, *more = blocks("python", page)
+    answer = python("-W", "error", "-c", "".join([first, *more]), folder=ROOT, PYTHONUTF8="1")
     assert (answer.code, answer.err) == (0, "")
     # what is printed is what the comments say
     said = re.findall(r"^print.*# (.*)$", first, re.MULTILINE)
