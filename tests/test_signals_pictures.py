@@ -19,6 +19,7 @@ from tsplan.plans.plan import MissionRef, ObjectiveValue
 from tsplan.signals.linear_system import Dynamics, System
 from tsplan.signals.region import Region
 from tsplan.signals.signal_mission import SignalMission
+from tsplan.signals.synthesiser import synthesise
 from tsplan.signals.trajectory import Trajectory
 from tsplan.signals.trajectory_check import certify
 from tsplan.viewer.trajectory_form import MOST_ROWS, signals_svg
@@ -248,3 +249,11 @@ def test_flat_and_short_signals_are_drawn():
     for view in TRAJECTORY_VIEWS:
         still.plot(view=view, mission=mission)[0].canvas.draw()
     assert signals_svg(still).count("<path") == 4
+
+
+def test_what_was_just_found_knows_its_mission():
+    found = synthesise(GOAL.inside(), System({"x": (0, 10), "y": (0, 10)}))
+    assert found.explain().worst == pytest.approx(0.5)
+    assert named(found.plot("x")[1][0], "threshold")
+    _, ax = found.plot_plane("x", "y")
+    assert named(ax, "path:")
