@@ -162,6 +162,16 @@ def test_an_objective():
     assert tsplan.check(errand(objective=["hops"]), by_hops).ok
 
 
+def test_an_objective_that_lacks_something_is_told_when_it_is_made():
+    class Lacking(ModelObjective):
+        """It does not say its vector."""
+
+        name = "lacking"
+
+    with pytest.raises(TypeError, match="vector"):
+        Lacking()
+
+
 def test_an_objective_is_unknown_before():
     with pytest.raises(tsplan.MissionError, match="unknown objective 'hops'"):
         errand(objective=["hops"])

@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import ClassVar
 
 import numpy as np
 
@@ -20,91 +19,26 @@ from tsplan.encode.expressions import Own
 from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.encode.groups.group_sizes import sizes, smallest, with_smallest
 from tsplan.encode.groups.occupancy import split_terms
+from tsplan.encode.objective_kinds import (
+    Grouping,
+    LevelObjective,
+    ModelObjective,
+    StageObjective,
+    TargetObjective,
+)
 from tsplan.encode.own_constraints import resolve
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
 from tsplan.mission import Mission
-from tsplan.mission.objectives import OBJECTIVES
-from tsplan.ts.edges import RISKS
-
-
-class ModelObjective:
-    """One objective, on the model side; this class is that of all that are linear in the columns.
-
-    `by_places` says that a value depends on where groups are only, not on how many agents they
-    have; `opens` that a plan may be looked for by minimising it; `priced` that agents whose edges
-    cost differently are told apart; `built` that models are made for a value of it.
-    """
-
-    name: ClassVar[str]
-    built: ClassVar[bool] = False
-    by_places: ClassVar[bool] = False
-    opens: ClassVar[bool] = True
-    priced: ClassVar[bool] = False
-
-    @property
-    def rises(self) -> bool:
-        """Whether more is better."""
-        return OBJECTIVES[self.name].sense == "maximise"
-
-    def reducible(self, setting: Setting) -> bool:
-        """Whether quickest ways between the states that matter lose no better plan."""
-        return True
-
-    def columns(self, network: Network, draft: Draft) -> Ints:
-        """Columns that a model needs only for this objective."""
-        return np.empty(0, dtype=np.int64)
-
-    def extended(self, encoded: Encoded) -> Encoded:
-        """The model with what is only needed while this is minimised."""
-        return encoded
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The coefficients of what is minimised."""
-        raise NotImplementedError
-
-    def target(self, setting: Setting, encoded: Encoded) -> Target:
-        """What is minimised, in whole units."""
-        return Target(self.vector(setting, encoded))
-
-    def minimised(self, setting: Setting, point: Point) -> float:
-        """What a point comes to, as it is minimised and kept."""
-        return self.target(setting, point.encoded).value(point.values)
-
-    def worth(self, setting: Setting, point: Point) -> float:
-        """What the plan of a point is worth, in the objective's own unit."""
-        return self.target(setting, point.encoded).own(self.minimised(setting, point))
-
-    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
-        """The model of those plans that are no worse than a value as it is `minimised`."""
-        target = self.target(setting, encoded)
-        return replace(encoded, model=target.kept(encoded.model, value, f"kept {self.name}"))
-
-
-class LevelObjective(ModelObjective):
-    """An objective whose values are whole numbers, each of which is a model of its own."""
-
-    opens = False
-
-    def by_levels(self, *, tight: bool) -> bool:
-        """Whether the encoding at hand has no column for it."""
-        return True
-
-    def ideal(self, setting: Setting) -> float:
-        """A bound on all values that costs nothing."""
-        raise NotImplementedError
-
-    def minimised(self, setting: Setting, point: Point) -> float:
-        """The value itself."""
-        return self.worth(setting, point)
 
 
 class Travel(ModelObjective):
     """Agent-steps spent in moves that are not waits."""
 
     name = "travel"
+    grouping = Grouping.FEW_MOVES
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """The duration of every move."""
@@ -137,25 +71,7 @@ class Cost(ModelObjective):
         return Target(self.vector(setting, encoded), setting.mission.system.cost_unit)
 
 
-class Risk(ModelObjective):
-    """-log of the probability that no move of the plan fails."""
-
-    name = "risk"
-
-    def reducible(self, setting: Setting) -> bool:
-        """Only where no move can fail."""
-        return not any(item.graph.risk.any() for item in setting.classes)
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The risk of every edge in millionths."""
-        return _priced(encoded, lambda item: item.graph.risk)
-
-    def target(self, setting: Setting, encoded: Encoded) -> Target:
-        """Risks in their own unit."""
-        return Target(self.vector(setting, encoded), Fraction(1, RISKS))
-
-
-class MovingAgents(ModelObjective):
+class MovingAgents(TargetObjective):
     """How many agents ever move: all but those that wait at their start to the end."""
 
     name = "agents"
@@ -175,7 +91,7 @@ class MovingAgents(ModelObjective):
         return float(moving(setting, point))
 
 
-class Availability(LevelObjective):
+class Availability(LevelObjective, TargetObjective):
     """How many agents with any one capability may be missing anywhere, and the formula holds."""
 
     name = "availability"
@@ -211,7 +127,7 @@ class Makespan(LevelObjective):
     """The last step at which an agent arrives by a move that is not a wait; 0 without any."""
 
     name = "makespan"
-    by_places = True
+    grouping = Grouping.PLACES
 
     def ideal(self, setting: Setting) -> float:
         """Nobody moves."""
@@ -237,7 +153,7 @@ class Splits(ModelObjective):
     """How often groups split: whoever leaves by j edges at once splits j - 1 times."""
 
     name = "splits"
-    by_places = True
+    grouping = Grouping.TOKENS
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """Edges entered beyond one for every occupied state."""
@@ -251,7 +167,7 @@ class GroupMoves(ModelObjective):
     """Edges entered by a group, waits aside."""
 
     name = "moves"
-    by_places = True
+    grouping = Grouping.PLACES
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """One for every edge that is no wait."""
@@ -262,7 +178,7 @@ class GroupMoves(ModelObjective):
         return vector
 
 
-class Balance(ModelObjective):
+class Balance(TargetObjective):
     """The size of the smallest sub-swarm at any step."""
 
     name = "balance"
@@ -294,7 +210,7 @@ class Balance(ModelObjective):
 
 
 @dataclass(frozen=True)
-class OwnSum(ModelObjective):
+class OwnSum(TargetObjective):
     """A user's own sum of counts, counted in whole units where its coefficients allow it."""
 
     own: Own
@@ -316,10 +232,10 @@ class OwnSum(ModelObjective):
         return Target.of(terms, count, constant, most=most, maximise=maximise)
 
 
-_OBJECTIVES: dict[str, ModelObjective] = {}
+_OBJECTIVES: dict[str, StageObjective] = {}
 
 
-def register(objective: ModelObjective) -> None:
+def register(objective: StageObjective) -> None:
     """Let missions name an objective; one of the same name is replaced."""
     _OBJECTIVES[objective.name] = objective
 
@@ -338,12 +254,12 @@ for _each in (
     register(_each)
 
 
-def model_objective(name: str) -> ModelObjective | None:
+def model_objective(name: str) -> StageObjective | None:
     """The objective of a name; None for those that say what is to hold."""
     return _OBJECTIVES.get(name)
 
 
-def objectives_of(mission: Mission) -> tuple[ModelObjective, ...]:
+def objectives_of(mission: Mission) -> tuple[StageObjective, ...]:
     """The objectives of a mission in their order, but for those that say what is to hold."""
     found = map(model_objective, mission.objective)
     return tuple(objective for objective in found if objective is not None)

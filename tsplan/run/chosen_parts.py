@@ -16,7 +16,8 @@ import numpy as np
 
 from tsplan.checking.satisfaction_check import slack_of
 from tsplan.encode.encoded import Point, Setting
-from tsplan.encode.model_objectives import Availability, ModelObjective
+from tsplan.encode.model_objectives import Availability
+from tsplan.encode.objective_kinds import StageObjective
 from tsplan.encode.partial.partial_model import PartialModel
 from tsplan.encode.read_back import counts_of
 from tsplan.encode.switches import Switch
@@ -45,7 +46,7 @@ class ChosenParts(Stages):
         if self.rivals is not None:
             self.tell = partial(_without_bounds, self.tell)
 
-    def settled(self, objective: ModelObjective, done: Found | None) -> float | None:
+    def settled(self, objective: StageObjective, done: Found | None) -> float | None:
         """Settle one objective and keep what it reached; its bound."""
         if self.better is not None:  # all is begun anew
             return None

@@ -16,7 +16,8 @@ from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import even_shares, smallest
 from tsplan.encode.groups.token_flow import tokens
-from tsplan.encode.model_objectives import GroupMoves, Splits, Travel
+from tsplan.encode.model_objectives import GroupMoves, Travel
+from tsplan.encode.objective_kinds import Grouping
 from tsplan.encode.switches import Switch
 from tsplan.milp.confirmation import tried
 from tsplan.milp.model import Floats, Model
@@ -51,7 +52,7 @@ class GroupSearch:
         """What groups alone settle of a question: nothing where there is no plan and no proof."""
         objective, kept = question.objective, question.kept
         bound = -np.inf
-        if isinstance(objective, Splits) and not kept.values:
+        if objective.grouping is Grouping.TOKENS and not kept.values:
             if Switch.TOKENS in self.effort.switches:
                 bound = self._guided(question)
             point = self.known()
@@ -62,7 +63,7 @@ class GroupSearch:
                 return Found(values, best, bound, proven=value <= bound)
         if objective.by_places and kept.by_places and Switch.PLACES in self.effort.switches:
             return self._by_places(question, bound)
-        if isinstance(objective, Travel) and kept.by_places:
+        if objective.grouping is Grouping.FEW_MOVES and kept.by_places:
             self._shortened(question)
         return Found(None, None, bound, proven=False)
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import smallest
-from tsplan.encode.model_objectives import ModelObjective
+from tsplan.encode.objective_kinds import StageObjective, TargetObjective
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
 
@@ -20,9 +20,9 @@ _FEASIBLE = 1e-6  # by which rows may be violated: the feasibility tolerance of 
 class Kept:
     """Values that earlier stages reached and later ones must not lose, as they are minimised."""
 
-    values: tuple[tuple[ModelObjective, float], ...] = ()
+    values: tuple[tuple[StageObjective, float], ...] = ()
 
-    def and_also(self, objective: ModelObjective, value: float) -> Kept:
+    def and_also(self, objective: StageObjective, value: float) -> Kept:
         """With one more value."""
         return Kept((*self.values, (objective, value)))
 
@@ -52,9 +52,9 @@ class Question:
     is known of it while any plan is looked for.
     """
 
-    objective: ModelObjective
+    objective: TargetObjective
     kept: Kept
-    told: ModelObjective | None
+    told: StageObjective | None
     first: bool = False
     bound: float | None = None
 

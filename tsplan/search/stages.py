@@ -15,13 +15,8 @@ import numpy as np
 from tsplan.clock import Clock, Halted
 from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.model_objectives import (
-    Availability,
-    LevelObjective,
-    ModelObjective,
-    Splits,
-    Travel,
-)
+from tsplan.encode.model_objectives import Availability, Splits, Travel
+from tsplan.encode.objective_kinds import LevelObjective, StageObjective, TargetObjective
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
 from tsplan.milp.target import CLOSED
@@ -36,11 +31,11 @@ _CHAIN_SECONDS = 15.0
 
 
 @dataclass(eq=False)
-class Stages(Lexicographic[Point, ModelObjective]):
+class Stages(Lexicographic[Point, StageObjective]):
     """Runs the objectives of a problem in order; `known` are the flows of a plan that is known."""
 
     setting: Setting
-    objectives: tuple[ModelObjective, ...]
+    objectives: tuple[StageObjective, ...]
     effort: Effort
     clock: Clock
     tell: Tell[Point]
@@ -56,26 +51,27 @@ class Stages(Lexicographic[Point, ModelObjective]):
     # --- stages --------------------------------------------------------------------------------
 
     @property
-    def opening(self) -> ModelObjective | None:
+    def opening(self) -> TargetObjective | None:
         """The first objective, where a plan may be looked for by minimising it."""
-        return self.objectives[0] if self.objectives and self.objectives[0].opens else None
+        first = self.objectives[0] if self.objectives else None
+        return first if isinstance(first, TargetObjective) and first.opens else None
 
-    def opened(self, opening: ModelObjective | None) -> Found:
+    def opened(self, opening: StageObjective | None) -> Found:
         """Any plan; a first objective that may find one is minimised to its end at once."""
-        if opening is not None:
+        if isinstance(opening, TargetObjective):
             return self._ask(Question(opening, self._kept, opening))
         return self._ask(Question(self._guide, self._kept, None, first=True))
 
     @property
-    def _guide(self) -> ModelObjective:
+    def _guide(self) -> TargetObjective:
         """What leads to a plan where any will do."""
         return Travel() if self.setting.mission.swarm is None else Splits()
 
-    def worth(self, objective: ModelObjective, point: Point) -> float:
+    def worth(self, objective: StageObjective, point: Point) -> float:
         """What the plan of a point is worth."""
         return objective.worth(self.setting, point)
 
-    def settled(self, objective: ModelObjective, done: Found | None) -> float | None:
+    def settled(self, objective: StageObjective, done: Found | None) -> float | None:
         """Settle one objective and keep what it reached; its bound."""
         if isinstance(objective, LevelObjective):
             ideal = objective.ideal(self.setting)
@@ -83,6 +79,7 @@ class Stages(Lexicographic[Point, ModelObjective]):
                 return ideal
             if objective.by_levels(tight=self.tight):
                 return self._by_levels(objective, ideal)
+        assert isinstance(objective, TargetObjective)
         found = done or self._ask(Question(objective, self._kept, objective))
         assert self.point is not None
         target = objective.target(self.setting, objective.extended(self.point.encoded))
