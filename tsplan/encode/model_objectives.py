@@ -32,6 +32,7 @@ from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
 from tsplan.mission import Mission
+from tsplan.ts.edges import RISKS
 
 
 class Travel(ModelObjective):
@@ -69,6 +70,24 @@ class Cost(ModelObjective):
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """Costs in the map's own unit."""
         return Target(self.vector(setting, encoded), setting.mission.system.cost_unit)
+
+
+class Risk(ModelObjective):
+    """-log of the probability that no move of the plan fails."""
+
+    name = "risk"
+
+    def reducible(self, setting: Setting) -> bool:
+        """Only where no move can fail."""
+        return not any(item.graph.risk.any() for item in setting.classes)
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The risk of every edge in millionths."""
+        return _priced(encoded, lambda item: item.graph.risk)
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """Risks in their own unit."""
+        return Target(self.vector(setting, encoded), Fraction(1, RISKS))
 
 
 class MovingAgents(TargetObjective):

@@ -93,7 +93,7 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         began = time.perf_counter()
         checked = self.certified(made)
         self.seconds["verify"] = time.perf_counter() - began
-        return replace(checked, timings=self.timings).with_mission(mission)
+        return replace(checked, timings=self.timings).with_mission(self.mission)
 
     def _nothing(self, status: Status, why: StoppedBy | None) -> Trajectory:
         mission = self.mission
