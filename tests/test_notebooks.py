@@ -12,8 +12,9 @@ DOCS = Path(__file__).parents[1] / "docs"
 NOTEBOOKS = sorted((DOCS / "notebooks").glob("*.ipynb"))
 
 
-def test_there_are_three():
-    assert [path.stem for path in NOTEBOOKS] == ["an_experiment", "plan_a_swarm", "plan_a_team"]
+def test_there_is_one_for_each_kind_of_work():
+    names = ["an_experiment", "plan_a_swarm", "plan_a_team", "synthesise_signals"]
+    assert [path.stem for path in NOTEBOOKS] == names
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

@@ -14,7 +14,7 @@ from tsplan.draw.signal_chart import MOST_PANELS, accepted, merged, panels_of, s
 from tsplan.draw.trajectory_views import TRAJECTORY_VIEWS, draw_trajectory
 from tsplan.errors import InputError, PlanError
 from tsplan.explanation.why.predicate_demands import predicate_demands
-from tsplan.logic import TRUE, linear
+from tsplan.logic import TRUE, Or, linear
 from tsplan.plans.plan import MissionRef, ObjectiveValue
 from tsplan.signals.linear_system import Dynamics, System
 from tsplan.signals.region import Region
@@ -257,3 +257,17 @@ def test_what_was_just_found_knows_its_mission():
     assert named(found.plot("x")[1][0], "threshold")
     _, ax = found.plot_plane("x", "y")
     assert named(ax, "path:")
+
+
+def test_what_is_preferred_by_weight_is_what_the_formula_rests_on():
+    x, y = linear({"x": 1}, ">=", 3), linear({"y": 1, "x": -1}, ">=", 2)
+    formula = Or((x.always(0, 1, [0.3, 0.7]), y.always(0, 1, [0.7, 0.1])), (0.2, 0.9))
+    mission = SignalMission(
+        System({"x": (0, 9), "y": (0, 9)}), formula, 1, weighting="product", language="wstl"
+    )
+    found = Trajectory("feasible", REF, 1, "gap", signals={"x": (4, 4), "y": (9, 9)})
+    demands = predicate_demands(mission, found)
+    assert {demand.atom for demand in demands} == {x, y}
+    rests = {(demand.atom, demand.witness_steps) for demand in demands if demand.witness_steps}
+    assert rests == {(y, ((0, 0),)), (y, ((1, 1),))}
+    assert min(d.spare for d in demands if d.spare is not None) == pytest.approx(0.9 * 0.1 * 3)

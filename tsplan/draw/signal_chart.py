@@ -260,10 +260,13 @@ def _draw_marks(ax: Any, marks: Sequence[Mark]) -> None:
         asked = [mark for mark in marks if mark.demand.fails is fails]
         for steps, values in accepted(asked, ax.get_ylim()):
             _shade(ax, steps, values, (paint, meaning, 0.6 + 0.1 * fails))
+    asked_at: dict[float, list[Span]] = {}
     for mark in marks:
-        for first, last in merged(mark.demand.windows):
+        asked_at.setdefault(mark.threshold, []).extend(mark.demand.windows)
+    for threshold, windows in asked_at.items():
+        for first, last in merged(windows):
             ends = [first - HALF, last + HALF]
-            ax.plot(ends, [mark.threshold] * 2, gid="threshold", zorder=2, **NEED)
+            ax.plot(ends, [threshold] * 2, gid="threshold", zorder=2, **NEED)
     _write_thresholds(ax, marks)
 
 

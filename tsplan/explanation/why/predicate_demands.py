@@ -5,16 +5,21 @@ Everything is computed by the evaluator from the signals, never from the solver.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from math import isclose
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tsplan.explanation.why.requirements import judged_atoms, runs
 from tsplan.logic.atoms import Linear
+from tsplan.logic.evaluation import robustness
 from tsplan.logic.nodes import And
+from tsplan.logic.normal_form import positive
 from tsplan.logic.traces import SignalTrace
+from tsplan.logic.traversal import walk
+from tsplan.logic.weights import unweighted
 from tsplan.signals.equalities import approximate
 
 if TYPE_CHECKING:
@@ -22,6 +27,9 @@ if TYPE_CHECKING:
     from tsplan.logic.time_horizon import Span
     from tsplan.signals.signal_mission import SignalMission
     from tsplan.signals.trajectory import Trajectory
+
+
+_CLOSE = 1e-12  # by which a number that was multiplied and divided again may differ
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +60,8 @@ def predicate_demands(
     """The predicates of a mission in the order of its text; without a trajectory no witnesses.
 
     Where the formula may hold in part, each of its outermost parts is looked at by itself, so that
-    one that fails does not hide what holds. Preferred formulas follow. Weights are left aside.
+    one that fails does not hide what holds. Preferred formulas follow. Weights are multiplied into
+    the robustness, not into the predicates as they are shown.
     """
     if trajectory is None:
         nothing = np.zeros(mission.horizon + 1)
@@ -61,18 +70,49 @@ def predicate_demands(
         trace = trajectory.trace()
     made = []
     for formula, wished in _demands(mission):
-        for atom, values, owed in judged_atoms(formula, trace):
+        written = [node for node in walk(formula) if isinstance(node, Linear)]
+        judged = positive(unadorned(mission, formula, trace))
+        for atom, values, owed in judged_atoms(judged, trace):
             if isinstance(atom, Linear):
                 steps = owed.steps if trajectory is not None else owed.steps[:0]
                 spare = float(values[steps].min()) if steps.size else None
                 windows = tuple(sorted(owed.windows))
-                made.append(PredicateDemand(atom, windows, runs(steps), spare, wished))
+                shown = _alike(atom, written)
+                made.append(PredicateDemand(shown, windows, runs(steps), spare, wished))
     return tuple(made)
+
+
+def unadorned(mission: SignalMission, formula: Formula, trace: SignalTrace) -> Formula:
+    """A formula with weights multiplied into its predicates, and equations as the check takes them.
+
+    Its robustness is that which is told of a trajectory.
+    """
+    nodes = tuple(walk(formula))
+    if any(getattr(node, "weights", None) is not None for node in nodes):
+        holds = bool(robustness(formula, trace, kind=mission.weighting)[0] >= 0)
+        formula = unweighted(formula, mission.weighting, satisfied=holds)
+    if any(isinstance(node, Linear) and node.relation in ("=", "!=") for node in nodes):
+        formula = approximate(formula, mission.system)
+    return formula
+
+
+def _alike(atom: Linear, written: Iterable[Linear]) -> Linear:
+    """The predicate that was written, of which another one is a multiple; else that one."""
+    for other in written:
+        factor = atom.terms[0][1] / other.terms[0][1] if atom.terms and other.terms else 1.0
+        same = [name for name, _ in atom.terms] == [name for name, _ in other.terms]
+        pairs = zip(
+            (*atom.terms, ("", atom.bound)), (*other.terms, ("", other.bound)), strict=False
+        )
+        close = all(isclose(a, factor * b, rel_tol=_CLOSE) for (_, a), (_, b) in pairs)
+        if same and close and atom.relation == other.relation:
+            return other
+    return atom
 
 
 def _demands(mission: SignalMission) -> Iterator[tuple[Formula, bool]]:
     """The formulas that are looked at, and whether they are only preferred."""
-    whole = approximate(mission.formula, mission.system)
+    whole = positive(mission.formula)
     apart = mission.satisfaction is not None and isinstance(whole, And)
     yield from ((part, False) for part in (whole.children if apart else (whole,)))
-    yield from ((approximate(soft.formula, mission.system), True) for soft in mission.prefer)
+    yield from ((positive(soft.formula), True) for soft in mission.prefer)

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from tsplan.explanation.why.predicate_demands import unadorned
 from tsplan.explanation.why.witness_tree import explain_on
-from tsplan.logic.atoms import Linear
-from tsplan.logic.evaluation import robustness
-from tsplan.logic.traversal import walk
-from tsplan.logic.weights import unweighted
-from tsplan.signals.equalities import approximate
 from tsplan.signals.motion_check import refuse_misfit
 
 if TYPE_CHECKING:
@@ -41,11 +37,4 @@ def explain_wishes(trajectory: Trajectory, mission: SignalMission) -> dict[str, 
 
 
 def _tree(mission: SignalMission, formula: Formula, trace: SignalTrace) -> WitnessNode:
-    """The tree of a formula without weights and equations, which are taken as the check does."""
-    nodes = tuple(walk(formula))
-    if any(getattr(node, "weights", None) is not None for node in nodes):
-        holds = bool(robustness(formula, trace, kind=mission.weighting)[0] >= 0)
-        formula = unweighted(formula, mission.weighting, satisfied=holds)
-    if any(isinstance(node, Linear) and node.relation in ("=", "!=") for node in nodes):
-        formula = approximate(formula, mission.system)
-    return explain_on(formula, trace)
+    return explain_on(unadorned(mission, formula, trace), trace)
