@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -10,11 +11,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tsplan import logic
-from tsplan.logic import CountTrace, SignalTrace, parse
+from tsplan.logic import CountTrace, SignalTrace, parse, walk
 from tsplan.logic.evaluation import holds, robustness
-from tsplan.logic.fraction import Share, denominator, fraction, shares, tree_of
-from tsplan.logic.witness_steps import demanded, levels, parts, satisfied
-from tsplan.testing.formula_strategies import judged
+from tsplan.logic.fraction import (
+    Share,
+    denominator,
+    fraction,
+    portions,
+    preference,
+    shares,
+    tree_of,
+)
+from tsplan.logic.witness_steps import demanded, is_settled, levels, parts, satisfied
+from tsplan.testing.formula_strategies import judged, trace_for
 
 X = SignalTrace({"x": np.array([1.0, 4, 2, 0, 5]), "y": np.array([0.0, 0, 3, 3, 0])})
 
@@ -151,33 +160,109 @@ def test_what_is_satisfied_keeps_its_fraction_when_it_is_demanded(case):
     assert not (counts[0] and any(counts[1:]))
 
 
-def definition(node: logic.Formula, step: int, trace: CountTrace) -> Fraction:
+def definition(node: logic.Formula, step: int, trace: CountTrace, weighted: bool) -> Fraction:
     """The fraction as it is defined, step by step and without any sharing."""
     if not node.children:
         return Fraction(int(holds(node, trace)[step]))
-    below = [lambda k, c=child: definition(c, k, trace) for child in node.children]
-    if isinstance(node, logic.And):
-        return sum((part(step) for part in below), Fraction(0)) / len(below)
-    if isinstance(node, logic.Or):
-        return max(part(step) for part in below)
-    window = range(step + node.low, step + node.high + 1)
-    if isinstance(node, logic.Always):
-        return sum((below[0](k) for k in window), Fraction(0)) / len(window)
-    if isinstance(node, logic.Eventually):
-        return max(below[0](k) for k in window)
-    assert isinstance(node, logic.Until)
-    left, right = below
-    return max(
-        (right(s) + sum((left(k) for k in range(step, s)), Fraction(0))) / (s - step + 1)
-        for s in window
-    )
+    below = [lambda k, c=child: definition(c, k, trace, weighted) for child in node.children]
+    if isinstance(node, logic.And | logic.Or):
+        values = [part(step) for part in below]
+    else:
+        window = range(step + node.low, step + node.high + 1)
+        values = [below[-1](k) for k in window]
+    if isinstance(node, logic.Until):
+        for place, s in enumerate(window):
+            before = sum((below[0](k) for k in range(step, s)), Fraction(0))
+            values[place] = (values[place] + before) / (s - step + 1)
+    given = node.weights if weighted and node.weights else [1] * len(values)
+    weights = [Fraction(str(weight)) for weight in given]
+    pairs = [weight * value for weight, value in zip(weights, values, strict=True)]
+    if isinstance(node, logic.And | logic.Always):
+        return sum(pairs, Fraction(0)) / sum(weights)
+    return max(pairs) / max(weights)
 
 
-@given(judged("mtl"))
+@given(judged("wmtl"))
 def test_fractions_are_as_defined(case):
     _, formula, trace = case
     tree = tree_of(formula)
-    assert shares(tree, trace)[tree][0].fraction == definition(tree, 0, trace)
+    for weighted in (False, True):
+        found = shares(tree, trace, weighted=weighted)[tree][0].fraction
+        assert found == definition(tree, 0, trace, weighted)
+        assert found == fraction(formula, trace, weighted=weighted)
+    assert found * denominator(tree) % 1 == 0
+    assert preference(tree, trace) in (None, found)
+
+
+@given(judged("wmtl"))
+def test_preference_and_fraction_agree_at_their_ends(case):
+    _, formula, trace = case
+    tree = tree_of(formula)
+    plain, preferred = (
+        shares(tree, trace, weighted=weighted)[tree][0].fraction for weighted in (False, True)
+    )
+    assert 0 <= preferred <= 1
+    assert (preferred == 0) == (plain == 0)
+    if preferred == 1:
+        assert plain == 1
+    if is_settled(tree):
+        assert (preferred == 1) == (plain == 1) == bool(holds(formula, trace)[0])
+    if not any(isinstance(node, logic.And | logic.Always | logic.Until) for node in walk(tree)):
+        assert preferred <= plain
+
+
+@given(judged("mtl"), st.sampled_from([0.3, 2.0]))
+def test_equal_weights_prefer_nothing(case, weight):
+    _, formula, trace = case
+    tree = logic.fold(tree_of(formula), lambda node, below: evenly(node, below, weight))
+    assert fraction(tree, trace, weighted=True) == fraction(formula, trace)
+    assert is_settled(tree)
+
+
+def evenly(node, below, weight):
+    made = node.over(below)
+    return replace(made, weights=weight) if hasattr(made, "weights") else made
+
+
+@given(judged("wmtl"))
+def test_what_is_satisfied_keeps_its_preference_when_it_is_demanded(case):
+    """Also on other traces: only then is it worth as much in every plan."""
+    _, formula, trace = case
+    tree = tree_of(formula)
+    wanted = demanded(satisfied(tree, trace))
+    assert holds(wanted, trace)[0]
+    least = fraction(formula, trace, weighted=True)
+    for seed in range(3):
+        other = trace_for("mtl", formula, seed)
+        if holds(wanted, other)[0]:
+            assert fraction(formula, other, weighted=True) >= least
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("||^[0.4, 0.6] (x >= 1, x >= 2)", "2/3"),  # whose fraction is 1
+        ("||^[0.4, 0.6] (x >= 2, x >= 1)", "1"),
+        ("&&^[0.1, 0.2, 0.3] (x >= 1, x >= 2, x >= 1)", "2/3"),
+        ("G[0,1]^[1, 3] (x >= 2)", "3/4"),
+        ("F[0,4]^[1, 2, 3, 4, 5] (y >= 3)", "4/5"),
+        ("F[0,4]^[5, 4, 3, 2, 1] (y >= 3 && x >= 2)", "3/5"),  # both hold at step 2 alone
+        # change over at 2: 2/3 of 1/4, at 3: 3/4 of 1, since y >= 3 at both
+        ("(x >= 2) U[2,3]^[1, 4] (y >= 3)", "3/4"),
+        ("(x >= 2) U[2,3]^[4, 1] (y >= 3)", "2/3"),
+        ("!&&^[1, 4] (x >= 2, x >= 1)", "1/4"),
+    ],
+)
+def test_preferences_by_hand(text, expected):
+    assert fraction(parse(text, "wstl"), X, weighted=True) == Fraction(expected)
+
+
+def test_portions_are_those_of_the_written_numbers():
+    assert portions(parse("a ||^[0.1, 0.3] b", "wmtl")) == (Fraction(1, 3), 1)
+    assert portions(parse("a &&^[0.1, 0.2] b", "wmtl")) == (Fraction(1, 3), Fraction(2, 3))
+    assert portions(parse("a U[1,2]^0.7 b", "wmtl")) == (1, 1)
+    assert portions(parse("G[1,4]^[1, 1, 1, 7] b", "wmtl"), weighted=False) == (Fraction(1, 4),) * 4
+    assert preference(parse("a"), CountTrace({None: np.ones((1, 1))}, {"a": [0]})) is None
 
 
 @given(judged("mtl"), st.data())

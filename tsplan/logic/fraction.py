@@ -8,19 +8,25 @@ normal form: `a && b && c` has three parts, `a && (b && c)` two. A task is the t
 to, an atom stays one atom whatever its relation, and release is read through until
 (`tree_of`).
 
-Source: G. A. Cardona and C.-I. Vasile, "Partial Satisfaction of Signal Temporal Logic
-Specifications for Coordination of Multi-Robot Systems", WAFR 2022, with the mean in until.
+With weights it is a preference: means are those with the weights, and of alternatives each is
+multiplied by its weight over the greatest of the node, which for until are those of the
+change-overs. Weights are the decimal numbers that they are written as.
+
+Sources: G. A. Cardona and C.-I. Vasile, "Partial Satisfaction of Signal Temporal Logic
+Specifications for Coordination of Multi-Robot Systems", WAFR 2022, with the mean in until; weights
+as the authors' tool PyTeLo has them (github.com/erl-lehigh/PyTeLo), and likewise those of until.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import singledispatch
 from itertools import accumulate
 from math import inf, lcm
 from typing import NamedTuple, TypeAlias
 
+from tsplan.exact import exact
 from tsplan.logic import nodes
 from tsplan.logic.atoms import Count, Limit, Linear, Task
 from tsplan.logic.catl import TaskInterval, translate
@@ -28,7 +34,7 @@ from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.nodes import Formula, disjunction
 from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.traces import Trace
-from tsplan.logic.traversal import fold, fold_all
+from tsplan.logic.traversal import fold, fold_all, walk
 
 
 class Share(NamedTuple):
@@ -41,7 +47,12 @@ class Share(NamedTuple):
     fraction: Fraction
     spare: float
 
+    def scaled(self, by: Fraction) -> Share:
+        """The share of an alternative that counts so much."""
+        return Share(self.fraction * by, self.spare)
 
+
+Joining: TypeAlias = nodes.Several | nodes.Window | nodes.Until
 Shares: TypeAlias = "tuple[Share, ...]"  # one for each step that can be judged, from 0 on
 
 NOTHING = Share(Fraction(0), inf)
@@ -77,41 +88,76 @@ def _without_release(node: Formula, below: tuple[Formula, ...]) -> Formula:
     return disjunction(options)
 
 
-def fraction(formula: Formula, trace: Trace, interval: TaskInterval = "closed") -> Fraction:
-    """How much of a formula holds at step 0.
+def fraction(
+    formula: Formula, trace: Trace, interval: TaskInterval = "closed", *, weighted: bool = False
+) -> Fraction:
+    """How much of a formula holds at step 0; if `weighted`, by how much its weights prefer that.
 
     Raises ValueError for a trace that is too short or a batch, or that lacks a name.
 
     >>> from tsplan.logic import parse
     >>> from tsplan.logic.traces import SignalTrace
     >>> trace = SignalTrace({"x": [1.0, 4.0, 2.0, 0.0]})
-    >>> fraction(parse("G[0,3] x >= 2", language="stl"), trace)
-    Fraction(1, 2)
+    >>> formula = parse("G[0,3]^[1, 1, 1, 2] x >= 2", language="wstl")
+    >>> fraction(formula, trace), fraction(formula, trace, weighted=True)
+    (Fraction(1, 2), Fraction(2, 5))
     """
     tree = tree_of(formula, interval)
-    judged = shares(tree, trace)[tree]
+    judged = shares(tree, trace, weighted=weighted)[tree]
     if not judged:
         raise ValueError("the trace is too short for the formula")
     return judged[0].fraction
 
 
-def shares(tree: Formula, trace: Trace) -> dict[Formula, Shares]:
+def shares(tree: Formula, trace: Trace, *, weighted: bool = False) -> dict[Formula, Shares]:
     """The shares of every sub-formula of a tree, at every step of a trace that can be judged."""
     if trace.batch:
         raise ValueError("fractions are computed for one trace, not for a batch")
-    return shares_of(tree, lambda atom: _atom(atom, trace))
+    return shares_of(tree, lambda atom: _atom(atom, trace), weighted=weighted)
 
 
-def shares_of(tree: Formula, atom: Callable[[Formula], Shares]) -> dict[Formula, Shares]:
+def shares_of(
+    tree: Formula, atom: Callable[[Formula], Shares], *, weighted: bool = False
+) -> dict[Formula, Shares]:
     """The shares of every sub-formula of a tree, given those of its atoms and constants."""
-    return fold_all(tree, lambda node, below: share(node, below) if below else atom(node))
+    return fold_all(tree, lambda node, below: share(node, below, weighted) if below else atom(node))
+
+
+def portions(node: Joining, *, weighted: bool = True) -> tuple[Fraction, ...]:
+    """What each part, step or change-over counts in a node: of all together, or of the greatest.
+
+    Without weights, all count the same.
+
+    >>> from tsplan.logic import parse
+    >>> portions(parse("a &&^[1, 3] b", "wmtl")), portions(parse("a ||^[1, 2] b", "wmtl"))
+    ((Fraction(1, 4), Fraction(3, 4)), (Fraction(1, 2), Fraction(1, 1)))
+    """
+    together = isinstance(node, nodes.And | nodes.Always)
+    if node.weights is None or not weighted or is_even(node):
+        count = len(node.children) if isinstance(node, nodes.Several) else node.high - node.low + 1
+        return (Fraction(1, count if together else 1),) * count
+    each = tuple(map(exact, node.weights))
+    whole = sum(each) if together else max(each)
+    return tuple(weight / whole for weight in each)
+
+
+def preference(tree: Formula, trace: Trace) -> Fraction | None:
+    """How much its weights prefer what holds of a tree at step 0; None for a tree without any."""
+    if all(getattr(node, "weights", None) is None for node in walk(tree)):
+        return None
+    return shares(tree, trace, weighted=True)[tree][0].fraction
+
+
+def is_even(node: Formula) -> bool:
+    """Whether all weights of a node are the same, or it has none."""
+    return len(set(getattr(node, "weights", None) or ())) <= 1
 
 
 def _atom(node: Formula, trace: Trace) -> Shares:
     if isinstance(node, nodes.Constant):
         return (WHOLE if node.value else NOTHING,) * trace.steps
     if not isinstance(node, Count | Linear):
-        return share(node, ())
+        return share(node, (), False)
     held, spare = holds(node, trace).tolist(), robustness(node, trace).tolist()
     return tuple(
         Share(Fraction(1), by) if so else NOTHING for so, by in zip(held, spare, strict=True)
@@ -119,13 +165,13 @@ def _atom(node: Formula, trace: Trace) -> Shares:
 
 
 @singledispatch
-def share(node: Formula, _below: tuple[Shares, ...]) -> Shares:
+def share(node: Formula, _below: tuple[Shares, ...], _weighted: bool) -> Shares:
     """A node's shares from those of its children. Every class of nodes registers its own."""
     raise TypeError(f"no fraction is registered for {type(node).__name__}")
 
 
 @share.register
-def _(node: nodes.Constant | Count | Linear, _below: tuple[Shares, ...]) -> Shares:
+def _(node: nodes.Constant | Count | Linear, _below: tuple[Shares, ...], _weighted: bool) -> Shares:
     raise ValueError(f"'{node}' is judged on a trace")
 
 
@@ -133,73 +179,94 @@ def _(node: nodes.Constant | Count | Linear, _below: tuple[Shares, ...]) -> Shar
 def _(
     node: nodes.Not | nodes.Implies | nodes.Iff | nodes.Release | Task | Limit,
     _below: tuple[Shares, ...],
+    _weighted: bool,
 ) -> Shares:
     raise ValueError(f"'{node}' has no fraction of its own; take tree_of() first")
 
 
 @share.register
-def _(_node: nodes.And, below: tuple[Shares, ...]) -> Shares:
-    return tuple(mean(parts) for parts in zip(*below, strict=False))
+def _(node: nodes.And, below: tuple[Shares, ...], weighted: bool) -> Shares:
+    each = portions(node, weighted=weighted)
+    return tuple(_mean(parts, each) for parts in zip(*below, strict=False))
 
 
 @share.register
-def _(_node: nodes.Or, below: tuple[Shares, ...]) -> Shares:
-    return tuple(max(parts) for parts in zip(*below, strict=False))
+def _(node: nodes.Or, below: tuple[Shares, ...], weighted: bool) -> Shares:
+    each = portions(node, weighted=weighted)
+    return tuple(max(map(Share.scaled, parts, each)) for parts in zip(*below, strict=False))
 
 
 @share.register
-def _(node: nodes.Always, below: tuple[Shares, ...]) -> Shares:
+def _(node: nodes.Always, below: tuple[Shares, ...], weighted: bool) -> Shares:
+    windows = _windows(node, below[0])
+    each = portions(node, weighted=weighted)
+    if weighted and not is_even(node):
+        return tuple(_mean(window, each) for window in windows)
     total = list(accumulate((part.fraction for part in below[0]), initial=Fraction(0)))
-    length = node.high - node.low + 1
     return tuple(
         Share(
-            (total[step + node.high + 1] - total[step + node.low]) / length,
-            min(part.spare for part in below[0][step + node.low : step + node.high + 1]),
+            (total[step + node.high + 1] - total[step + node.low]) * each[0],
+            min(part.spare for part in window),
         )
-        for step in range(len(below[0]) - node.high)
+        for step, window in enumerate(windows)
     )
 
 
 @share.register
-def _(node: nodes.Eventually, below: tuple[Shares, ...]) -> Shares:
-    return tuple(
-        max(below[0][step + node.low : step + node.high + 1])
-        for step in range(len(below[0]) - node.high)
-    )
+def _(node: nodes.Eventually, below: tuple[Shares, ...], weighted: bool) -> Shares:
+    windows = _windows(node, below[0])
+    if weighted and not is_even(node):
+        each = portions(node)
+        return tuple(max(map(Share.scaled, window, each)) for window in windows)
+    return tuple(map(max, windows))
 
 
 @share.register
-def _(node: nodes.Until, below: tuple[Shares, ...]) -> Shares:
+def _(node: nodes.Until, below: tuple[Shares, ...], weighted: bool) -> Shares:
     left, right = below
     steps = len(right) - node.high
     if node.high:  # or else the left side does not matter
         steps = min(steps, len(left) + 1 - node.high)
-    return tuple(max(made for _, made in changes(node, step, left, right)) for step in range(steps))
+    each = portions(node, weighted=weighted)
+    found = (changes(node, step, (left, right), each) for step in range(steps))
+    return tuple(max(made for _, made in options) for options in found)
 
 
-def changes(node: nodes.Until, step: int, left: Shares, right: Shares) -> list[tuple[int, Share]]:
-    """Every step at which an until judged at `step` may change over, and its share if it does."""
+def changes(
+    node: nodes.Until, step: int, sides: Sequence[Shares], each: Sequence[Fraction]
+) -> list[tuple[int, Share]]:
+    """Every step at which an until judged at `step` may change over, and its share if it does.
+
+    `each` has the portion of every change-over.
+    """
+    left, right = sides
     held, spare = Fraction(0), inf
     found = []
     for switch in range(step, step + node.high + 1):
         if switch >= step + node.low:
             part = right[switch]
             total = (held + part.fraction) / (switch - step + 1)
-            found.append((switch, Share(total, min(spare, part.spare))))
+            made = Share(total, min(spare, part.spare))
+            found.append((switch, made.scaled(each[switch - step - node.low])))
         if switch < step + node.high:
             held += left[switch].fraction
             spare = min(spare, left[switch].spare)
     return found
 
 
-def mean(parts: Sequence[Share]) -> Share:
-    """The share of parts that count the same."""
-    total = sum((part.fraction for part in parts), Fraction(0))
-    return Share(total / len(parts), min(part.spare for part in parts))
+def _windows(node: nodes.Window, below: Shares) -> Iterator[Shares]:
+    """The shares of the child in the window from every step on."""
+    for step in range(len(below) - node.high):
+        yield below[step + node.low : step + node.high + 1]
+
+
+def _mean(parts: Sequence[Share], each: Sequence[Fraction]) -> Share:
+    total = sum((part.fraction * by for part, by in zip(parts, each, strict=True)), Fraction(0))
+    return Share(total, min(part.spare for part in parts))
 
 
 def denominator(tree: Formula) -> int:
-    """A whole number of which every possible fraction of a tree is a multiple of the inverse.
+    """A whole number of which every possible preference of a tree is a multiple of the inverse.
 
     >>> from tsplan.logic import parse
     >>> denominator(parse("F[0,9] G[0,2] (a && b)"))
@@ -210,11 +277,9 @@ def denominator(tree: Formula) -> int:
 
 
 def _denominator(node: Formula, below: tuple[int, ...]) -> int:
-    common = lcm(*below)
-    if isinstance(node, nodes.And):
-        return common * len(below)
-    if isinstance(node, nodes.Always):
-        return common * (node.high - node.low + 1)
+    if not isinstance(node, Joining):
+        return 1
+    each = portions(node)
     if isinstance(node, nodes.Until):
-        return common * lcm(*range(node.low + 1, node.high + 2))
-    return common
+        each = tuple(by / (switch + 1) for switch, by in enumerate(each, start=node.low))
+    return lcm(*below) * lcm(*(by.denominator for by in each))

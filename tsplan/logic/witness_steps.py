@@ -12,7 +12,7 @@ from fractions import Fraction
 from math import inf
 from typing import NamedTuple, TypeAlias
 
-from tsplan.logic.fraction import Shares, changes, shares
+from tsplan.logic.fraction import Shares, changes, is_even, portions, shares
 from tsplan.logic.nodes import (
     Always,
     And,
@@ -25,6 +25,7 @@ from tsplan.logic.nodes import (
 from tsplan.logic.simplification import simplify
 from tsplan.logic.time_horizon import lookahead
 from tsplan.logic.traces import Trace
+from tsplan.logic.traversal import fold, fold_all
 
 Pair: TypeAlias = "tuple[Formula, int]"
 
@@ -113,48 +114,69 @@ def _below(place: _Place, values: Mapping[Formula, Shares]) -> Iterator[_Place]:
 
 
 def witness_steps(
-    node: Formula, step: int, values: Mapping[Formula, Shares]
+    node: Formula, step: int, values: Mapping[Formula, Shares], *, weighted: bool = False
 ) -> Iterator[tuple[int, int]]:
     """Which children, at which steps, the fraction of a node at a step is the mean or maximum of.
 
-    Of alternatives only the best is named, the first of them where several are.
+    Of alternatives only the best is named, the first of them where several are. If `weighted`, the
+    values are preferences.
     """
     below = [values[child] for child in node.children]
     if isinstance(node, And):
         yield from ((number, step) for number in range(len(below)))
     elif isinstance(node, Or):
-        yield max(range(len(below)), key=lambda number: below[number][step]), step
+        each = portions(node, weighted=weighted)
+        yield max(range(len(below)), key=lambda at: below[at][step].scaled(each[at])), step
     elif isinstance(node, Always):
         yield from ((0, later) for later in range(step + node.low, step + node.high + 1))
     elif isinstance(node, Eventually):
-        window = range(step + node.low, step + node.high + 1)
-        yield 0, max(window, key=lambda later: below[0][later])
+        each, first = portions(node, weighted=weighted), step + node.low
+        window = range(first, step + node.high + 1)
+        yield 0, max(window, key=lambda later: below[0][later].scaled(each[later - first]))
     elif isinstance(node, Until):
-        switch, _ = max(changes(node, step, *below), key=lambda change: change[1])
+        each = portions(node, weighted=weighted)
+        switch, _ = max(changes(node, step, below, each), key=lambda change: change[1])
         yield from ((0, later) for later in range(step, switch))
         yield 1, switch
 
 
 def satisfied(tree: Formula, trace: Trace) -> tuple[Pair, ...]:
-    """The pairs that hold and that a tree's fraction is made of, the topmost ones alone.
+    """The pairs that hold and that a tree's preference is made of, the topmost ones alone.
 
-    Whatever makes all of them hold has at least the same fraction.
+    Whatever makes all of them hold has at least the same preference. Of alternatives that count
+    differently, the one is named that holds.
     """
-    values = shares(tree, trace)
+    values = shares(tree, trace, weighted=True)
+    settled = fold_all(tree, _is_settled)
     found: list[Pair] = []
     seen: set[Pair] = {(tree, 0)}
     stack: list[Pair] = [(tree, 0)]
     while stack:
         node, step = stack.pop()
-        if values[node][step].fraction == 1:
+        if settled[node] and values[node][step].fraction == 1:
             found.append((node, step))
             continue
-        for number, later in witness_steps(node, step, values):
+        for number, later in witness_steps(node, step, values, weighted=True):
             pair = (node.children[number], later)
             if pair not in seen:
                 seen.add(pair)
                 stack.append(pair)
     return tuple(found)
+
+
+def is_settled(tree: Formula) -> bool:
+    """Whether a tree has the preference 1 wherever it holds, since no alternative counts less.
+
+    >>> from tsplan.logic import parse
+    >>> [is_settled(parse(text, "wmtl")) for text in ("F[0,2] (a &&^[1, 2] b)", "a ||^[1, 2] b")]
+    [True, False]
+    """
+    return fold(tree, _is_settled)
+
+
+def _is_settled(node: Formula, below: tuple[bool, ...]) -> bool:
+    """Whether a formula has the preference 1 wherever it holds."""
+    return all(below) and (isinstance(node, And | Always) or is_even(node))
 
 
 def demanded(pairs: Iterable[Pair]) -> Formula:
