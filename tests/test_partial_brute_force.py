@@ -16,7 +16,16 @@ from tests.joint_plans import SENSE, JointPlan, joint_plans, small_enough
 from tests.seeds import seed_blocks
 from tsplan import Mission
 from tsplan.checking.plan_check import check
-from tsplan.logic import CountTrace, Formula, holds, horizon, parse, robustness
+from tsplan.logic import (
+    CountTrace,
+    Formula,
+    fold,
+    holds,
+    horizon,
+    parse,
+    robustness,
+    translate,
+)
 from tsplan.logic.fraction import shares
 from tsplan.logic.witness_steps import levels
 from tsplan.mission import Group, Preference
@@ -38,6 +47,33 @@ def team_in_part(seed: int) -> Mission:
     mission = random_mission(seed, states=4, most_agents=3, steps=5)
     others = [("travel",), ("availability", "travel"), ("travel", "availability")][seed // 3 % 3]
     return replace(mission, objective=("satisfaction", *others), satisfaction=ORDERS[seed % 3])
+
+
+def team_weighing(seed: int) -> Mission:
+    """The same with weights at most operators."""
+    return weighing(replace(team_in_part(seed), satisfaction="weighted"), seed)
+
+
+def swarms_weighing(seed: int) -> Mission:
+    return weighing(replace(swarms_in_part(seed), satisfaction="weighted"), seed)
+
+
+def weighing(mission: Mission, seed: int) -> Mission:
+    formula = weighed(mission.formula, Random(f"weights {seed}"))
+    return replace(mission, formula=formula, text=str(formula), language="wmtl")
+
+
+def weighed(formula: Formula, random: Random) -> Formula:
+    """The formula with weights at most operators; tasks are written out."""
+
+    def given(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        made = node.over(below)
+        if not hasattr(made, "weights") or random.random() < 0.2:
+            return made
+        count = made.high - made.low + 1 if hasattr(made, "low") else len(below)
+        return replace(made, weights=[random.choice([0.4, 0.6, 1, 2]) for _ in range(count)])
+
+    return fold(translate(formula), given)
 
 
 def rival_text(random: Random) -> str:
@@ -109,13 +145,13 @@ def mixed_preferring(seed: int) -> Mission:
 
 def share(mission: Mission, formula: Formula, counts: CountTrace) -> Fraction:
     tree = mission.tree(formula)
-    return shares(tree, counts)[tree][0].fraction
+    return shares(tree, counts, weighted=True)[tree][0].fraction
 
 
 def spare(mission: Mission, counts: CountTrace) -> float:
     """The least robustness of what a plan is worth something for."""
     tree = mission.tree(mission.formula)
-    shared = shares(tree, counts)
+    shared = shares(tree, counts, weighted=True)
     if mission.satisfaction == "weighted":
         return shared[tree][0].spare
     held = levels(tree, counts).pairs
@@ -151,7 +187,8 @@ def compare_satisfaction(mission: Mission) -> str:
     for joint in joint_plans(mission):
         counts = joint.trace()
         worth = share(mission, mission.formula, counts)
-        assert (worth == 1) == bool(holds(mission.counted, counts)[0])
+        if mission.language != "wmtl":
+            assert (worth == 1) == bool(holds(mission.counted, counts)[0])
         whole = whole or worth == 1
         depths = None if weighted else levels(mission.tree(mission.formula), counts).counts
         worths.append((worth,) if weighted else depths)
@@ -165,7 +202,8 @@ def compare_satisfaction(mission: Mission) -> str:
     assert plan.satisfaction is not None
     best = max(worths)
     if weighted:
-        assert plan.satisfaction.fraction == best[0]
+        assert plan.satisfaction.worth == best[0]
+        assert plan.objective[0].value == pytest.approx(float(best[0]))
         assert plan.objective[0].bound == pytest.approx(float(best[0]))
     else:
         assert tuple(item.value for item in plan.satisfaction.depths) == best
@@ -248,6 +286,16 @@ def compare_preferences(mission: Mission) -> str:
 def test_as_much_of_a_team_s_formula_holds_as_can() -> None:
     seen = Counter(compare_satisfaction(team_in_part(seed)) for seed in range(20_000, 20_017))
     assert min(seen["part"], seen["whole"]) >= 4, seen
+
+
+def test_as_much_of_a_team_s_weights_as_can() -> None:
+    seen = Counter(compare_satisfaction(team_weighing(seed)) for seed in range(20_000, 20_020))
+    assert min(seen["part"], seen["whole"]) >= 4, seen
+
+
+def test_as_much_of_a_swarm_s_weights_as_can() -> None:
+    seen = Counter(compare_satisfaction(swarms_weighing(seed)) for seed in range(40_010, 40_022))
+    assert min(seen["part"], seen["whole"]) >= 2, seen
 
 
 def test_as_much_of_a_swarm_s_formula_holds_as_can() -> None:
@@ -345,6 +393,8 @@ def test_as_much_holds_as_can_on_many(seeds: list[int]) -> None:
         compare_satisfaction(team_in_part(seed))
         compare_satisfaction(swarms_in_part(seed + 21_000))
         compare_satisfaction(mixed_in_part(seed + 40_000))
+        compare_satisfaction(team_weighing(seed))
+        compare_satisfaction(swarms_weighing(seed + 21_000))
 
 
 @pytest.mark.parametrize("seeds", seed_blocks((), range(31_000, 32_000), 20))

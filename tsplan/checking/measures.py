@@ -30,8 +30,8 @@ def availability(traffic: Traffic) -> float:
 
 
 def satisfaction(traffic: Traffic) -> Fraction | None:
-    """How much of the formula holds, where it need not hold as a whole."""
-    return None if traffic.satisfaction is None else traffic.satisfaction.fraction
+    """How much of the formula holds, or is preferred, where it need not hold as a whole."""
+    return None if traffic.satisfaction is None else traffic.satisfaction.worth
 
 
 def preferences(traffic: Traffic) -> Fraction | None:

@@ -58,7 +58,8 @@ def _formula(traffic: Traffic) -> Iterator[str]:
     """What holds of the formula and of the preferences."""
     satisfaction = traffic.satisfaction
     if satisfaction is not None and satisfaction.fraction != 1:
-        yield f"the formula holds in part, with satisfaction {satisfaction.fraction}"
+        by = "" if satisfaction.preference is None else f", preference {satisfaction.preference}"
+        yield f"the formula holds in part, with satisfaction {satisfaction.fraction}{by}"
     else:
         yield f"the formula holds, with availability {shown(traffic.availability)}"
     for item in traffic.preferences:

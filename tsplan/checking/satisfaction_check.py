@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 
 from tsplan.logic import Count, Formula, Limit, Percent, Task, fold, walk
 from tsplan.logic.evaluation import robustness
-from tsplan.logic.fraction import shares
+from tsplan.logic.fraction import preference, shares
 from tsplan.logic.text import text_of
 from tsplan.logic.witness_steps import levels, parts
 from tsplan.plans.plan import Plan, Status
 from tsplan.plans.satisfaction import Depth, Node, PreferenceSatisfaction, Satisfaction
+from tsplan.words import known
 
 if TYPE_CHECKING:
     from tsplan.logic.traces import CountTrace, Trace
@@ -26,15 +27,15 @@ MOST_LETTERS = 1000
 def satisfaction_of(mission: Mission, trace: CountTrace) -> Satisfaction:
     """How much of the formula holds of a mission that lets it hold in part."""
     tree = mission.tree(mission.formula)
-    share = shares(tree, trace)[tree][0]
     by_depth = mission.satisfaction != "weighted"
     counts = levels(tree, trace).counts if by_depth else ()
     return Satisfaction(
         order=mission.satisfaction,
-        fraction=share.fraction,
-        availability=share.spare if math.isfinite(share.spare) else None,
+        fraction=shares(tree, trace)[tree][0].fraction,
+        availability=known(least_spare([(tree, True)], trace)),
         depths=tuple(Depth(depth, count) for depth, count in enumerate(counts)),
         nodes=_nodes(mission, mission.formula, trace),
+        preference=preference(tree, trace),
     )
 
 
@@ -59,7 +60,7 @@ def least_spare(
     """The least robustness of what holds of trees, each of which counts in part or as a whole."""
     for tree, partial in trees:
         if partial:
-            least = min(least, shares(tree, trace)[tree][0].spare)
+            least = min(least, shares(tree, trace, weighted=True)[tree][0].spare)
         else:
             slack = float(robustness(tree, trace)[..., 0])
             least = min(least, slack) if slack >= 0 else least
@@ -68,11 +69,13 @@ def least_spare(
 
 def preferences_of(mission: Mission, trace: CountTrace) -> tuple[PreferenceSatisfaction, ...]:
     """What became of every preferred formula, in the mission's order."""
-    nodes = [_nodes(mission, preference.formula, trace) for preference in mission.prefer]
-    return tuple(
-        PreferenceSatisfaction(p.name, p.weight, p.level, p.partial, told[0].fraction, told)
-        for p, told in zip(mission.prefer, nodes, strict=True)
-    )
+    found = []
+    for wish in mission.prefer:
+        nodes = _nodes(mission, wish.formula, trace)
+        by = preference(mission.tree(wish.formula), trace)
+        own = wish.name, wish.weight, wish.level, wish.partial
+        found.append(PreferenceSatisfaction(*own, nodes[0].fraction, nodes, by))
+    return tuple(found)
 
 
 def _nodes(mission: Mission, formula: Formula, trace: CountTrace) -> tuple[Node, ...]:
@@ -128,7 +131,8 @@ def false_claims(
     for given, actual in zip(plan.preferences, preferences, strict=True):
         if given != actual:
             what = f"account of preference '{given.name}' is not so"
-            yield f"the plan's {what}: its fraction is {actual.fraction}"
+            by = "" if actual.preference is None else f" and its preference {actual.preference}"
+            yield f"the plan's {what}: its fraction is {actual.fraction}{by}"
 
 
 def _false_satisfaction(
@@ -139,6 +143,9 @@ def _false_satisfaction(
         return
     if claimed.fraction != actual.fraction:
         yield f"the plan claims satisfaction {claimed.fraction} and has {actual.fraction}"
+    if claimed.preference != actual.preference:
+        said, true = (item.preference or "none" for item in (claimed, actual))
+        yield f"the plan claims the preference {said} and has {true}"
     if claimed.availability != actual.availability:
         yield (
             f"the plan claims availability {claimed.availability} of what it satisfies and has "

@@ -13,7 +13,7 @@ from tsplan.logic import Formula
 from tsplan.logic.text_spans import Way
 from tsplan.mission.findings import FORMULA, Fault
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
-from tsplan.mission.vocabulary import TaskInterval
+from tsplan.mission.vocabulary import Order, TaskInterval
 from tsplan.ts import TransitionSystem
 
 
@@ -115,15 +115,21 @@ def _refused(node: Formula) -> Iterator[Fault]:
         yield Fault(FORMULA, what, "remove the last braces of the task", node=node)
 
 
-def weight_faults(formula: Formula, *, in_part: bool) -> Iterator[Fault]:
-    """Weights in a formula that holds or does not: they say what counts where it holds in part."""
+def weight_faults(formula: Formula, order: Order | None) -> Iterator[Fault]:
+    """Weights where they do not count: they weigh what holds in part.
+
+    `order` is that in which the formula may hold in part, None where it holds or does not.
+    """
+    if order == "weighted":
+        return
     weighed = (node for node in logic.walk(formula) if getattr(node, "weights", None) is not None)
-    for node in () if in_part else islice(weighed, 1):
-        what = "weights have no effect on a formula that must hold as a whole"
-        remedy = (
-            "ask for satisfaction: 'objective: [{satisfaction: weighted}]', or prefer it with "
-            "'partial: true'"
-        )
+    for node in islice(weighed, 1):
+        if order is None:
+            what = "weights have no effect on a formula that must hold as a whole"
+            other = ", or prefer it with 'partial: true'"
+        else:
+            what, other = f"weights have no effect in the order '{order}'", ""
+        remedy = f"ask for satisfaction: 'objective: [{{satisfaction: weighted}}]'{other}"
         yield Fault(FORMULA, what, remedy, node=node, way=("weight",))
 
 

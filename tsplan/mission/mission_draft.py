@@ -209,15 +209,16 @@ class _Draft(Filing):
         if not self.serious and self.system is not None and self.team is not None:
             late = [*cost_faults(self.system, self.team, self.horizon, self.objective(file))]
             for where, formula in self.formulas.all():
-                late += moved(weight_faults(formula, in_part=self.in_part(file, where)), where)
+                late += moved(weight_faults(formula, self.order(file, where)), where)
             for fault in late:
                 self.file(fault)
 
-    def in_part(self, file: MissionFile, where: Place) -> bool:
-        """Whether the formula at a place may hold in part."""
-        if where == self.formulas.where:
-            return "satisfaction" in self.objective(file)
-        return file.spec.prefer[int(where[-2])].partial
+    def order(self, file: MissionFile, where: Place) -> Order | None:
+        """The order in which the formula at a place may hold in part, None where it may not."""
+        if where != self.formulas.where:
+            return "weighted" if file.spec.prefer[int(where[-2])].partial else None
+        in_part = "satisfaction" in self.objective(file)
+        return objective_order(file.objective or ()) if in_part else None
 
     def objective(self, file: MissionFile) -> tuple[str, ...]:
         """The objectives, by default those of the mission's kind."""

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 _NAMES = {"class_name": "class", "first": "from", "last": "to"}
 _FRACTION = re.compile(r"[0-9]{1,4000}(/[0-9]{0,3999}[1-9][0-9]{0,3999})?")
+_EXACT = ("exact", "preference")  # written as text
 _WHOLE = 1e16  # from here on a float is shorter with its exponent
 _ROUNDING = 1e-9  # by which a fraction may differ from its float, of which some digits are written
 
@@ -101,7 +102,9 @@ class Portion(Record):
         """What a file has of the record, and what it repeats."""
         entries: dict[str, Any] = {}
         for key, value in super().data().items():
-            entries |= {key: value} if key != "exact" else {**self.repeated(), key: str(value or 0)}
+            if key == "exact":
+                entries |= self.repeated()
+            entries[key] = str(value or 0) if key in _EXACT else value
         return entries
 
     @model_validator(mode="wrap")

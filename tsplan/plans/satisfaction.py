@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal, TypeAlias
 
-from tsplan.plans.records import Exact, Finite, Portion, Record, Weight, Whole
+from tsplan.plans.records import OPTIONAL, Exact, Finite, Portion, Record, Weight, Whole
 
 Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 
@@ -48,7 +48,8 @@ class Satisfaction(Portion):
     """How much of a mission's formula a plan satisfies, in the mission's `order`.
 
     `fraction` and `nodes` (parents before their children) tell how much of the whole and of each
-    part holds. `availability` is the least number of agents to spare at what is satisfied, None
+    part holds, and `preference` how much the formula's weights prefer that, if it has any.
+    `availability` is the least number of agents to spare at what is satisfied, None
     where nothing can fail. `depths` counts what holds for the orders that go by depth. What is
     still to be computed from the paths is None or empty.
     """
@@ -58,11 +59,17 @@ class Satisfaction(Portion):
     availability: Finite | None = None
     depths: tuple[Depth, ...] = ()
     nodes: tuple[Node, ...] = ()
+    preference: Exact | None = field(default=None, metadata=OPTIONAL)
+
+    @property
+    def worth(self) -> Fraction | None:
+        """What the plan gains by it."""
+        return self.fraction if self.preference is None else self.preference
 
 
 @dataclass(frozen=True, slots=True)
 class PreferenceSatisfaction(Portion):
-    """What became of one preferred formula; `fraction` and `nodes` are as in `Satisfaction`."""
+    """What became of one preferred formula; its parts are as in `Satisfaction`."""
 
     name: str
     weight: Weight
@@ -70,6 +77,7 @@ class PreferenceSatisfaction(Portion):
     partial: bool
     fraction: Exact
     nodes: tuple[Node, ...] = ()
+    preference: Exact | None = field(default=None, metadata=OPTIONAL)
 
     @property
     def met(self) -> bool:
@@ -79,4 +87,5 @@ class PreferenceSatisfaction(Portion):
     @property
     def worth(self) -> Fraction:
         """What the plan gains by it."""
-        return self.weight * (self.fraction if self.partial else Fraction(self.met))
+        share = self.fraction if self.preference is None else self.preference
+        return self.weight * (share if self.partial else Fraction(self.met))

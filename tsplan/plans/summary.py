@@ -120,7 +120,8 @@ def satisfaction_lines(plan: Plan) -> list[str]:
     lines = []
     if plan.satisfaction is not None:
         satisfaction = plan.satisfaction
-        lines.append(f"  satisfied: {satisfaction.fraction} ({satisfaction.order})")
+        by = "" if satisfaction.preference is None else f", preference {satisfaction.preference}"
+        lines.append(f"  satisfied: {satisfaction.fraction}{by} ({satisfaction.order})")
         if satisfaction.depths:
             counts = ", ".join(
                 f"{item.value} at depth {item.depth}" for item in satisfaction.depths
@@ -129,7 +130,8 @@ def satisfaction_lines(plan: Plan) -> list[str]:
         lines += _node_lines(satisfaction.nodes)
     for item in plan.preferences:
         gain = f"weight {number(float(item.weight))}, level {item.level}"
-        lines.append(f"  {item.name}: {_share(item.fraction)} ({gain})")
+        by = "" if item.preference is None else f", preference {item.preference}"
+        lines.append(f"  {item.name}: {_share(item.fraction)}{by} ({gain})")
         lines += _node_lines(item.nodes) if item.partial and not item.met else []
     return lines
 

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
+from operator import mul
 
 from tsplan.clock import Clock
 from tsplan.encode.encoded import Point, Setting
@@ -24,9 +25,8 @@ from tsplan.encode.switches import Switch
 from tsplan.errors import Finding, MissionError
 from tsplan.exact import exact
 from tsplan.logic import Formula, conjunction, positive, simplify
-from tsplan.logic.fraction import shares
 from tsplan.logic.margin import shifted, tighten
-from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences, satisfied
+from tsplan.logic.witness_steps import Pair, demanded, is_settled, levels, occurrences
 from tsplan.mission import Mission
 from tsplan.plans.plan import ObjectiveValue
 from tsplan.run.chosen_parts import ChosenParts
@@ -95,7 +95,7 @@ def plan_soft(stages: Stages) -> Outcome[Point]:
     first = first_of(mission)
     worth = partial(worth_of, stages.setting)
     settling = Settling(stages.setting, stages.effort, stages.clock, stages.tell, first, worth)
-    tried = _whole(stages, settling) if mission.partial else None
+    tried = _whole(stages, settling) if mission.partial and _tells_whole(mission) else None
     if tried is not None and tried.point is not None:
         whole = Settled(tried.point, (), True, False, None, tried.size)
         choice = Choice(whole, mission.goal, ObjectiveValue(first, 1.0, 1.0))
@@ -192,6 +192,11 @@ def _trial(clock: Clock) -> Clock:
     return clock.within(_TRIAL if left is None else min(_TRIAL, _TRIED * left))
 
 
+def _tells_whole(mission: Mission) -> bool:
+    """Whether no plan for the whole formula can be worth less than another."""
+    return mission.satisfaction != "weighted" or is_settled(mission.tree(mission.formula))
+
+
 def _whole(stages: Stages, settling: Settling) -> Outcome[Point]:
     """A quick try for a plan that satisfies everything; it may be refuted, or stay open."""
     refuse_if_too_large(stages.setting.mission)
@@ -215,14 +220,9 @@ def worth_of(setting: Setting, point: Point) -> float:
     wishes = wishes_of(mission)
     every = conjunction(wish.tree for wish in wishes)
     trace = counts_of(setting, every, point)
-    fractions = [shares(wish.tree, trace)[wish.tree][0].fraction for wish in wishes]
-    if mission.partial:
-        return float(fractions[0])
-    worths = (
-        preference.weight * (fraction if preference.partial else int(fraction == 1))
-        for preference, fraction in zip(mission.prefer, fractions, strict=True)
-    )
-    return float(sum(worths, Fraction(0)))
+    worths = [wish.worth(trace) for wish in wishes]
+    weights = [Fraction(1)] if mission.partial else [wish.weight for wish in mission.prefer]
+    return float(sum(map(mul, weights, worths), Fraction(0)))
 
 
 def _chosen(settling: Settling, setting: Setting, *, refuted: bool) -> Choice:
@@ -266,8 +266,8 @@ def _held(setting: Setting, point: Point) -> Formula:
         trace = counts_of(setting, wish.tree, point)
         if mission.partial and mission.satisfaction != "weighted":
             pairs += levels(wish.tree, trace).pairs
-        elif wish.partial or shares(wish.tree, trace)[wish.tree][0].fraction == 1:
-            pairs += satisfied(wish.tree, trace)
+        else:
+            pairs += wish.met(trace)
     return simplify(positive(demanded(pairs)))
 
 

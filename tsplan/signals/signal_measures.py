@@ -72,8 +72,9 @@ def measured(mission: SignalMission, motion: Motion, trace: SignalTrace) -> Meas
     whole = mission.parts or ((mission.text or str(formula), formula),)
     parts = (*whole, *((wish.text, wish.formula) for wish in mission.prefer))
     terms = {"robustness": _spare(mission, trace, by)}
-    if partial:
-        terms["satisfaction"] = float(fraction(formula, trace))
+    preferred = float(fraction(formula, trace, weighted=True)) if partial else None
+    if preferred is not None:
+        terms["satisfaction"] = preferred
     by_depth = levels(tree_of(formula), trace).counts if _by_depth(mission) else ()
     if mission.prefer:
         terms["preferences"] = sum(_gain(wish, trace) for wish in mission.prefer)
@@ -82,7 +83,7 @@ def measured(mission: SignalMission, motion: Motion, trace: SignalTrace) -> Meas
         by,
         _agm(mission, trace),
         float(fraction(formula, trace)) if partial else None,
-        terms.get("satisfaction"),
+        preferred,
         tuple(_part(mission, text, part, trace) for text, part in parts),
         by_depth,
         tuple(
@@ -125,7 +126,7 @@ def _spare(mission: SignalMission, trace: SignalTrace, slack: float) -> float:
 
 def _gain(wish: Preference, trace: SignalTrace) -> float:
     """What a preferred formula is worth."""
-    share = float(fraction(wish.formula, trace))
+    share = float(fraction(wish.formula, trace, weighted=wish.partial))
     return float(wish.weight) * (share if wish.partial else float(share == 1))
 
 

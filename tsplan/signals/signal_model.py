@@ -24,9 +24,8 @@ from tsplan.encode.selection import ALWAYS, SelectionColumns
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses, WitnessRules
 from tsplan.logic import Formula, Linear, conjunction, positive, simplify, walk
-from tsplan.logic.fraction import shares
 from tsplan.logic.traces import SignalTrace
-from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences, satisfied
+from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints, Model
 from tsplan.milp.model import Terms as Entries
 from tsplan.signals.linear_system import Limit, System, Terms
@@ -108,8 +107,8 @@ class SignalSetting:
         for wish in self.soft.wishes:
             if self.soft.depths:
                 pairs += levels(wish.tree, trace).pairs
-            elif wish.partial or shares(wish.tree, trace)[wish.tree][0].fraction == 1:
-                pairs += satisfied(wish.tree, trace)
+            else:
+                pairs += wish.met(trace)
         return simplify(conjunction([self.soft.demand, positive(demanded(pairs))]))
 
     @property

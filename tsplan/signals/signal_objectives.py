@@ -13,7 +13,6 @@ import numpy as np
 from tsplan.checking.satisfaction_check import least_spare
 from tsplan.encode.expressions import Expression
 from tsplan.logic.evaluation import robustness
-from tsplan.logic.fraction import shares
 from tsplan.logic.traces import SignalTrace
 from tsplan.logic.witness_steps import levels
 from tsplan.milp.model import Floats
@@ -184,9 +183,7 @@ class WishObjective(SignalObjective):
         assert setting.soft is not None
         trace, total = point.trace(setting.system), Fraction(0)
         for number, weight in self.entries:
-            wish = setting.soft.wishes[number]
-            share = shares(wish.tree, trace)[wish.tree][0].fraction
-            total += weight * (share if wish.partial else int(share == 1))
+            total += weight * setting.soft.wishes[number].worth(trace)
         return float(total)
 
     def ideal(self, setting: SignalSetting) -> float | None:

@@ -3,7 +3,8 @@
 Every node is asked for under selections, as in `tsplan.encode.witness`, but what comes back is not
 a duty: it is a sum of columns that is at most the node's fraction where the selection is 1, and 0
 where it is not. `and` and `G` take the mean of what comes back; `or`, `F` and `U` choose one
-witness and pass its selection down, so of alternatives only one counts. Whatever is all or nothing
+witness and pass its selection down, so of alternatives only one counts. With weights, what comes
+back is multiplied by the part's portion, and the sum is a preference. Whatever is all or nothing
 (an atom, an eventuality of atoms) has an indicator of its own, under which it must hold, and the
 tight encoding of that stands behind it.
 
@@ -18,10 +19,10 @@ tight encoding of that stands behind it.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import singledispatchmethod
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -41,6 +42,7 @@ from tsplan.logic import (
     positive,
     walk,
 )
+from tsplan.logic.fraction import is_even, portions
 from tsplan.milp.model import Draft, Terms
 
 Key: TypeAlias = tuple[Formula, int, Selection]
@@ -50,6 +52,14 @@ Asked: TypeAlias = Sequence[tuple[int, Selection]]
 
 _ONE = Fraction(1)
 _MOST_GROUPS = 4  # of selections under which a node is valued at one step
+
+
+class _Part(NamedTuple):
+    """A part or an alternative of a node: what is judged when, and what it counts."""
+
+    node: Formula
+    step: int
+    portion: Fraction = _ONE
 
 
 class _Values:
@@ -188,112 +198,117 @@ class FractionEncoder:
     @_value.register
     def _(self, node: Count | Linear, asked: Asked) -> None:
         for step, selection in asked:
-            self._enter_whole((node, step, selection), [(node, step)])
+            self._enter_whole((node, step, selection), [_Part(node, step)])
 
     @_value.register
-    def _(self, node: And, asked: Asked) -> None:
+    def _(self, node: And | Always, asked: Asked) -> None:
+        each = portions(node)
         for step, selection in asked:
-            self._mean((node, step, selection), [(child, step) for child in node.children])
-
-    @_value.register
-    def _(self, node: Always, asked: Asked) -> None:
-        for step, selection in asked:
-            window = range(step + node.low, step + node.high + 1)
-            self._mean((node, step, selection), [(node.child, later) for later in window])
-
-    def _mean(self, key: Key, parts: Sequence[tuple[Formula, int]]) -> None:
-        each = Fraction(1, len(parts))
-        below = [part for place in parts for part in self._ask(*place, key[2])]
-        self._values.enter(key, (), [(part, each) for part in below])
+            below = [
+                (found, part.portion)
+                for part in _parts(node, step, each)
+                for found in self._ask(part.node, part.step, selection)
+            ]
+            self._values.enter((node, step, selection), (), below)
 
     @_value.register
     def _(self, node: Or, asked: Asked) -> None:
+        each = portions(node)
         for step, selection in asked:
-            options = [(child, step) for child in node.children if self._hopeful(child, step)]
-            self._best((node, step, selection), options)
+            self._best((node, step, selection), self._options(node, step, each))
 
     @_value.register
     def _(self, node: Eventually, asked: Asked) -> None:
-        windows: dict[Selection, dict[int, list[int]]] = defaultdict(dict)
+        windows: dict[Selection, dict[int, list[_Part]]] = defaultdict(dict)
+        each = portions(node)
         for step, selection in asked:
-            times = range(step + node.low, step + node.high + 1)
-            windows[selection][step] = [time for time in times if self._hopeful(node.child, time)]
+            windows[selection][step] = self._options(node, step, each)
         for selection, found in windows.items():
             if len(found) > 1:
                 self._pick(node, selection, found)
             else:
                 ((step, window),) = found.items()
-                self._best((node, step, selection), [(node.child, time) for time in window])
+                self._best((node, step, selection), window)
 
-    def _best(self, key: Key, options: Sequence[tuple[Formula, int]]) -> None:
+    def _options(self, node: Or | Eventually, step: int, each: Sequence[Fraction]) -> list[_Part]:
+        """The alternatives that may be worth something."""
+        return [part for part in _parts(node, step, each) if self._hopeful(part.node, part.step)]
+
+    def _best(self, key: Key, options: Sequence[_Part]) -> None:
         """The value of the one option that is chosen."""
-        if all(is_whole(child) for child, _ in options):
+        if all(is_whole(option.node) for option in options):
             self._enter_whole(key, options)
             return
         chosen = [key[2]]
         if len(options) > 1:
-            chosen = [(column,) for column in self._choose(key[2], options, "best")]
-        pairs = zip(options, chosen, strict=True)
-        below = [part for option, under in pairs for part in self._ask(*option, under)]
-        self._values.enter(key, (), [(part, _ONE) for part in below])
+            times = [option.step for option in options]
+            chosen = [(column,) for column in self._choose(key[2], times, "best")]
+        below = [
+            (found, option.portion)
+            for option, under in zip(options, chosen, strict=True)
+            for found in self._ask(option.node, option.step, under)
+        ]
+        self._values.enter(key, (), below)
 
-    def _choose(
-        self, selection: Selection, options: Sequence[tuple[Formula, int]], kind: str
-    ) -> list[int]:
+    def _choose(self, selection: Selection, times: Sequence[int], kind: str) -> list[int]:
         """Columns of which at most one is 1 where the selection is; one for each option."""
-        times = [time for _, time in options]
         columns: list[int] = self._choices.choose(selection, times, kind, exactly=False).tolist()
         return columns
 
-    def _enter_whole(self, key: Key, options: Sequence[tuple[Formula, int]]) -> None:
-        """Options that are all or nothing: the indicator of the one chosen is the value."""
+    def _enter_whole(self, key: Key, options: Sequence[_Part]) -> None:
+        """Options that are all or nothing: the value is the portion of the one chosen."""
+        times = [option.step for option in options]
         if len(options) == 1 and not key[2]:
-            columns = self._choices.free([options[0][1]]).tolist()
+            columns = self._choices.free(times).tolist()
         else:
-            columns = self._choose(key[2], options, "part")
-        for (child, time), column in zip(options, columns, strict=True):
-            self.requests.append((positive(child), time, (column,)))
-        self._values.enter(key, columns)
+            columns = self._choose(key[2], times, "part")
+        for option, column in zip(options, columns, strict=True):
+            self.requests.append((positive(option.node), option.step, (column,)))
+        self._values.enter(key, _chosen(columns, options))
 
     def _pick(
-        self, node: Eventually, selection: Selection, windows: Mapping[int, Sequence[int]]
+        self, node: Eventually, selection: Selection, windows: Mapping[int, Sequence[_Part]]
     ) -> None:
         """Windows of one selection: each picks from what the child is worth at its steps."""
         child, values = node.child, self._values
         keys = {
             time: self._ask(child, time, selection)
-            for time in sorted({time for window in windows.values() for time in window})
+            for time in sorted({option.step for window in windows.values() for option in window})
         }
         for step, window in windows.items():
-            if is_whole(child):
-                columns = values.columns(1, (), [key for time in window for key in keys[time]])
+            times = [option.step for option in window]
+            if is_whole(child) and is_even(node):
+                columns = values.columns(1, (), [key for time in times for key in keys[time]])
                 if selection:
                     values.bound(columns, selection)
-            else:
-                options = self._choose(selection, [(child, time) for time in window], "window")
-                columns = values.columns(len(window))
-                for time, option, column in zip(window, options, columns, strict=True):
-                    values.bound([column], [option])
-                    values.bound([column], (), keys[time])
-            values.enter((node, step, selection), columns)
+                values.enter((node, step, selection), columns)
+                continue
+            chosen = self._choose(selection, times, "window")
+            columns = values.columns(len(window))
+            for time, option, column in zip(times, chosen, columns, strict=True):
+                values.bound([column], [option])
+                values.bound([column], (), keys[time])
+            values.enter((node, step, selection), _chosen(columns, window))
 
     @_value.register
     def _(self, node: Until, asked: Asked) -> None:
+        each = [by / (switch + 1) for switch, by in enumerate(portions(node), start=node.low)]
         for step, selection in asked:
-            self._until(node, step, selection)
+            self._until((node, step, selection), node, each)
 
-    def _until(self, node: Until, step: int, selection: Selection) -> None:
-        """One change step; the left side's value at a step is shared out between later changes."""
+    def _until(self, key: Key, node: Until, each: Sequence[Fraction]) -> None:
+        """One change step; the left side's value at a step is shared out between later changes.
+
+        `each` is what any of its parts counts at each change.
+        """
+        _, step, selection = key
         window = range(step + node.low, step + node.high + 1)
-        options = self._choose(selection, [(node.right, time) for time in window], "switch")
-        changes = [
-            (change, column, Fraction(1, change - step + 1))
-            for change, column in zip(window, options, strict=True)
-        ]
+        options = self._choose(selection, window, "switch")
+        changes = list(zip(window, options, each, strict=True))
         parts = [
-            (key, share)
+            (found, share)
             for change, column, share in changes
-            for key in self._ask(node.right, change, (column,))
+            for found in self._ask(node.right, change, (column,))
         ]
         own: list[tuple[int, Fraction]] = []
         for time in range(step, step + node.high):
@@ -305,13 +320,31 @@ class FractionEncoder:
             for (option, share), column in zip(later, columns, strict=True):
                 self._values.bound([column], [option])
                 own.append((column, share))
-        self._values.enter((node, step, selection), Expression(tuple(own)), parts)
+        self._values.enter(key, Expression(tuple(own)), parts)
+
+
+def _parts(
+    node: And | Or | Always | Eventually, step: int, each: Sequence[Fraction]
+) -> Iterator[_Part]:
+    """What a node is made of at a step, with their portions."""
+    if isinstance(node, And | Or):
+        for child, portion in zip(node.children, each, strict=True):
+            yield _Part(child, step, portion)
+        return
+    for place, portion in enumerate(each, start=step + node.low):
+        yield _Part(node.child, place, portion)
+
+
+def _chosen(columns: Iterable[int], options: Iterable[_Part]) -> Expression:
+    """The portion of the option whose column is 1."""
+    portions_of = (option.portion for option in options)
+    return Expression(tuple(zip(columns, portions_of, strict=True)))
 
 
 def is_whole(node: Formula) -> bool:
-    """Whether a node's fraction can only be 0 or 1."""
-    while isinstance(node, Eventually):
+    """Whether a node's fraction, or with weights its preference, can only be 0 or 1."""
+    while isinstance(node, Eventually) and is_even(node):
         node = node.child
-    if isinstance(node, Or):
+    if isinstance(node, Or) and is_even(node):
         return all(is_whole(child) for child in node.children)
     return isinstance(node, Count | Linear | Constant)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Self
 
 import numpy as np
@@ -19,8 +20,9 @@ from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.selection import ALWAYS
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
 from tsplan.logic import Formula, conjunction, positive, simplify
-from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares_of
-from tsplan.logic.witness_steps import occurrences
+from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares, shares_of
+from tsplan.logic.traces import Trace
+from tsplan.logic.witness_steps import Pair, occurrences, satisfied
 from tsplan.milp.model import Draft, Model
 from tsplan.mission import Mission, Preference
 
@@ -36,6 +38,17 @@ class Wish:
     def whole(self) -> Formula:
         """The formula that holds where all of the tree does."""
         return simplify(positive(self.tree))
+
+    def worth(self, trace: Trace) -> Fraction:
+        """What the wish is worth: by how much it is met, with its weights, or whether it is."""
+        share = shares(self.tree, trace, weighted=self.partial)[self.tree][0].fraction
+        return share if self.partial else Fraction(share == 1)
+
+    def met(self, trace: Trace) -> tuple[Pair, ...]:
+        """What holds of the wish; wherever that does, the wish is worth as much."""
+        if self.partial:
+            return satisfied(self.tree, trace)
+        return ((self.tree, 0),) if self.worth(trace) else ()
 
     @property
     def denominator(self) -> int:
