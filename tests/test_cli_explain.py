@@ -96,7 +96,7 @@ def valid(text: str) -> dict:
         for part in conflict["parts"]:
             located(part, KINDS["part"])
     for change in data["changes"]:
-        assert list(change) == ["kind", "text", "amount", "proven"]
+        assert list(change) == ["kind", "text", "amount", "proven", "within"]
         assert change["kind"] in KINDS["change"]
         assert change["text"]
         assert change["amount"] >= 1

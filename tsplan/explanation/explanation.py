@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
-    from tsplan.mission import Mission
-    from tsplan.signals.signal_mission import SignalMission
-
-AnyMission: TypeAlias = "Mission | SignalMission"
+    from tsplan.signals.result_check import AnyMission
 
 FORMAT = "tsplan-explanation/1"
 
-PartKind: TypeAlias = Literal["formula", "team", "start", "waiting", "capacity", "swarm"]
+PartKind: TypeAlias = Literal[
+    "formula", "team", "start", "waiting", "capacity", "swarm", "control", "limit", "signal"
+]
 Cut: TypeAlias = Literal["interrupt", "time_limit", "memory", "precision", "patience"]
 """Why something was not looked at to its end: the run was interrupted, its time was up, the
 system's memory was, a solver's precision did not do, or one question took longer than its share of
@@ -36,7 +35,9 @@ class SoftConstraint(NamedTuple):
     """One thing that can be taken out of a mission: a part of its formula, a bound, a count.
 
     The key says which: the way to a sub-formula and the place of a task's need (or None), the
-    number of a team's entry, the name of a state, the ends of an edge, a swarm and which bound.
+    number of a team's entry, the name of a state, the ends of an edge, a swarm and which bound;
+    over signals, the name of one that begins somewhere, of one with bounds and which end (0, 1), or
+    the number of a limit.
     """
 
     kind: PartKind
@@ -95,16 +96,21 @@ class Conflict:
 class Change:
     """A change of the mission after which it can be met, by the least `amount`.
 
-    With `proven`, a verified plan shows that the changed mission can be met, and that it could not
-    with one less. `mission` is the changed mission, `steps` says how far each edit went.
+    With `proven`, a verified plan shows that the changed mission can be met, and it could not with
+    less: with one less of a whole number, with `within` less of a real one. `mission` is the
+    changed mission, `steps` says how far each edit went.
     """
 
     kind: ChangeKind
     text: str
-    amount: int
+    amount: float
     proven: bool
     mission: AnyMission = field(repr=False, compare=False)
     steps: tuple[tuple[Edit, int], ...] = field(default=(), repr=False, compare=False)
+    within: float = 1
+
+
+_TOLD_OF_CHANGES = ("kind", "text", "amount", "proven", "within")
 
 
 @dataclass(frozen=True)
@@ -134,7 +140,10 @@ class Explanation:
                 for conflict in self.conflicts
             ],
             "changes": [
-                {key: getattr(change, key) for key in ("kind", "text", "amount", "proven")}
+                {
+                    key: getattr(change, key)
+                    for key in ("kind", "text", "amount", "proven", "within")
+                }
                 for change in self.changes
             ],
             "cut_short": dict(self.cut),

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, get_args
 
-from tsplan.explanation.explanation import Part, Place, SoftConstraint
+from tsplan.explanation.explanation import Part, PartKind, Place, SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
 from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number, value_text
 from tsplan.explanation.whynot.occurrences import Occurrence, Way, conjuncts, counts_of, node_at
@@ -23,9 +24,10 @@ from tsplan.ts.waits import without_wait
 from tsplan.words import many
 
 if TYPE_CHECKING:
+    from tsplan.document import Path
     from tsplan.mission import Mission
 
-_KINDS = ("formula", "team", "start", "waiting", "capacity", "swarm")
+_KINDS: tuple[PartKind, ...] = get_args(PartKind)
 """The order in which parts of a conflict are said."""
 
 
@@ -46,10 +48,10 @@ def swarm_words(mission: Mission, name: str) -> str:
 
 
 @dataclass(frozen=True)
-class Wording:
+class Wording(ABC):
     """Words and places for the constraints of one mission."""
 
-    mission: Mission
+    mission: Any
 
     @cached_property
     def sources(self) -> Sources:
@@ -99,14 +101,34 @@ class Wording:
 
     def fact(self, constraint: SoftConstraint) -> Part:
         """A bound beside the formula, as a named fact."""
-        path = file_path(self.mission, constraint)
-        origin = self.mission.origin
-        apart = origin is None or (path[0] == "map" and not isinstance(origin.data["map"], dict))
-        place = Place() if apart else self.sources.at(path)
-        text = self._bound_text(constraint)
+        path = None if self.mission.origin is None else self.path(constraint)
+        place = Place() if path is None else self.sources.at(path)
+        text = self.bound_text(constraint)
         return Part(constraint.kind, text, place, frozenset({constraint}))
 
-    def _bound_text(self, constraint: SoftConstraint) -> str:
+    @abstractmethod
+    def path(self, constraint: SoftConstraint) -> Path | None:
+        """Where the mission file says a bound; None where another file does."""
+
+    @abstractmethod
+    def bound_text(self, constraint: SoftConstraint) -> str:
+        """A bound beside the formula in words."""
+
+
+@dataclass(frozen=True)
+class TeamWording(Wording):
+    """Words and places for what bounds teams and swarms."""
+
+    mission: Mission
+
+    def path(self, constraint: SoftConstraint) -> Path | None:
+        """Where the mission file says a bound; None where the map has a file of its own."""
+        path, origin = file_path(self.mission, constraint), self.mission.origin
+        apart = origin is None or (path[0] == "map" and not isinstance(origin.data["map"], dict))
+        return None if apart else path
+
+    def bound_text(self, constraint: SoftConstraint) -> str:
+        """A bound beside the formula in words."""
         kind, key = constraint
         if kind == "waiting":
             where = listed(without_wait(self.mission.system))

@@ -7,7 +7,6 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import (
-    AnyMission,
     Conflict,
     Cut,
     Explanation,
@@ -15,6 +14,7 @@ from tsplan.explanation.explanation import (
     Part,
     Status,
 )
+from tsplan.logic.text import number_text
 from tsplan.words import visible
 
 if TYPE_CHECKING:
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
     from rich.console import Console
     from rich.table import Table
+
+    from tsplan.signals.result_check import AnyMission
 
 
 _OUTCOME = {
@@ -149,6 +151,8 @@ def _changes(explanation: Explanation) -> Table:
     table.add_column("least")
     for number, change in enumerate(explanation.changes, start=1):
         sure = "proven" if change.proven else "not proven"
-        cells = (str(number), visible(change.text), str(change.amount), sure)
+        if change.proven and change.within < 1:
+            sure = f"{sure} to {number_text(change.within)}"
+        cells = (str(number), visible(change.text), number_text(change.amount), sure)
         table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
     return table

@@ -132,6 +132,11 @@ class SignalMission(SignalParts):
         }
         return cls(**vars(parts_of_values(values, spec, system, start or {})))
 
+    @property
+    def partial(self) -> bool:
+        """Whether the formula may hold in part."""
+        return self.satisfaction is not None
+
     def to_yaml(self) -> str:
         """The mission as a file, which is read as the same mission."""
         return signals_to_yaml(self)

@@ -47,7 +47,7 @@ def critical_atoms(mission: Mission, plan: Plan) -> tuple[CriticalAtom, ...]:
     top = explain(plan, mission)
     trace = trace_of(plan, mission, top.meaning)
     found: dict[tuple[Occurrence, Count | None, str, int], set[int]] = {}
-    for occurrence, atom, node in _parts(top):
+    for occurrence, atom, node in settling(top):
         for step, value in zip(node.steps, node.availability, strict=True):
             if value == top.worst:
                 for place, count in _places(mission, trace, atom, step):
@@ -60,7 +60,7 @@ def critical_atoms(mission: Mission, plan: Plan) -> tuple[CriticalAtom, ...]:
     return tuple(listed[:MOST_ATOMS])
 
 
-def _parts(top: WitnessNode) -> Iterator[tuple[Occurrence, Count | None, WitnessNode]]:
+def settling(top: WitnessNode) -> Iterator[tuple[Occurrence, Count | None, WitnessNode]]:
     """The nodes that the formula rests on at which the descent ends, and the counts they are."""
     open_: list[tuple[Way, WitnessNode]] = [((), top)]
     while open_:

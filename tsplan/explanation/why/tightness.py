@@ -41,8 +41,10 @@ if TYPE_CHECKING:
     from tsplan.explanation.whynot.oracle import Oracle
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
+    from tsplan.signals.result_check import AnyMission
 
-_PATIENCE = 30.0  # seconds for one question
+PATIENCE = 30.0
+"""Seconds for one question."""
 
 
 def tight_facts(oracle: Oracle) -> tuple[Fact, ...]:
@@ -54,7 +56,7 @@ def tight_facts(oracle: Oracle) -> tuple[Fact, ...]:
     if not robot_entries(context.mission):
         return ()
     left = oracle.clock.left
-    limit = _PATIENCE if left is None else min(_PATIENCE, max(left / 2, 1.0))
+    limit = PATIENCE if left is None else min(PATIENCE, max(left / 2, 1.0))
     wanted = replace(context.mission, objective=("availability",), prefer=(), warnings=())
     best = oracle.planned(wanted, limit)
     if best is None or not best.has_paths:
@@ -68,7 +70,7 @@ def tight_facts(oracle: Oracle) -> tuple[Fact, ...]:
         text = f"the most robust plan found has {spare} to spare; there may be better ones"
         return (Fact("tight", text, begin), *_bindings(context, best))
     text = f"the most robust plans have {spare} to spare (availability {level})"
-    reason = _held_down(context, oracle, level)
+    reason = held_down(oracle, tightened(context.mission, level + 1))
     if reason:
         named = "; ".join(words for words, _ in reason)
         text += f"; with {level + 1} to spare these cannot hold together: {named}"
@@ -94,12 +96,12 @@ def _at_hand(critical: CriticalAtom) -> str:
     )
 
 
-def _held_down(context: Context, oracle: Oracle, level: int) -> list[tuple[str, Place]]:
-    """An irreducible set of requirements that cannot hold with one agent more to spare."""
-    mission = context.mission
-    harder = replace(mission, formula=tightened(mission, level + 1), objective=(), warnings=())
-    other = oracle.about(replace(harder, text=str(harder.formula)))
-    other.patience = _PATIENCE
+def held_down(oracle: Oracle, harder: Formula) -> list[tuple[str, Place]]:
+    """An irreducible set of requirements that cannot hold where the formula is made harder."""
+    mission = oracle.subject.mission
+    changed = replace(mission, formula=harder, text=str(harder), objective=(), warnings=())
+    other = oracle.about(changed)
+    other.patience = PATIENCE
     finder = Finder(other)
     core = finder.within(finder.everything)
     if core is None:
@@ -111,7 +113,7 @@ def _held_down(context: Context, oracle: Oracle, level: int) -> list[tuple[str, 
         for known in group
         if any(_within(part, known) for part in parts)
     }
-    return [(part.text, part.place) for part in context.wording.parts(constraints)]
+    return [(part.text, part.place) for part in oracle.subject.wording.parts(constraints)]
 
 
 def _within(constraint: SoftConstraint, known: SoftConstraint) -> bool:
@@ -120,10 +122,16 @@ def _within(constraint: SoftConstraint, known: SoftConstraint) -> bool:
     return way[: len(origin)] == origin and (number is None or need is None or need == number)
 
 
+def part_ways(mission: AnyMission) -> frozenset[Way]:
+    """The ways to the parts that a formula is taken apart into."""
+    groups = formula_groups(mission)
+    return frozenset(occurrence_of(item).way for group in groups for item in group)
+
+
 def tightened(mission: Mission, level: int) -> Formula:
     """The formula that holds exactly where the mission's has availability of at least `level`."""
     formula = mission.formula
-    ways = {occurrence_of(item).way for group in formula_groups(mission) for item in group}
+    ways = part_ways(mission)
     return exchanged(
         formula, {way: _tighter(mission, node_at(formula, way), level) for way in ways}
     )
@@ -174,7 +182,7 @@ def slacks(oracle: Oracle) -> Iterator[Fact]:
 
 def deadline_slacks(oracle: Oracle) -> Iterator[Fact]:
     """How much sooner each deadline of a formula could be."""
-    oracle.patience = _PATIENCE
+    oracle.patience = PATIENCE
     for way in _deadlines(oracle.subject.mission):
         yield _deadline_slack(oracle, way)
 

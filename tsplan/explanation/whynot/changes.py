@@ -10,20 +10,29 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from tsplan.errors import MissionError
-from tsplan.explanation.explanation import AnyMission, Change, SoftConstraint
+from tsplan.explanation.explanation import Change, SoftConstraint
 from tsplan.explanation.whynot.mission_numbers import ORDER, Edit
 from tsplan.explanation.whynot.oracle import EnoughError
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.oracle import Oracle
+    from tsplan.explanation.whynot.subject import Question
+    from tsplan.signals.result_check import AnyMission
 
 Step: TypeAlias = tuple[Edit, int]
 """An edit, and how far it goes."""
 
 _SECONDS = 5.0  # of solves in the search for a smaller total
+
+
+_GAPS = tuple(4**power for power in range(7))
+"""Steps below an amount that are tried: near a border solvers may have no answer."""
+
+_WIDER = 8  # times as far above a guess is tried next
+_PARTS = 8  # of what lies between a guess and the least amount above it: so finely that is told
 
 
 class Least(NamedTuple):
@@ -33,12 +42,20 @@ class Least(NamedTuple):
     proven: bool
 
 
-def least(possible: Callable[[int], bool | None], most: int) -> Least | None:
+def least(
+    possible: Callable[[int], bool | None], most: int, guess: int | None = None
+) -> Least | None:
     """The least amount in 1..most that is possible; None if there is none or it is not found.
+
+    A guess is looked at first: if an amount near it is possible and a smaller one near it is not,
+    that will do.
 
     >>> least(lambda amount: amount >= 5, 100)
     Least(amount=5, proven=True)
     """
+    near = None if guess is None else _near(possible, min(guess, most), most)
+    if near is not None:
+        return near
     low, high, proven = 0, 1, True
     while True:
         answer = possible(min(high, most))
@@ -58,6 +75,24 @@ def least(possible: Callable[[int], bool | None], most: int) -> Least | None:
         else:
             low, proven = middle, answer is False
     return Least(high, proven)
+
+
+def _near(possible: Callable[[int], bool | None], guess: int, most: int) -> Least | None:
+    """The least amount from a guess on; None where that is no good."""
+    low, high, gap = guess - 1, guess, 1
+    while not possible(high):
+        if high >= most:
+            return None
+        low, high, gap = high, min(guess + gap, most), _WIDER * gap
+    fine = max((high - guess) // _PARTS, 1)
+    while high - low > fine:
+        middle = (low + high) // 2
+        low, high = (low, middle) if possible(middle) else (middle, high)
+    for gap in _GAPS:
+        answer = possible(high - gap) if gap < high else False
+        if answer is not None:
+            return None if answer else Least(high, proven=True)
+    return Least(high, proven=False)
 
 
 @dataclass(eq=False)
@@ -85,8 +120,13 @@ class Repairs:
         weakened = self.oracle.subject.touched(edit.number)
         if weakened and self.oracle.without(weakened) is False:
             return None
-        found = least(lambda amount: self.possible([(edit, amount)]), edit.most)
-        return None if found is None else self.made([(edit, found.amount)])
+        open_ = set(self.oracle.unanswered)
+        guess = self.oracle.subject.guessed(edit, self.ask)
+        found = least(lambda amount: self.possible([(edit, amount)]), edit.most, guess)
+        made = None if found is None else self.made([(edit, found.amount)])
+        if made is not None and made.proven:  # what has no answer on the border changes nothing
+            self.oracle.unanswered.intersection_update(open_)
+        return made
 
     def changed(self, steps: Sequence[Step]) -> AnyMission | None:
         """The mission after several changes; None where they do not fit together."""
@@ -101,6 +141,8 @@ class Repairs:
 
         At most so many questions are asked, for some seconds; None where no total is found then.
         """
+        if any(edit.unit != 1 for edit in edits):
+            return None  # of real numbers there is no next level
         self._last = self.oracle.solves + most
         self._until = self.oracle.seconds + _SECONDS
         for total in range(2, below):
@@ -120,17 +162,31 @@ class Repairs:
         """The change by some steps; it is proven if no step can be shorter beside the others."""
         used = tuple(step for step in steps if step[1])
         sure = self.possible(used) is True
-        for place, (edit, amount) in enumerate(used):
-            less = [*used[:place], (edit, amount - 1), *used[place + 1 :]]
-            sure = sure and self.possible(less) is False
+        gaps = [self._refuted(used, place) for place in range(len(used))] if sure else []
+        shares = [amount / edit.most for edit, amount in used]
+        total = sum(edit.unit * amount for edit, amount in used)
         return Change(
-            kind=max(used, key=lambda step: step[1])[0].kind,
+            kind=used[shares.index(max(shares))][0].kind,
             text="; and ".join(edit.words(amount) for edit, amount in used),
-            amount=sum(amount for _, amount in used),
-            proven=sure,
+            amount=total if isinstance(total, int) else float(total),
+            proven=sure and None not in gaps,
             mission=applied(self.oracle.subject.mission, used),
             steps=used,
+            within=max((gap for gap in gaps if gap), default=1),
         )
+
+    def _refuted(self, steps: Sequence[Step], place: int) -> float | None:
+        """By how much less of one step it is proven that the mission cannot be met; None if not."""
+        edit, amount = steps[place]
+        for gap in (1,) if edit.unit == 1 else _GAPS:
+            less = [*steps[:place], (edit, max(amount - gap, 0)), *steps[place + 1 :]]
+            if self.possible(less) is False:
+                return gap if edit.unit == 1 else float(gap * edit.unit)
+        return None
+
+    def ask(self, question: Question) -> Any:
+        """What the planner finds, as patient as for other questions."""
+        return self.oracle.planned(question, self.oracle.patience)
 
     def _spread(self, edits: Sequence[Edit], total: int, chosen: list[Step]) -> list[Step] | None:
         """Amounts that sum to `total` and do; None if there are none."""

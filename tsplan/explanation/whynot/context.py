@@ -10,7 +10,7 @@ from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.explanation.explanation import Fact, PartKind, SoftConstraint
-from tsplan.explanation.part_words import Wording
+from tsplan.explanation.part_words import TeamWording
 from tsplan.explanation.whynot.soft_constraints import of_occurrence
 from tsplan.explanation.whynot.unconditional_demands import Demand, demands
 from tsplan.ts.reachability import shortest_durations, usable
@@ -60,9 +60,9 @@ class Context:
     )
 
     @cached_property
-    def wording(self) -> Wording:
+    def wording(self) -> TeamWording:
         """Words and places for the parts of the mission."""
-        return Wording(self.mission)
+        return TeamWording(self.mission)
 
     @cached_property
     def all_demands(self) -> tuple[Demand, ...]:

@@ -11,22 +11,25 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, get_args
 
 from tsplan.clock import Clock
 from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, Fact, Status
-from tsplan.explanation.why.tightness import slacks, tight_facts
+from tsplan.explanation.why.signal_tightness import tight_signals
+from tsplan.explanation.why.tightness import deadline_slacks, slacks, tight_facts
 from tsplan.explanation.whynot.changes import Repairs, ranked
 from tsplan.explanation.whynot.conflicts import Core, Finder
 from tsplan.explanation.whynot.joint_repair import JointRepair
 from tsplan.explanation.whynot.mission_numbers import ORDER
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
+from tsplan.explanation.whynot.signal_subject import Signals
 from tsplan.explanation.whynot.team_subject import Teams
 from tsplan.mission import Mission
 from tsplan.parameters import refuse_options
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
+from tsplan.signals.signal_mission import SignalMission
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import AnyMission
     from tsplan.explanation.whynot.mission_numbers import Edit
     from tsplan.explanation.whynot.subject import Subject
+    from tsplan.signals.result_check import AnyMission
 
 Listener: TypeAlias = Callable[[str], object]
 
@@ -83,7 +86,12 @@ class _Kind(NamedTuple):
     slacks: Callable[[Oracle], Iterator[Fact]]
 
 
-_KINDS: Mapping[type, _Kind] = MappingProxyType({Mission: _Kind(Teams, tight_facts, slacks)})
+_KINDS: Mapping[type, _Kind] = MappingProxyType(
+    {
+        Mission: _Kind(Teams, tight_facts, slacks),
+        SignalMission: _Kind(Signals, tight_signals, deadline_slacks),
+    }
+)
 
 
 @dataclass(eq=False)
@@ -131,11 +139,18 @@ class _Run:
         elif self.cores:
             with self._stage("conflicts"):
                 for core in finder.others(self.cores[0], most - 1):
-                    self.cores.append(core)
+                    # one that was not proven minimal may hold a smaller one
+                    kept = [c for c in self.cores if not core.constraints < c.constraints]
+                    self.cores = [*kept, core]
+            with self._stage("facts"):
+                self.facts += self.subject.measured(self._asked)
             with self._stage("changes"):
                 self.oracle.clock = self.clock
                 self._find_changes(finder)
         return self._made()
+
+    def _asked(self, question: Any) -> Any:
+        return self.oracle.planned(question, self.oracle.patience)
 
     def _find_facts(self) -> None:
         """Facts are an answer by themselves, so they get some time however short the limit is."""

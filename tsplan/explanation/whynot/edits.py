@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from tsplan.explanation.explanation import PartKind
     from tsplan.explanation.whynot.context import Context
     from tsplan.mission import Mission
+    from tsplan.signals.result_check import AnyMission
 
 MOST_PLACES = 6
 """States at which more robots are tried, for each entry of the team, and at which waits are."""
@@ -66,7 +67,8 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
         return frozenset(SoftConstraint(name, key[:1]) for name in kinds)
     if kind == "wait":
         return frozenset({WAITING})
-    return frozenset() if kind == "edge" else frozenset({SoftConstraint(kind, key)})
+    part = SoftConstraint("capacity" if kind == "capacity" else "swarm", key)
+    return frozenset() if kind == "edge" else frozenset({part})
 
 
 def rank(mission: Mission, number: Number) -> int:
@@ -112,16 +114,16 @@ def _against(
 def _in_formula(context: Context, part: Occurrence) -> Iterator[Edit]:
     """Edits of a part of the formula, the least intrusive first, and of the deadlines above it."""
     mission = context.mission
-    was = _literal(context.wording.whole(part.way))
+    was = literal(context.wording.whole(part.way))
     above = [way for way, _ in nodes_along(mission.formula, part.way[:-1])]
-    yield from _deadline(mission, part.way, was)
+    yield from deadline(mission, part.way, was)
     yield from _counted(mission, part, was)
     yield from _shorter_task(mission, part.way, was)
     for way in above:
-        yield from _deadline(mission, way, was)
+        yield from deadline(mission, way, was)
 
 
-def _deadline(mission: Mission, way: Way, was: str) -> Iterator[Edit]:
+def deadline(mission: AnyMission, way: Way, was: str) -> Iterator[Edit]:
     """The end of the window of an eventuality or an until, moved later."""
     node = node_at(mission.formula, way)
     if isinstance(node, Eventually | Until):
@@ -147,7 +149,7 @@ def _counted(mission: Mission, part: Occurrence, was: str) -> Iterator[Edit]:
     if not counts or counts[part.need or 0].relation not in _BEYOND:
         return
     count = counts[part.need or 0]
-    asks, label, who = count.relation in (">=", ">"), _literal(count.label), count.capability
+    asks, label, who = count.relation in (">=", ">"), literal(count.label), count.capability
     number = Number("formula", (part.way, "bound" if node is count else part.need or 0))
     now: Value
     if isinstance(count.bound, Percent):
@@ -155,17 +157,17 @@ def _counted(mission: Mission, part: Occurrence, was: str) -> Iterator[Edit]:
         most = ceil(now.value if asks else 100 - now.value)
     else:
         now = count.bound + _BEYOND[count.relation]
-        counted_for = _literal(f" with {who}" if who else "")
+        counted_for = literal(f" with {who}" if who else "")
         most = now if asks else mission.size - max(now, 0)
     change = f"at '{label}' from {now} to {{agents}}{counted_for} in {was}"
     if asks:
-        nobody = f"ask for no {_literal(who or 'agents')} at '{label}' in {was}"
+        nobody = f"ask for no {literal(who or 'agents')} at '{label}' in {was}"
         yield Edit(number, "lower_need", most, f"lower the need {change}", now, -1, nobody)
     else:
         yield Edit(number, "loosen_limit", most, f"loosen the limit {change}", now)
 
 
-def _literal(text: str) -> str:
+def literal(text: str) -> str:
     """A text in which nothing is filled in."""
     return text.replace("{", "{{").replace("}", "}}")
 
@@ -188,7 +190,7 @@ def _more_agents(
         if mission.system.states[state].needs <= group.capabilities
     ]
     for state in open_[:MOST_PLACES]:
-        text = f"add {{added}} of class {_literal(group.class_name)} at '{_literal(state)}'"
+        text = f"add {{added}} of class {literal(group.class_name)} at '{literal(state)}'"
         yield Edit(Number("agents", (entry, state)), "add_agents", most, text)
 
 
@@ -196,7 +198,7 @@ def _more_capacity(mission: Mission, ends: tuple[str, ...]) -> Edit:
     """More room at a state, or on an edge (in both its directions where they share it)."""
     number = Number("capacity", ends)
     now = number.get(mission)
-    text = f"raise the capacity of {_literal(ends_words(ends))} from {now} to {{new}}"
+    text = f"raise the capacity of {literal(ends_words(ends))} from {now} to {{new}}"
     return Edit(number, "loosen_limit" if len(ends) == 1 else "edge", mission.size, text, now)
 
 
@@ -216,7 +218,7 @@ def _quicker_edges(
         longest = number.get(mission)
         alike = isinstance(mission.system.edges[pair].duration, int)
         was = f" (now {longest})" if alike else ""
-        text = f"cross {_literal(ends_words(pair))}{was} in {{steps}} less"
+        text = f"cross {literal(ends_words(pair))}{was} in {{steps}} less"
         yield Edit(number, "edge", longest - 1, text, longest, -1)
 
 
@@ -228,7 +230,7 @@ def _waits(context: Context, conflict: frozenset[SoftConstraint]) -> Iterator[Ed
     starts = (state for group in mission.team for state, _ in group.starts)
     ordered = dict.fromkeys([*_states_of(mission, conflict), *ends, *starts, *missing])
     for state in [name for name in ordered if name in set(missing)][:MOST_PLACES]:
-        text = _literal(f"let agents wait at '{state}' (an edge from '{state}' to itself)")
+        text = literal(f"let agents wait at '{state}' (an edge from '{state}' to itself)")
         yield Edit(Number("wait", (state,)), "waiting", 1, text)
     text = "let agents wait at every state (`waiting: true` in the map)"
     yield Edit(Number("wait", ()), "waiting", 1, text)
@@ -258,7 +260,7 @@ def _looser_bound(mission: Mission, key: tuple[str, str]) -> Edit:
         most = now if isinstance(now, int) else ceil(100 * now)
         text = f"lower the margin from {room_of(now)} to {new}"
         return Edit(number, "lower_need", most, text, now, -1)
-    whose = f" of swarm '{_literal(name)}'" if len(mission.swarm.each) > 1 else ""
+    whose = f" of swarm '{literal(name)}'" if len(mission.swarm.each) > 1 else ""
     if which == "least":
         text = f"lower min_subswarm{whose} from {now} to {{new}}"
         return Edit(number, "loosen_limit", now - 1, text, now, -1)

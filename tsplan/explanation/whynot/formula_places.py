@@ -12,11 +12,13 @@ from tsplan.explanation.explanation import Place
 from tsplan.explanation.whynot.occurrences import Occurrence
 from tsplan.logic import parse_with_places
 from tsplan.logic.text_spans import Span
+from tsplan.mission import Mission
 
 if TYPE_CHECKING:
     from tsplan.document import Path
+    from tsplan.logic import Formula
     from tsplan.logic.text_spans import Way, Written
-    from tsplan.mission import Mission
+    from tsplan.signals.result_check import AnyMission
 
 
 class _Text(NamedTuple):
@@ -31,7 +33,7 @@ class _Text(NamedTuple):
 class Sources:
     """The texts of a mission's formula, with the places of all its parts."""
 
-    def __init__(self, mission: Mission) -> None:
+    def __init__(self, mission: AnyMission) -> None:
         self._document = mission.origin
         self._texts = tuple(_texts(mission))
 
@@ -42,7 +44,10 @@ class Sources:
 
     def place(self, part: Occurrence) -> Place:
         """Where a part stands; the whole formula where that cannot be told."""
-        found = self._found(_way_of(part))
+        way = _way_of(part)
+        # what is said of a region is one text, whatever it consists of
+        ways = (way[:length] for length in range(len(way), 0, -1))
+        found = next((found for above in ways if (found := self._found(above))), self._found(()))
         if found is not None:
             source, (begin, end) = found
             line, column = self._in_file(source, max(end - 1, begin))
@@ -97,7 +102,20 @@ def formula_path(data: object) -> Path:
     return ("spec", word)
 
 
-def _texts(mission: Mission) -> Iterator[_Text]:
+def _parsed(mission: AnyMission, text: str) -> tuple[Formula, Written]:
+    """A text of the mission as it is read, with what it may name."""
+    if isinstance(mission, Mission):
+        return parse_with_places(text, mission.language, weights=mission.weights)
+    return parse_with_places(
+        text,
+        mission.language,
+        weights=mission.weights,
+        regions=mission.regions,
+        definitions=mission.system.outputs,
+    )
+
+
+def _texts(mission: AnyMission) -> Iterator[_Text]:
     """The texts as the file has them; nothing where they do not say the mission's formula."""
     entries: list[tuple[Path | None, object]] = [(None, mission.text)]
     if mission.origin is not None:
@@ -111,7 +129,7 @@ def _texts(mission: Mission) -> Iterator[_Text]:
     found = []
     for number, (place, entry) in enumerate(entries):
         text = str(entry).lower() if isinstance(entry, bool) else str(entry)
-        formula, written = parse_with_places(text, mission.language, weights=mission.weights)
+        formula, written = _parsed(mission, text)
         if len(entries) != len(expected) or formula is not expected[number]:
             return  # the mission was changed after it was read
         found.append(_Text(() if alone else (number,), place, text, written))

@@ -162,11 +162,16 @@ class JointRepair:
             return None
         for place, (edit, amount) in enumerate(steps):
             before, after = steps[:place], steps[place + 1 :]
+            beside = self.repairs.changed([*before, *after])
+            guess = None
+            if beside is not None:
+                guess = self.subject.about(beside).guessed(edit, self.repairs.ask)
             found = least(
                 lambda less, edit=edit, before=before, after=after: (  # type: ignore[misc]  # bound now
                     self.repairs.possible([*before, (edit, less), *after]) is True
                 ),
                 amount,
+                guess,
             )
             if found is not None:
                 steps[place] = (edit, found.amount)

@@ -12,7 +12,9 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, get_args
 
+from tsplan.exact import exact
 from tsplan.explanation.whynot.occurrences import Way, exchanged, node_at
+from tsplan.explanation.whynot.signal_numbers import ACCESS
 from tsplan.logic import Count, Formula, Percent, horizon, translate
 from tsplan.logic.text import number_text
 from tsplan.mission import Group
@@ -23,18 +25,24 @@ from tsplan.words import many
 if TYPE_CHECKING:
     from tsplan.mission import Mission, SwarmRules
 
-Value: TypeAlias = int | Fraction | Percent
+Value: TypeAlias = float | Fraction | Percent
 Pair: TypeAlias = tuple[str, str]
 
 ChangeKind: TypeAlias = Literal[
     "extend_deadline",
+    "start_sooner",
+    "shorten_window",
     "loosen_limit",
+    "loosen_bound",
     "more_subswarms",
     "shorten_task",
     "waiting",
     "edge",
     "add_agents",
     "lower_need",
+    "move_threshold",
+    "widen_start",
+    "shorten_mission",
 ]
 ORDER: tuple[ChangeKind, ...] = get_args(ChangeKind)
 """Changes of equal amounts are ranked in this order."""
@@ -42,7 +50,9 @@ ORDER: tuple[ChangeKind, ...] = get_args(ChangeKind)
 MOST_STEPS = 60
 """Steps by which a deadline of a short mission is extended at most."""
 
-NumberKind: TypeAlias = Literal["formula", "agents", "capacity", "edge", "wait", "swarm"]
+NumberKind: TypeAlias = Literal[
+    "formula", "agents", "capacity", "edge", "wait", "swarm", "side", "begin", "limit", "last"
+]
 
 MARGIN = ("", "margin")
 """The key of the head-room that every demand is kept away from."""
@@ -58,42 +68,50 @@ class Number(NamedTuple):
     place of a need; of `agents`, the entry of the team and a state; of a `capacity`, a state or the
     two ends of an edge; of an `edge`, whose duration is meant, these ends; of a bound of a `swarm`,
     its name and which one; of a `wait`, the state where there is one (1) or none (0), or
-    nothing for all states at once.
+    nothing for all states at once. Over signals: of a `side` of the bounds of a signal or control,
+    and of where it may `begin`, its name and which end (0, 1); of a `limit`, its number; of the
+    `last` step of the mission, nothing.
     """
 
     kind: NumberKind
     key: tuple[Any, ...]
 
-    def get(self, mission: Mission) -> Any:
+    def get(self, mission: Any) -> Any:
         """The number that stands there now; None where there is no bound."""
         return _ACCESS[self.kind][0](mission, *self.key)
 
-    def put(self, mission: Mission, value: Any) -> Mission:
+    def put(self, mission: Any, value: Any) -> Any:
         """The mission with another number there; MissionError where that does not fit together."""
         return _ACCESS[self.kind][1](mission, value, *self.key)
 
 
-def moved(value: Any, steps: int) -> Any:
+def moved(value: Any, steps: int | Fraction) -> Any:
     """A number so many steps further: hundredths of a share, which stay between 0 % and 100 %.
+
+    What a float is written as is moved, not its nearest binary number.
 
     >>> str(moved(Percent(Fraction(30)), 5)), moved(Fraction(1, 4), -50), moved(3, -1)
     ('35%', Fraction(0, 1), 2)
+    >>> moved(0.3, Fraction(-1, 10))
+    0.2
     """
     if isinstance(value, Percent):
         return Percent(min(max(value.value + steps, Fraction(0)), Fraction(100)))
     if isinstance(value, Fraction):
         return max(value + Fraction(steps, 100), Fraction(0))
-    return value + steps
+    return float(exact(value) + steps) if isinstance(steps, Fraction) else value + steps
 
 
 def value_text(value: Any) -> str:
     """A number in words; a share as a percentage."""
+    if isinstance(value, float):
+        return number_text(value)
     return f"{number_text(float(100 * value))}%" if isinstance(value, Fraction) else str(value)
 
 
 @dataclass(frozen=True, slots=True)
 class Edit:
-    """A number of the mission to be moved by 1, 2, ... up to `most`.
+    """A number of the mission to be moved by 1, 2, ... up to `most`, in steps of `unit`.
 
     It grows, or shrinks with `sense` -1. `now` is the number as people are told it, `text` what is
     said of the change: `{new}` stands for the new number, `{agents}` for it as one of agents, and
@@ -107,19 +125,21 @@ class Edit:
     now: Value = 0
     sense: int = 1
     text_at_most: str = ""
+    unit: int | Fraction = 1
 
     def applied(self, mission: Any, amount: int) -> Any:
         """The mission after the change; MissionError where it would not fit together."""
         now = self.number.get(mission)
-        return self.number.put(mission, moved(now, self.sense * amount)) if amount else mission
+        new = moved(now, self.sense * self.unit * amount)
+        return self.number.put(mission, new) if amount else mission
 
     def words(self, amount: int) -> str:
         """The change in words."""
-        new = moved(self.now, self.sense * amount)
+        new = moved(self.now, self.sense * self.unit * amount)
         text = self.text_at_most if self.text_at_most and amount == self.most else self.text
         return text.format(
             new=value_text(new),
-            agents=value_text(new) if isinstance(new, Percent) else many(new, "agent"),
+            agents=many(new, "agent") if isinstance(new, int) else value_text(new),
             steps=many(amount, "step"),
             added=many(amount, "agent"),
         )
@@ -128,10 +148,11 @@ class Edit:
 # --- the formula -------------------------------------------------------------------------------
 
 
-def with_node(mission: Mission, way: Way, node: Formula) -> Mission:
+def with_node(mission: Any, way: Way, node: Formula) -> Any:
     """The mission with another node in its formula, its horizon extended where that needs it."""
     formula = exchanged(mission.formula, {way: node})
-    own = horizon(translate(formula, interval=mission.task_interval))
+    tasks = getattr(mission, "task_interval", None)  # which missions over signals have not
+    own = horizon(translate(formula, interval=tasks) if tasks else formula)
     longest = max(mission.horizon, own)
     return replace(mission, formula=formula, text=str(formula), horizon=longest, warnings=())
 
@@ -143,7 +164,7 @@ def _in_formula(mission: Mission, way: Way, field: str | int) -> Any:
     return node.needs[field][1] if node.needs else 0  # a limit without needs lets nobody be there
 
 
-def _put_in_formula(mission: Mission, value: Any, way: Way, field: str | int) -> Mission:
+def _put_in_formula(mission: Any, value: Any, way: Way, field: str | int) -> Any:
     node: Any = node_at(mission.formula, way)
     if isinstance(field, str):
         changed = {field: value, **_weights(node, field)}
@@ -279,5 +300,6 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
         "edge": (_duration, _put_duration),
         "wait": (_waits, _put_waits),
         "swarm": (_bound, _put_bound),
+        **ACCESS,
     }
 )

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from tsplan.explanation.explanation import AnyMission, Cut, SoftConstraint
+from tsplan.explanation.explanation import Cut, SoftConstraint
 from tsplan.plans.plan import Status
 from tsplan.signals.trajectory import Trajectory
 from tsplan.stopping import StoppedBy
@@ -19,6 +19,7 @@ from tsplan.stopping import StoppedBy
 if TYPE_CHECKING:
     from tsplan.clock import Clock
     from tsplan.explanation.whynot.subject import Question, Subject
+    from tsplan.signals.result_check import AnyMission
 
 Answer = bool | None
 """True: there is a verified plan. False: it is proven that there is none. None: not known."""

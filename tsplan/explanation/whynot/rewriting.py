@@ -17,17 +17,21 @@ from tsplan.errors import InputError
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
 from tsplan.explanation.whynot.mission_numbers import Number
-from tsplan.explanation.whynot.occurrences import Way
+from tsplan.explanation.whynot.occurrences import Way, node_at
+from tsplan.explanation.whynot.signal_entries import FIELDS, entries
 from tsplan.explanation.whynot.soft_constraints import file_path, group_bounds, robot_entries
 from tsplan.logic import Formula
 from tsplan.mission import mission_from_text
 from tsplan.mission.mission_writer import group_entry, margin_text
+from tsplan.signals.signal_files import signal_mission_from_text
+from tsplan.signals.signal_mission import SignalMission
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 if TYPE_CHECKING:
     from tsplan import document
     from tsplan.document import Document
     from tsplan.mission import Mission
+    from tsplan.signals.result_check import AnyMission
 
 Exchange: TypeAlias = tuple[int, int, str]
 """Characters from one up to before another become a text."""
@@ -43,22 +47,27 @@ class Written(NamedTuple):
     comments_lost: bool
 
 
-def rewritten(original: Mission, changed: Mission, folder: Path, target: Path) -> Written:
+def rewritten(original: Any, changed: Any, folder: Path, target: Path) -> Written:
     """The file of a changed mission. The original came from `folder`, the file goes to `target`."""
     if original.origin is None:
         return Written(changed.to_yaml(), comments_lost=False)
     content = text = original.origin.content
     exchanges = _exchanges(original, changed, original.origin, (folder, target))
-    for begin, end, new in sorted(exchanges, reverse=True):
+    for begin, end, new in sorted(set(exchanges), reverse=True):
         text = text[:begin] + new + text[end:]
     if not _says(text, changed, target):
         text = changed.to_yaml()
     return Written(text, comments_lost=content.count("#") > text.count("#"))
 
 
-def _says(text: str, changed: Mission, folder: Path) -> bool:
+def _says(text: str, changed: AnyMission, folder: Path) -> bool:
     """Whether a text is read as the changed mission."""
+    read: Any
     try:
+        if isinstance(changed, SignalMission):
+            read = signal_mission_from_text(text)
+            same = all(getattr(read, field) == getattr(changed, field) for field in FIELDS)
+            return read.formula is changed.formula and same
         read = mission_from_text(text, folder=folder)
     except InputError:
         return False
@@ -72,17 +81,21 @@ def _says(text: str, changed: Mission, folder: Path) -> bool:
 
 
 def _exchanges(
-    original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
+    original: Any, changed: Any, document: Document, folders: tuple[Path, Path]
 ) -> Iterator[Exchange]:
     """What has to change in the original's text."""
     yield from _in_formula(original, changed)
-    for path, text in _entries(original, changed, document, folders):
+    if isinstance(original, SignalMission):
+        differ = entries(original, changed)
+    else:
+        differ = _entries(original, changed, document, folders)
+    for path, text in differ:
         begin, end = document.span(path)
         kept = document.content[begin:end].rstrip()  # white space after a value stays
         yield begin, begin + len(kept), text
 
 
-def _in_formula(original: Mission, changed: Mission) -> Iterator[Exchange]:
+def _in_formula(original: AnyMission, changed: AnyMission) -> Iterator[Exchange]:
     """The numbers of the formula that differ; a whole atom where its number is not written."""
     sources = Sources(original)
     for way, before, after in _differences(original.formula, changed.formula):
@@ -93,9 +106,12 @@ def _in_formula(original: Mission, changed: Mission) -> Iterator[Exchange]:
             yield from (
                 (*span, str(new[part])) for part, span in zip(moved, spans, strict=True) if span
             )
-        elif (whole := sources.span(way)) is not None:
+            continue
+        # what is said of a region is one text: all of it is exchanged
+        inner = next(n for n in range(len(way), -1, -1) if n == 0 or sources.span(way[:n]))
+        if (whole := sources.span(way[:inner])) is not None:
             # a bare label or a limit binds tighter than the comparison that takes its place
-            yield *whole, f"({after})"
+            yield *whole, f"({node_at(changed.formula, way[:inner])})"
 
 
 def _numbers(node: Any) -> dict[tuple[str | int, ...], Any]:

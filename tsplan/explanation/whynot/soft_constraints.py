@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.explanation import AnyMission, SoftConstraint
+from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER
 from tsplan.explanation.whynot.occurrences import Occurrence, conjuncts, occurrences
 from tsplan.ts.waits import without_wait
@@ -12,6 +12,7 @@ from tsplan.ts.waits import without_wait
 if TYPE_CHECKING:
     from tsplan.document import Path
     from tsplan.mission import Mission
+    from tsplan.signals.result_check import AnyMission
 
 WAITING = SoftConstraint("waiting", ())
 """That nobody can wait at the states without an edge to themselves."""

@@ -13,10 +13,11 @@ from tsplan.explanation.whynot.mission_numbers import ORDER, ChangeKind
 from tsplan.explanation.whynot.soft_constraints import formula_groups
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import AnyMission, Fact
+    from tsplan.explanation.explanation import Fact
     from tsplan.explanation.part_words import Wording
     from tsplan.explanation.whynot.mission_numbers import Edit, Number
     from tsplan.plans.plan import Plan
+    from tsplan.signals.result_check import AnyMission
     from tsplan.signals.trajectory import Trajectory
 
 M = TypeVar("M", bound="AnyMission")
@@ -85,6 +86,11 @@ class Subject(ABC, Generic[M]):
     @abstractmethod
     def facts(self) -> Iterator[Fact]:
         """What forbids every plan and can be seen without a solver, as it is found."""
+
+    def measured(self, ask: Callable[[Question], Any]) -> Iterator[Fact]:
+        """What forbids every plan and takes a question to find."""
+        del ask
+        yield from ()
 
     # --- what can be changed ---------------------------------------------------------------------
 
