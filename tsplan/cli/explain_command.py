@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, cast
 
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_of, mission_to_solve
+from tsplan.cli.inputs import mission_to_solve
 from tsplan.cli.output import ERR, attempted, console, remark, say_json
 from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from tsplan.milp.solver_choice import SolverChoice
-    from tsplan.mission import Mission
+    from tsplan.signals.result_check import AnyMission
     from tsplan.stopping import StoppedBy
 
 _PIPE_WIDTH = 100  # columns where there is no terminal to ask
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> Exit:
     """Explain the mission; write a changed one where that is asked for."""
     if (options.fix is None) != (options.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
-    mission, choice, _ = mission_to_solve(options, "the mission", mission_of)
+    mission, choice, _ = mission_to_solve(options, "the mission")
     requests, unwritten = Requests(what=b"what is known"), None
     with requests.heard():
         explanation = _explained(mission, choice, options, requests)
@@ -68,7 +68,7 @@ class _Heard:
 
 
 def _explained(
-    mission: Mission, choice: SolverChoice, options: argparse.Namespace, requests: Requests
+    mission: AnyMission, choice: SolverChoice, options: argparse.Namespace, requests: Requests
 ) -> Explanation:
     """The explanation, made in a child process: a crash of native code becomes a message.
 
@@ -91,7 +91,7 @@ def _explained(
 
 
 def _job(
-    given: tuple[Mission, bool, dict[str, Any]], send: Callable[[str | Explanation], object]
+    given: tuple[AnyMission, bool, dict[str, Any]], send: Callable[[str | Explanation], object]
 ) -> Explanation:
     """The child's part."""
     from tsplan.explanation.whynot.diagnosis import MOST_CONFLICTS, explain  # noqa: PLC0415  (slow)
@@ -101,7 +101,7 @@ def _job(
     return explain(mission, conflicts=most, **keywords, on_stage=send, on_found=send)
 
 
-def _write(mission: Mission, explanation: Explanation, options: argparse.Namespace) -> None:
+def _write(mission: AnyMission, explanation: Explanation, options: argparse.Namespace) -> None:
     """Write the mission after one of the changes, as a file that can be planned."""
     from tsplan.explanation.whynot.rewriting import rewritten  # noqa: PLC0415  (rarely needed)
 

@@ -6,7 +6,7 @@ import os
 import time
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from tsplan.checking.fitting import refuse_impossible, refuse_pathless, with_groups
 from tsplan.cli.output import remark
@@ -14,7 +14,7 @@ from tsplan.document.document import LARGEST_FILE
 from tsplan.document.files import read_text
 from tsplan.errors import Finding, InputError, PlanError, nearest, told
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission import Mission, load_mission
+from tsplan.mission import Mission
 from tsplan.mission.mission import digest_of
 from tsplan.plans.plan import Plan
 from tsplan.process.interrupt import alarm
@@ -26,22 +26,13 @@ from tsplan.signals.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable
 
     from tsplan.signals.result_check import AnyMission, Result
-
-M = TypeVar("M", Mission, SignalMission, "AnyMission")
 
 _READING = 2.0  # seconds that reading may always take: without it there is no answer at all
 _CHOICES = ("solver", "time_limit", "gap", "threads", "seed")  # as options of a command
 _LEAST = 1.0  # seconds that are left for the rest however long reading took
-
-
-def mission_of(path: Path) -> Mission:
-    """The mission of a file, its warnings written to stderr."""
-    mission = load_mission(path)
-    warn(mission.warnings)
-    return mission
 
 
 def any_mission_of(path: Path) -> AnyMission:
@@ -52,8 +43,8 @@ def any_mission_of(path: Path) -> AnyMission:
 
 
 def mission_to_solve(
-    options: argparse.Namespace, what: str, read: Callable[[Path], M]
-) -> tuple[M, SolverChoice, float]:
+    options: argparse.Namespace, what: str
+) -> tuple[AnyMission, SolverChoice, float]:
     """The mission of a command that solves and may write `what`, and what is chosen of the solver.
 
     Reading the mission is a part of the work: it has to keep the time limit, which is chosen less
@@ -63,7 +54,7 @@ def mission_to_solve(
     limit = None if options.time_limit is None else max(options.time_limit, _READING)
     began = time.perf_counter()
     with alarm(limit, "the time limit was reached while the mission was read"):
-        mission = read(options.mission)
+        mission = any_mission_of(options.mission)
     loaded = time.perf_counter() - began
     refuse_place(options.output, what, files_of(mission))
     given = (getattr(options, name, None) for name in _CHOICES)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeVar, cast
 
 from tsplan.checking.assignment import assign
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import any_mission_of, mission_to_solve
+from tsplan.cli.inputs import mission_to_solve
 from tsplan.cli.output import attempted, console, remark, say_json
 from tsplan.cli.progress import Progress
 from tsplan.errors import SolverError
@@ -41,7 +41,7 @@ _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
-    mission, choice, loaded = mission_to_solve(options, "the plan", any_mission_of)
+    mission, choice, loaded = mission_to_solve(options, "the plan")
     order = Order(mission, choice, options.encoding, tuple(options.without))
     if isinstance(mission, SignalMission):
         order = replace(order, planner=_SYNTHESISER, kind=Trajectory)
