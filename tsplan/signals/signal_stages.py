@@ -127,7 +127,8 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         if self.point is None and self.tight and not self._robust(first):
             least = self._level[0]
             firm = self._made(WitnessRules(), (least, least), self._firm_setting)
-            self._ask(firm, None, first=True)
+            if not firm.refuted:
+                self._ask(firm, None, first=True)
         if self.point is not None:
             return Found(self.point.values, None, -np.inf, proven=False)
         return self._ask(made, None, first=True)
