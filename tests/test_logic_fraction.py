@@ -61,6 +61,14 @@ def of(text: str, trace: SignalTrace = X) -> Fraction:
         ("(x >= 4) R[0,4] (x >= 1)", "1"),
         # q throughout has 4/5, q until both has (1 + 1 + 1/2) / 3 with the switch at 2
         ("(x >= 9) R[0,4] (x >= 1)", "5/6"),
+        ("all(x >= 1, y >= 1)", "0"),
+        ("all(x >= 1, y >= 0) && x >= 2", "1/2"),
+        ("all[0,4] x >= 2 && G[0,4] x >= 2", "3/10"),
+        ("F[0,3] all(x >= 4, y >= 3) || F[0,3] (x >= 4 && y >= 3)", "1/2"),
+        ("G[0,3] all[0,1] x >= 1", "1/2"),
+        ("!(G[0,4] x < 2 && F[0,4] x < 0)", "1"),
+        ("!(F[0,4] x < 2 && F[0,4] x < 1)", "4/5"),
+        ("!all(F[0,4] x < 2, F[0,4] x < 1)", "0"),
         # before the window the left side alone is enough
         ("(x >= 4) R[2,4] (x >= 9)", "1"),
     ],
@@ -120,6 +128,24 @@ def test_the_parts_and_when():
     ]
 
 
+def test_what_counts_as_a_whole_is_one_part():
+    tree = tree_of(parse("G[0,1] all[0,1] F[0,1] x >= 4 && all(x >= 1, y >= 1) && y >= 0", "stl"))
+    found = [
+        (str(part.node), part.depth, part.first, part.last, part.fraction)
+        for part in parts(tree, X)
+    ]
+    assert found[1:] == [
+        ("G[0,1] all[0,1] F[0,1] (x >= 4)", 1, 0, 3, Fraction(1, 2)),
+        ("all[0,1] F[0,1] (x >= 4)", 2, 0, 3, Fraction(1, 2)),
+        ("all(x >= 1, y >= 1)", 1, 0, 0, 0),
+        ("y >= 0", 1, 0, 0, 1),
+    ]
+    assert levels(tree, X).counts == (0, 1, 1)
+    assert [str(node) for node, _ in satisfied(tree, X)][-1] == "all[0,1] F[0,1] (x >= 4)"
+    weighted = parse("all(x >= 1 &&^[1, 2] y >= 1, F[0,1]^3 x >= 1) &&^2 y >= 1", "wstl")
+    assert str(tree_of(weighted)) == "&&^2 (all(x >= 1 && y >= 1, F[0,1] (x >= 1)), y >= 1)"
+
+
 def test_depths_count_what_no_ancestor_covers():
     tree = tree_of(parse("G[0,2] (x >= 1 && y >= 3) && F[0,3] x >= 9 && x >= 1", "stl"))
     # depth 1: x >= 1 alone; depth 2: the and at step 2; depth 3: x >= 1 at steps 0 and 1
@@ -162,7 +188,7 @@ def test_what_is_satisfied_keeps_its_fraction_when_it_is_demanded(case):
 
 def definition(node: logic.Formula, step: int, trace: CountTrace, weighted: bool) -> Fraction:
     """The fraction as it is defined, step by step and without any sharing."""
-    if not node.children:
+    if not node.children or isinstance(node, logic.Whole):
         return Fraction(int(holds(node, trace)[step]))
     below = [lambda k, c=child: definition(c, k, trace, weighted) for child in node.children]
     if isinstance(node, logic.And | logic.Or):

@@ -25,6 +25,7 @@ from tsplan.logic import (
     Release,
     Task,
     Until,
+    Whole,
     holds,
     horizon,
     negation,
@@ -97,6 +98,8 @@ class Textbook:
                 found = self.compared(node.relation, self.measured(node, time), node.bound)
             case Not():
                 found = denied[0]
+            case Whole():
+                found = below[0]
             case And():
                 found = self.worst(below)
             case Or():

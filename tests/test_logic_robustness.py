@@ -77,8 +77,8 @@ class Book:
             return self.all(node, there) if one else self.switch(node, time, there)
         below = [self.value(child, time) for child in node.children]
         negative = [-value for value in below]
-        if isinstance(node, logic.Not):
-            return negative[0]
+        if isinstance(node, logic.Not | logic.Whole):
+            return (negative if isinstance(node, logic.Not) else below)[0]
         if isinstance(node, logic.Implies):
             return self.some([negative[0], below[1]])
         if isinstance(node, logic.Iff):

@@ -35,6 +35,7 @@ from tsplan.testing.random_missions import (
     LABELS,
     random_division,
     random_formula,
+    wholly,
     without_capabilities,
 )
 from tsplan.ts import Edge, State, TransitionSystem
@@ -141,6 +142,14 @@ def mixed_preferring(seed: int) -> Mission:
     mission = random_mission(seed, states=3, most_agents=2, steps=4, mixed=True)
     made = wishes(mission, random, lambda: random_formula(random, random.randint(0, 2)))
     return replace(mission, prefer=made)
+
+
+def with_wholes(mission: Mission, seed: int) -> Mission:
+    """The same mission, some of whose parts that may hold in part count as a whole."""
+    random = Random(f"as a whole {seed}")
+    formula = wholly(random, mission.formula)
+    prefer = [replace(wish, formula=wholly(random, wish.formula)) for wish in mission.prefer]
+    return replace(mission, formula=formula, text=str(formula), prefer=tuple(prefer))
 
 
 def share(mission: Mission, formula: Formula, counts: CountTrace) -> Fraction:
@@ -303,6 +312,13 @@ def test_as_much_of_a_swarm_s_formula_holds_as_can() -> None:
     assert min(seen["part"], seen["whole"]) >= 4, seen
 
 
+def test_as_much_holds_as_can_where_parts_count_as_a_whole() -> None:
+    missions = [with_wholes(team_in_part(seed), seed) for seed in range(20_100, 20_110)]
+    missions += [with_wholes(team_weighing(seed), seed) for seed in range(20_110, 20_118)]
+    seen = Counter(map(compare_satisfaction, missions))
+    assert min(seen["part"], seen["whole"]) >= 2, seen
+
+
 def test_preferences_of_teams_are_met_as_far_as_they_can_be() -> None:
     seen = Counter(compare_preferences(team_preferring(seed)) for seed in range(30_000, 30_040))
     assert seen["all"] + seen["some"] >= 5, seen
@@ -390,16 +406,24 @@ def test_preferences_of_robots_and_a_swarm_are_met_as_far_as_they_can_be() -> No
 )
 def test_as_much_holds_as_can_on_many(seeds: list[int]) -> None:
     for seed in seeds:
-        compare_satisfaction(team_in_part(seed))
-        compare_satisfaction(swarms_in_part(seed + 21_000))
-        compare_satisfaction(mixed_in_part(seed + 40_000))
-        compare_satisfaction(team_weighing(seed))
-        compare_satisfaction(swarms_weighing(seed + 21_000))
+        for mission in (
+            team_in_part(seed),
+            swarms_in_part(seed + 21_000),
+            mixed_in_part(seed + 40_000),
+            team_weighing(seed),
+            swarms_weighing(seed + 21_000),
+        ):
+            compare_satisfaction(mission)
+            compare_satisfaction(with_wholes(mission, seed))
 
 
 @pytest.mark.parametrize("seeds", seed_blocks((), range(31_000, 32_000), 20))
 def test_preferences_are_met_as_far_as_they_can_be_on_many(seeds: list[int]) -> None:
     for seed in seeds:
-        compare_preferences(team_preferring(seed))
-        compare_preferences(swarms_preferring(seed + 20_000))
-        compare_preferences(mixed_preferring(seed + 30_000))
+        for mission in (
+            team_preferring(seed),
+            swarms_preferring(seed + 20_000),
+            mixed_preferring(seed + 30_000),
+        ):
+            compare_preferences(mission)
+            compare_preferences(with_wholes(mission, seed))

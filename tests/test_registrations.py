@@ -33,6 +33,7 @@ A, B = logic.at_least("a"), logic.at_least("b", 2, "c")
 EXAMPLES = {
     logic.Constant: (logic.TRUE, "mtl"),
     logic.Not: (~A, "mtl"),
+    logic.Whole: (logic.Whole(A & B), "mtl"),
     logic.And: (A & B, "mtl"),
     logic.Or: (A | B, "mtl"),
     logic.Implies: (A >> B, "mtl"),
@@ -75,6 +76,7 @@ NEED, LATER = frozenset({"lower_need"}), frozenset({"extend_deadline", "lower_ne
 SAMPLES = {
     logic.Constant: Sample("true", "false"),
     logic.Not: Sample("!(F[0,1] b)", "!(F[0,1] a)"),
+    logic.Whole: Sample("F[0,3] all(a, b)", "F[0,2] all(a, sum(b) >= 2)", NEED),
     logic.And: Sample("F[0,3] (a && b)", "F[0,2] (a && sum(b) >= 2)", NEED),
     logic.Or: Sample("G[1,2] (b || a)", "G[1,2] (b || sum(a) >= 3)", NEED),
     logic.Implies: Sample("a => F[0,3] b", "a => F[0,1] b"),
@@ -98,8 +100,8 @@ LEFT = {
 }
 # what tables do not hold: steps are told of operators that look ahead, and signs stand between two
 TABLES_LEAVE = {
-    "_RESTS": {logic.And, logic.Or, logic.Not, logic.Implies, logic.Iff},
-    "_SIGNS": {logic.And, logic.Or},
+    "_RESTS": {logic.And, logic.Or, logic.Not, logic.Whole, logic.Implies, logic.Iff},
+    "_SIGNS": {logic.And, logic.Or, logic.Whole},
 }
 OF_SIGNALS = {logic.Linear}  # are judged on traces, and no mission has them
 

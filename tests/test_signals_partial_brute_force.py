@@ -27,7 +27,7 @@ from tsplan.mission import Preference
 from tsplan.signals import System, free_signals, single_integrator
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
-from tsplan.testing.random_missions import random_formula
+from tsplan.testing.random_missions import random_formula, wholly
 
 ORDERS = ("weighted", "hierarchical", "depth")
 CELLS = (-0.5, 0.0, 0.5, 1.0, 1.5)
@@ -89,11 +89,13 @@ def proven(made: Trajectory, name: str) -> float:
     return item.value
 
 
-def in_part(seed: int) -> str:
+def in_part(seed: int, *, wholes: bool = False) -> str:
     """As much of a random formula holds as can, by one of the orders."""
     random = Random(f"in part {seed}")
     kind, order = random.choice((*STEPS,)), ORDERS[seed % 3]
     parts = [random_text(random, kind, 2) for _ in range(random.randint(2, 3))]
+    if wholes:
+        parts = [str(wholly(random, parse(part, "stl"))) for part in parts]
     text = " && ".join(f"({part})" for part in parts)
     mission = SignalMission.of(
         system=system_of(kind),
@@ -168,6 +170,12 @@ def preferring(seed: int) -> str:
 def test_as_much_of_a_formula_holds_as_can(seeds: list[int]) -> None:
     seen = Counter(map(in_part, seeds))
     assert min(seen["part"], seen["whole"]) >= 2, seen
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(100, 106), range(115, 1000), 15))
+def test_as_much_holds_as_can_where_parts_count_as_a_whole(seeds: list[int]) -> None:
+    seen = Counter(in_part(seed, wholes=True) for seed in seeds)
+    assert min(seen["part"], seen["whole"]) >= 1, seen
 
 
 @pytest.mark.parametrize("seeds", seed_blocks(range(100, 115), range(115, 1000), 15))

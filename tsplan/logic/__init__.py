@@ -27,7 +27,7 @@ from tsplan.logic.atoms import (
     task,
 )
 from tsplan.logic.catl import resolve_percent, translate
-from tsplan.logic.derived import all_or_no_steps, all_or_none_of, one_of, one_step
+from tsplan.logic.derived import all_of, all_steps, one_of, one_step
 from tsplan.logic.margin import tighten
 from tsplan.logic.nodes import (
     FALSE,
@@ -46,6 +46,7 @@ from tsplan.logic.nodes import (
     Several,
     Switch,
     Until,
+    Whole,
     Window,
     conjunction,
     disjunction,
@@ -88,9 +89,10 @@ __all__ = [
     "Switch",
     "Task",
     "Until",
+    "Whole",
     "Window",
-    "all_or_no_steps",
-    "all_or_none_of",
+    "all_of",
+    "all_steps",
     "at_least",
     "at_most",
     "capabilities",

@@ -21,6 +21,7 @@ from tsplan.logic.nodes import (
     Pair,
     Several,
     Switch,
+    Whole,
     Window,
     conjunction,
 )
@@ -82,7 +83,7 @@ def counted(
 
 @counted.register
 def _(
-    node: Constant | Count | Linear | Not | Several | Pair | Window | Switch,
+    node: Constant | Count | Linear | Not | Whole | Several | Pair | Window | Switch,
     below: tuple[Formula, ...],
     _interval: TaskInterval,
 ) -> Formula:

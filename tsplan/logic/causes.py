@@ -78,7 +78,7 @@ def _(node: Task | Limit, _judged: Judged) -> Cause:
 
 
 @cause.register
-def _(node: nodes.Not | nodes.Iff, judged: Judged) -> Cause:
+def _(node: nodes.Not | nodes.Whole | nodes.Iff, judged: Judged) -> Cause:
     return Cause(tuple(judged.steps for _ in node.children))
 
 

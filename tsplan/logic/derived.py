@@ -1,8 +1,9 @@
-"""Operators that stand for formulas of others: exactly one holds, and all hold or none does.
+"""Operators that stand for formulas of others: exactly one holds, and all count as a whole.
 
-What they mean, and how robust they are, is what they stand for; they are not printed again. The
-robustness of exactly one of some parts is the greatest, over the parts, of the least of that part
-and the negations of all others.
+What they mean, and how robust they are, is what they stand for. `one` is not printed again: its
+robustness is the greatest, over the parts, of the least of that part and the negations of all
+others. `all` is `and`, or an always, that counts as a whole or not at all where a formula may hold
+in part.
 """
 
 from __future__ import annotations
@@ -11,7 +12,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
-from tsplan.logic.nodes import Always, And, Eventually, Formula, Or, conjunction, disjunction
+from tsplan.logic.nodes import (
+    Always,
+    And,
+    Eventually,
+    Formula,
+    Or,
+    Whole,
+    conjunction,
+    disjunction,
+)
 from tsplan.logic.traversal import fold
 
 MOST_NODES = 100_000
@@ -25,7 +35,7 @@ def stands_for(word: str, parts: Sequence[Formula], steps: Sequence[int] = ()) -
 
     >>> from tsplan.logic import parse
     >>> print(stands_for("all", [parse("a")], (2, 3)))
-    G[2,3] a || G[2,3] !a
+    all[2,3] a
     """
     over = DERIVED[word]
     made = over.over_steps(steps[0], steps[1], parts[0]) if steps else over.over_parts(parts)
@@ -81,24 +91,26 @@ def _only(step: int, low: int, high: int, child: Formula) -> Iterator[Formula]:
         yield Always(step + 1, high, ~child)
 
 
-def all_or_none_of(parts: Sequence[Formula]) -> Formula:
-    """All of two or more parts hold, or none does.
+def all_of(parts: Sequence[Formula]) -> Formula:
+    """All parts hold, which counts as a whole or not at all; a single part counts so itself.
 
     >>> from tsplan.logic import parse
-    >>> print(all_or_none_of([parse("a"), parse("b")]))
-    a && b || !a && !b
+    >>> from tsplan.logic.fraction import denominator
+    >>> made = all_of([parse("a"), parse("b")])
+    >>> print(made, denominator(made), denominator(parse("a && b")))
+    all(a, b) 1 2
     """
-    return Or((And(tuple(parts)), And(tuple(~part for part in parts))))
+    return Whole(conjunction(parts))
 
 
-def all_or_no_steps(low: int, high: int, child: Formula) -> Formula:
-    """A formula holds at all steps `low .. high` from now, or at none.
+def all_steps(low: int, high: int, child: Formula) -> Formula:
+    """A formula holds at all steps `low .. high` from now; that counts as a whole or not at all.
 
     >>> from tsplan.logic import parse
-    >>> print(all_or_no_steps(0, 5, parse("a")))
-    G[0,5] a || G[0,5] !a
+    >>> print(all_steps(0, 5, parse("a")))
+    all[0,5] a
     """
-    return Or((Always(low, high, child), Always(low, high, ~child)))
+    return Whole(Always(low, high, child))
 
 
 class Derived(NamedTuple):
@@ -109,6 +121,6 @@ class Derived(NamedTuple):
 
 
 DERIVED: Mapping[str, Derived] = MappingProxyType(
-    {"one": Derived(one_of, one_step), "all": Derived(all_or_none_of, all_or_no_steps)}
+    {"one": Derived(one_of, one_step), "all": Derived(all_of, all_steps)}
 )
 """The derived operators by the words of formulas."""

@@ -231,6 +231,11 @@ def _(_node: nodes.Not, below: tuple[Values, ...], reading: Reading) -> Values:
 
 
 @value.register
+def _(_node: nodes.Whole, below: tuple[Values, ...], _reading: Reading) -> Values:
+    return below[0]
+
+
+@value.register
 def _(node: nodes.And | nodes.Or, below: tuple[Values, ...], reading: Reading) -> Values:
     return reading.connectives.joined(type(node), below, node.weights)
 

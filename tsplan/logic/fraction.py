@@ -2,11 +2,11 @@
 
 The fraction of an atom is 1 where it holds and 0 where it does not; of `and` the mean of its
 parts, of `G` the mean over its window; of `or` and `F` the greatest; of `p U[a,b] q` the greatest,
-over the steps s at which the change-over may be, of the mean of q at s and p at each step before.
-A formula holds exactly where its fraction is 1. The formula is taken as it is written, in positive
-normal form: `a && b && c` has three parts, `a && (b && c)` two. A task is the tree it translates
-to, an atom stays one atom whatever its relation, and release is read through until
-(`tree_of`).
+over the steps s at which the change-over may be, of the mean of q at s and p at each step before;
+of `all` 1 where all of it holds and else 0. A formula holds exactly where its fraction is 1. The
+formula is taken as it is written, in positive normal form: `a && b && c` has three parts,
+`a && (b && c)` two. A task is the tree it translates to, an atom stays one atom whatever its
+relation, and release is read through until (`tree_of`).
 
 With weights it is a preference: means are those with the weights, and of alternatives each is
 multiplied by its weight over the greatest of the node, which for until are those of the
@@ -19,7 +19,7 @@ as the authors' tool PyTeLo has them (github.com/erl-lehigh/PyTeLo), and likewis
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import singledispatch
 from itertools import accumulate
@@ -63,7 +63,8 @@ def tree_of(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     """The tree whose fraction is meant: positive, without tasks, limits and release.
 
     `p R[a,b] q` becomes: q throughout, or p before a, or from a on q until both. Weights of its
-    steps say how much q counts at each, so they go to "throughout".
+    steps say how much q counts at each, so they go to "throughout". What counts as a whole does so
+    still; weights below it, which would not matter, are left out.
 
     >>> from tsplan.logic import parse
     >>> print(tree_of(parse("!(a && sum(b) = 2)")))
@@ -71,7 +72,26 @@ def tree_of(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     >>> print(tree_of(parse("a R[0,3] b")))
     G[0,3] b || (b U[0,2] (a && b))
     """
-    return fold(positive_atoms(translate(formula, interval)), _without_release)
+    tree = fold(positive_atoms(translate(formula, interval)), _without_release)
+    if not any(isinstance(node, nodes.Whole) for node in walk(tree)):
+        return tree
+    plain = fold_all(tree, _plain)
+    return fold(tree, lambda node, below: _over_plain(node, below, plain))
+
+
+def _over_plain(
+    node: Formula, below: tuple[Formula, ...], plain: Mapping[Formula, Formula]
+) -> Formula:
+    return nodes.Whole(plain[node]) if isinstance(node, nodes.Whole) else node.over(below)
+
+
+def _plain(node: Formula, below: tuple[Formula, ...]) -> Formula:
+    """A node without what matters only to formulas that may hold in part: weights and Whole."""
+    if isinstance(node, nodes.Whole):
+        return below[0]
+    if getattr(node, "weights", None) is None:
+        return node.over(below)
+    return node.assembled(node.parameters[:-1], below)
 
 
 def _without_release(node: Formula, below: tuple[Formula, ...]) -> Formula:
@@ -182,6 +202,11 @@ def _(
     _weighted: bool,
 ) -> Shares:
     raise ValueError(f"'{node}' has no fraction of its own; take tree_of() first")
+
+
+@share.register
+def _(_node: nodes.Whole, below: tuple[Shares, ...], _weighted: bool) -> Shares:
+    return tuple(part if part.fraction == 1 else NOTHING for part in below[0])
 
 
 @share.register

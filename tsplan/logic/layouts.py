@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from itertools import islice
 from types import MappingProxyType
 
 from tsplan.logic import nodes
@@ -34,14 +35,22 @@ def _(node: nodes.Not) -> Layout:
 
 
 @layout.register
+def _(node: nodes.Whole) -> Layout:
+    """Parts and windows without weights are written as those of `all` itself."""
+    child = node.child
+    plain = getattr(child, "weights", None) is None
+    if plain and isinstance(child, nodes.Always):
+        window = f"all{_interval(child)} "
+        return Layout(Binding.UNARY, (window, Operand(child.child, Binding.UNARY)))
+    return _listed("all", (child if plain and isinstance(child, nodes.And) else node).children)
+
+
+@layout.register
 def _(node: nodes.And | nodes.Or) -> Layout:
     sign, binding = (" && ", Binding.AND) if isinstance(node, nodes.And) else (" || ", Binding.OR)
-    parts: list[Part] = []
     if node.weights is not None:
-        for child in node.children:
-            parts += (", ", Operand(child, Binding.LOOSE))
-        opened = f"{sign.strip()}{_weights(node.weights)} ("
-        return Layout(Binding.UNARY, (opened, *parts[1:], ")"))
+        return _listed(f"{sign.strip()}{_weights(node.weights)} ", node.children)
+    parts: list[Part] = []
     for child in node.children:
         parts += (sign, Operand(child, Binding(binding + 1)))
     return Layout(binding, tuple(parts[1:]))
@@ -86,6 +95,11 @@ def _(node: Task) -> Layout:
 @layout.register
 def _(node: Limit) -> Layout:
     return _atom(f"L({quoted(node.label)},{_pairs(node.needs)})")
+
+
+def _listed(operator: str, children: Iterable[Formula]) -> Layout:
+    parts = (part for child in children for part in (", ", Operand(child, Binding.LOOSE)))
+    return Layout(Binding.UNARY, (f"{operator}(", *islice(parts, 1, None), ")"))
 
 
 def _interval(node: nodes.Window | nodes.Switch) -> str:

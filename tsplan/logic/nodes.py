@@ -188,6 +188,13 @@ class Not(_OfOne):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Whole(_OfOne):
+    """The child, which counts as a whole or not at all where formulas may hold in part."""
+
+    child: Formula
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Several(Formula):
     """Two or more sub-formulas, grouped as the text groups them, with a weight each or none."""
 

@@ -27,7 +27,8 @@ def positive(formula: Formula) -> Formula:
     """The equal formula of And, Or, Always, Eventually, Until, Release, constants and atoms only.
 
     Counts keep the relations >= and <= alone, since they are whole numbers; linear predicates and
-    percentages keep >=, <=, > and <. Truth and robustness stay what they were.
+    percentages keep >=, <=, > and <. `all` is left out: it holds where its child does. Truth and
+    robustness stay what they were.
 
     Raises ValueError where tasks or limits have not been translated.
 
@@ -40,7 +41,7 @@ def positive(formula: Formula) -> Formula:
 
 
 def positive_atoms(formula: Formula) -> Formula:
-    """The same, with every atom one atom still, `=` and `!=` among them, as it was written.
+    """The same, with every atom one atom still, `=` and `!=` among them, and Whole kept.
 
     >>> from tsplan.logic import parse
     >>> print(positive_atoms(parse("!(F[0,2] a => sum(b) = 2)")))
@@ -53,6 +54,8 @@ def positive_atoms(formula: Formula) -> Formula:
 def _whole_atoms(node: Formula, below: tuple[Polarity, ...]) -> Polarity:
     if isinstance(node, Count | Linear):
         return Polarity(node, replace(node, relation=OPPOSITE[node.relation]))
+    if isinstance(node, nodes.Whole):
+        return Polarity(*map(nodes.Whole, below[0]))
     return normal(node, below)
 
 
@@ -81,6 +84,11 @@ def _(node: nodes.Constant, _below: tuple[Polarity, ...]) -> Polarity:
 @normal.register
 def _(_node: nodes.Not, below: tuple[Polarity, ...]) -> Polarity:
     return below[0].swapped()
+
+
+@normal.register
+def _(_node: nodes.Whole, below: tuple[Polarity, ...]) -> Polarity:
+    return below[0]
 
 
 @normal.register

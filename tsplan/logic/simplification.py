@@ -46,6 +46,17 @@ def _(_node: nodes.Not, below: Below) -> Formula:
 
 
 @simpler.register
+def _(node: nodes.Whole, below: Below) -> Formula:
+    """What never holds in part needs not be said to count as a whole."""
+    (child,) = below
+    return (
+        child
+        if isinstance(child, nodes.Constant | Count | Linear | nodes.Whole)
+        else node.over(below)
+    )
+
+
+@simpler.register
 def _(node: nodes.And | nodes.Or, below: Below) -> Formula:
     return node.over(below) if node.weights else _joined(type(node), below)
 

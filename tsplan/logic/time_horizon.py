@@ -6,7 +6,7 @@ from functools import singledispatch
 from typing import TypeAlias
 
 from tsplan.logic.atoms import Count, Limit, Linear, Task
-from tsplan.logic.nodes import Constant, Formula, Not, Pair, Several, Switch, Window
+from tsplan.logic.nodes import Constant, Formula, Not, Pair, Several, Switch, Whole, Window
 from tsplan.logic.traversal import fold
 
 Span: TypeAlias = tuple[int, int]
@@ -42,7 +42,9 @@ def lookahead(node: Formula) -> tuple[Span, ...]:
 
 
 @lookahead.register
-def _(node: Constant | Count | Linear | Task | Limit | Not | Several | Pair) -> tuple[Span, ...]:
+def _(
+    node: Constant | Count | Linear | Task | Limit | Not | Whole | Several | Pair,
+) -> tuple[Span, ...]:
     return ((0, 0),) * len(node.children)
 
 

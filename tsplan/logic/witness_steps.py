@@ -1,7 +1,7 @@
 """Which parts of a tree hold on a trace, and when: what a fraction is made of.
 
 Trees are those of `tsplan.logic.fraction.tree_of`. A *pair* is a sub-formula and a step at which
-it is judged.
+it is judged; what counts as a whole is one pair, with none below it.
 """
 
 from __future__ import annotations
@@ -20,10 +20,11 @@ from tsplan.logic.nodes import (
     Formula,
     Or,
     Until,
+    Whole,
     conjunction,
 )
 from tsplan.logic.simplification import simplify
-from tsplan.logic.time_horizon import lookahead
+from tsplan.logic.time_horizon import Span, lookahead
 from tsplan.logic.traces import Trace
 from tsplan.logic.traversal import fold, fold_all
 
@@ -87,16 +88,30 @@ def parts(tree: Formula, trace: Trace) -> tuple[Part, ...]:
     return tuple(found)
 
 
-def _spans(places: Sequence[_Place]) -> list[tuple[int, int]]:
+def _spans(places: Sequence[_Place]) -> list[Span]:
     """Between which steps the atoms of each place are judged; parents stand before children."""
-    spans: list[tuple[int, int]] = []
-    below: dict[int, tuple[int, int]] = {}  # of the children seen since their last parent
+    spans: list[Span] = []
+    below: dict[int, Span] = {}  # of the children seen since their last parent
     for place in reversed(places):
-        span = below.pop(place.depth + 1, (place.steps[0], place.steps[-1]))
+        ahead = fold(place.node, _ahead) if isinstance(place.node, Whole) else (0, 0)
+        own = (place.steps[0] + ahead[0], place.steps[-1] + ahead[1])
+        span = below.pop(place.depth + 1, own)
         first, last = below.get(place.depth, span)
         below[place.depth] = (min(first, span[0]), max(last, span[1]))
         spans.append(span)
     return spans[::-1]
+
+
+def _ahead(node: Formula, below: tuple[Span, ...]) -> Span:
+    """Between which steps from now the atoms of a formula are judged."""
+    spans = [
+        (first + one[0], last + one[1])
+        for (first, last), one in zip(lookahead(node), below, strict=True)
+        if last >= 0  # or else the left side of an until does not matter
+    ]
+    return min((first for first, _ in spans), default=0), max(
+        (last for _, last in spans), default=0
+    )
 
 
 def _below(place: _Place, values: Mapping[Formula, Shares]) -> Iterator[_Place]:
@@ -221,14 +236,15 @@ class Occurrence(NamedTuple):
 
 
 def occurrences(tree: Formula) -> list[Occurrence]:
-    """Every place in a tree, parents first.
+    """Every place in a tree, parents first; what counts as a whole has no places below.
 
     Raises ValueError for a tree with more than `MOST_PAIRS` pairs.
     """
     found = [Occurrence(tree, 0, -1, 0, (0,))]
     pairs = 1
     for number, occurrence in enumerate(found):  # it grows while it is walked
-        for child, below in enumerate(occurrence.node.children):
+        whole = isinstance(occurrence.node, Whole)
+        for child, below in enumerate(() if whole else occurrence.node.children):
             steps = {
                 later for step in occurrence.steps for later in reach(occurrence.node, child, step)
             }

@@ -137,7 +137,7 @@ def _operators(
 ) -> Formula:
     kind = draw(st.integers(0, 7))
     if kind == 0:
-        return ~draw(below)
+        return draw(st.sampled_from([logic.Not, logic.Not, logic.Whole]))(draw(below))
     weights = cast("Weights", draw(numbers))  # nodes turn functions into numbers
     if kind in (1, 2):
         parts = tuple(draw(st.lists(below, min_size=2, max_size=3)))

@@ -12,7 +12,7 @@ from random import Random
 from typing import Any
 
 from tsplan.errors import Finding, MissionError
-from tsplan.logic import horizon, parse
+from tsplan.logic import Formula, Whole, fold, horizon, parse
 from tsplan.mission import Group, Mission
 from tsplan.ts import Edge, State, TransitionSystem
 
@@ -21,6 +21,7 @@ LABELS = ("a", "b", "c")
 SWARM = "w"
 """The name of the swarm of a mixed mission, by which its atoms count it."""
 
+_WHOLE = 0.4  # how likely a part counts as a whole
 _MOST_TRIES = 1000  # a mission takes about three; where so many do not do, none can be made
 _TEAM_OBJECTIVES = (
     ("travel",),
@@ -229,6 +230,20 @@ def random_formula(
     if kind == "implies":
         return f"({other}) => ({inner})"
     return f"({other}) {'&&' if kind == 'and' else '||'}{weights(random, 2)} ({inner})"
+
+
+def wholly(random: Random, formula: Formula) -> Formula:
+    """The formula, some of whose parts count as a whole or not at all.
+
+    >>> print(wholly(Random(3), parse("F[0,2] (a && b) || G[0,2] c")))
+    F[0,2] all(a, b) || all[0,2] c
+    """
+
+    def made(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        over = node.over(below)
+        return Whole(over) if below and random.random() < _WHOLE else over
+
+    return fold(formula, made)
 
 
 def random_division(random: Random) -> str:

@@ -205,6 +205,7 @@ _JOINTS: Mapping[type[Formula], str] = MappingProxyType(
         nodes.Implies: "the first implies the second",
         nodes.Iff: "both or neither of",
         nodes.Not: "not",
+        nodes.Whole: "as a whole",
         nodes.Eventually: "at some step of [{0},{1}]",
         nodes.Always: "at each step of [{0},{1}]",
         nodes.Until: "the first until the second, in [{0},{1}]",

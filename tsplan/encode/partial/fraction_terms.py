@@ -39,6 +39,7 @@ from tsplan.logic import (
     Linear,
     Or,
     Until,
+    Whole,
     positive,
     walk,
 )
@@ -196,7 +197,7 @@ class FractionEncoder:
             self._values.enter((node, step, selection), selection or always)
 
     @_value.register
-    def _(self, node: Count | Linear, asked: Asked) -> None:
+    def _(self, node: Count | Linear | Whole, asked: Asked) -> None:
         for step, selection in asked:
             self._enter_whole((node, step, selection), [_Part(node, step)])
 
@@ -347,4 +348,4 @@ def is_whole(node: Formula) -> bool:
         node = node.child
     if isinstance(node, Or) and is_even(node):
         return all(is_whole(child) for child in node.children)
-    return isinstance(node, Count | Linear | Constant)
+    return isinstance(node, Count | Linear | Constant | Whole)

@@ -22,6 +22,7 @@ from tsplan.logic import (
     Release,
     Task,
     Until,
+    Whole,
 )
 
 Way: TypeAlias = "tuple[int, ...]"
@@ -30,7 +31,7 @@ MOST_OCCURRENCES = 100
 """Parts into which one conjunct is taken apart at most."""
 
 _DEEPEST = 100
-_MONOTONE = (And, Or, Always, Eventually, Until, Release)
+_MONOTONE = (And, Or, Whole, Always, Eventually, Until, Release)
 
 
 class Occurrence(NamedTuple):

@@ -11,7 +11,7 @@ from tsplan.explanation.whynot.context import able
 from tsplan.explanation.whynot.mission_numbers import TOGETHER
 from tsplan.explanation.whynot.occurrences import Way
 from tsplan.explanation.whynot.unconditional_demands import Demand, Span, demands_below
-from tsplan.logic import Always, And, Eventually, Formula
+from tsplan.logic import Always, And, Eventually, Formula, Whole
 from tsplan.words import many
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def _anchors(root: Formula) -> Iterator[tuple[Way, Formula]]:
         way, node = open_.pop()
         if isinstance(node, Always | Eventually):
             yield (*way, 0), node.children[0]
-        if isinstance(node, And | Always | Eventually):
+        if isinstance(node, And | Whole | Always | Eventually):
             open_ += [((*way, n), child) for n, child in enumerate(node.children)]
 
 

@@ -13,7 +13,18 @@ from math import ceil, floor
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
 from tsplan.explanation.whynot.occurrences import Occurrence, Way, numbered_counts
-from tsplan.logic import Always, And, Count, Eventually, Formula, Percent, Release, Task, Until
+from tsplan.logic import (
+    Always,
+    And,
+    Count,
+    Eventually,
+    Formula,
+    Percent,
+    Release,
+    Task,
+    Until,
+    Whole,
+)
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -80,7 +91,7 @@ def demands_below(mission: Mission, way: Way, node: Formula, span: Span) -> Iter
 def _inside(node: Formula, span: Span) -> list[tuple[int, Span]]:
     """The children that must hold whenever the node does, and when."""
     first, last, lasts = span
-    if isinstance(node, And):
+    if isinstance(node, And | Whole):
         return [(number, span) for number in range(len(node.children))]
     if isinstance(node, Always):
         return [(0, Span(first + node.low, last + node.low, lasts + node.high - node.low))]

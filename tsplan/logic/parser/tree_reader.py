@@ -151,7 +151,7 @@ class Reader(WeightReader, ABC):
         sure = [operand for operand in operands if operand is not None]
         if len(sure) < len(operands):
             return None
-        if len(sure) == 1:
+        if len(sure) == 1 and word != "all":
             self.complain(part, f"'{word}' joins one formula alone", f"write two: {word} (a, b)")
             return None
         if word in DERIVED:
