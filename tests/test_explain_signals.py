@@ -321,6 +321,12 @@ def test_random_missions(language: Any, seeds: list[int]) -> None:
         check_explanation(random_signal_mission(seed, language=language), conflicts=2)
 
 
+@pytest.mark.parametrize(("language", "seed"), [("stl", 260), ("wstl", 248)])
+def test_random_missions_that_went_wrong(language: Any, seed: int) -> None:
+    """Both ends of a window move together, past each other."""
+    check_explanation(random_signal_mission(seed, language=language), conflicts=2)
+
+
 @pytest.mark.parametrize("seeds", seed_blocks([7, 15], range(100, 160), 2))
 def test_all_conflicts_of_random_missions_are_found(seeds: list[int]) -> None:
     """Every subset of the constraints of small missions is asked."""

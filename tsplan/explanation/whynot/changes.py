@@ -133,8 +133,8 @@ class Repairs:
         self.oracle.pause()
         try:
             return applied(self.oracle.subject.mission, steps)
-        except MissionError:
-            return None  # for example more robots at a state than it holds
+        except (MissionError, ValueError):
+            return None  # more robots at a state than it holds, a window that ends before it begins
 
     def several(self, edits: Sequence[Edit], below: int, most: int) -> Change | None:
         """The least total over several edits, if it is less than `below`.
