@@ -11,13 +11,14 @@ import pytest
 import tsplan
 from tests.seeds import seed_blocks
 from tsplan import SignalMission
-from tsplan.explanation import Change, Conflict, Explanation, SoftConstraint, explain
+from tsplan.explanation import Change, Conflict, Explanation, SoftConstraint, Status, explain
 from tsplan.explanation.report import lines_of
 from tsplan.explanation.whynot import signal_subject
 from tsplan.explanation.whynot.changes import applied
 from tsplan.explanation.whynot.rewriting import rewritten
 from tsplan.explanation.whynot.signal_subject import Signals
-from tsplan.plans.plan import MissionRef, Status
+from tsplan.plans.plan import MissionRef
+from tsplan.plans.plan import Status as PlanStatus
 from tsplan.signals.signal_files import signal_mission_from_text
 from tsplan.signals.trajectory import Trajectory
 from tsplan.stopping import StoppedBy
@@ -298,7 +299,7 @@ def test_an_interrupted_question_ends_the_search(monkeypatch: Any, number: int) 
         if len(asked) <= number:
             return plan(question, **options)
         ref = MissionRef("", "")
-        return Trajectory(Status.NO_PLAN_FOUND, ref, mission.horizon, StoppedBy.INTERRUPT)
+        return Trajectory(PlanStatus.NO_PLAN_FOUND, ref, mission.horizon, StoppedBy.INTERRUPT)
 
     mission = cart("F[0,5] x >= 8 && G[0,5] x <= 9")
     monkeypatch.setattr(signal_subject, "synthesise_mission", stopped)
@@ -307,6 +308,12 @@ def test_an_interrupted_question_ends_the_search(monkeypatch: Any, number: int) 
     assert "interrupt" in made.cut.values()
     assert said(made, "reach")
     assert made.status == "explained"
+
+
+def test_borders_that_solvers_cannot_tell_are_admitted() -> None:
+    made = Explanation(Status.NO_ANSWER, "a border", cut={"conflicts": "precision"})
+    (first,) = lines_of(made, cart("x >= 1"), 100)
+    assert first.endswith("stays open; the solver was not precise enough")
 
 
 # --- random missions -----------------------------------------------------------------------------

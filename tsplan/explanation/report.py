@@ -76,8 +76,8 @@ def lines_of(explanation: Explanation, mission: AnyMission, width: int) -> Itera
     """Outcome, facts and conflicts, line by line; sentences are folded to a width."""
     outcome = _OUTCOME[explanation.status]
     if explanation.status is Status.NO_ANSWER:
-        interrupted = "interrupt" in explanation.cut.values()
-        outcome += "; it was interrupted" if interrupted else "; try a longer time limit"
+        why = {*explanation.cut.values()} & {"interrupt", "precision"}
+        outcome += f"; {_REASONS[min(why)]}" if why else "; try a longer time limit"
     yield f"{explanation.name or 'mission'}: {outcome}"
     if mission.partial and explanation.status is Status.EXPLAINED:
         yield "  by which all of it holds; `tsplan plan` does as much of it as can be done"
