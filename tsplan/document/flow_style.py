@@ -6,8 +6,10 @@ Sets and tuples carry the tags under which LOMAP's files have them.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from collections.abc import Set as AbstractSet
+from functools import lru_cache
+from types import MappingProxyType
 from typing import Any
 
 from tsplan.limits import DIGITS
@@ -15,6 +17,7 @@ from tsplan.limits import DIGITS
 _SAFE = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*\Z")
 # words that some YAML reader, of version 1.1 or 1.2, takes for something else than text
 _TAKEN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null", "none"))
+_LONGEST = 10**DIGITS
 _WIDEST = 1e16  # up to here a whole float has no more digits than it says
 
 
@@ -29,6 +32,9 @@ def word(text: str) -> str:
     return '"' + "".join(map(_character, text)) + '"'
 
 
+_key = lru_cache(maxsize=256)(word)  # the same few again and again
+
+
 def _character(char: str) -> str:
     if char.isprintable() and char not in '"\\':
         return char
@@ -41,11 +47,11 @@ def short(value: Any) -> Any:
     >>> flow([short(number) for number in (2.0, 1e-5, 1e300)]), short((1.0, 2.5))
     ('[2, 1.0e-05, 1.0e+300]', [1, 2.5])
     """
+    if isinstance(value, float):
+        return int(value) if value.is_integer() and abs(value) < _WIDEST else value
     if isinstance(value, tuple):
         return list(map(short, value))
-    if isinstance(value, float) and value.is_integer() and abs(value) < _WIDEST:
-        return int(value)
-    if isinstance(value, int) and abs(value) >= 10**DIGITS:
+    if isinstance(value, int) and abs(value) >= _LONGEST:
         return float(value)  # more digits are not read as a number
     return value
 
@@ -73,22 +79,42 @@ def flow(value: Any) -> str:
     >>> flow({"labels": ["a", "b c"], "at": (1, 2.5)})
     '{labels: [a, "b c"], at: !!python/tuple [1, 2.5]}'
     """
-    if isinstance(value, str):
-        return word(value)
-    if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{word(key)}: {flow(part)}" for key, part in value.items()) + "}"
-    if isinstance(value, tuple):
-        return "!!python/tuple " + flow(list(value))
-    if isinstance(value, list):
-        return "[" + ", ".join(map(flow, value)) + "]"
-    if isinstance(value, AbstractSet):
-        return "!!set {" + ", ".join(f"{member}: null" for member in sorted(map(flow, value))) + "}"
-    return _plain(value)
+    write = _WRITERS.get(type(value))
+    if write is None:  # of a class below or beside one of these
+        kinds = (kind for kind in _KINDS if isinstance(value, kind))
+        write = _KINDS.get(next(kinds, object), repr)
+    return write(value)
 
 
-def _plain(value: Any) -> str:
-    if value is None:
-        return "null"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return _real(value) if isinstance(value, float) else repr(value)
+def _list(value: Iterable[Any]) -> str:
+    return "[" + ", ".join(map(flow, value)) + "]"
+
+
+def _mapping(value: Mapping[str, Any]) -> str:
+    return "{" + ", ".join(f"{_key(key)}: {flow(part)}" for key, part in value.items()) + "}"
+
+
+def _set(value: AbstractSet[Any]) -> str:
+    return "!!set {" + ", ".join(f"{member}: null" for member in sorted(map(flow, value))) + "}"
+
+
+_KINDS: Mapping[type[Any], Callable[[Any], str]] = MappingProxyType(
+    {
+        str: word,
+        float: _real,
+        list: _list,
+        tuple: lambda value: "!!python/tuple " + _list(value),
+        Mapping: _mapping,
+        AbstractSet: _set,
+    }
+)
+_WRITERS: Mapping[type[Any], Callable[[Any], str]] = MappingProxyType(
+    {
+        **_KINDS,
+        int: repr,
+        bool: lambda value: "true" if value else "false",
+        type(None): lambda _: "null",
+        dict: _mapping,
+    }
+)
+"""How values of a class are written; asked for by the class itself, as maps have many of them."""

@@ -16,7 +16,7 @@ import numpy as np
 
 from tsplan.encode.flow_network import ClassGraph
 from tsplan.exact import exact
-from tsplan.milp.model import Floats, Ints
+from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.mission import Group, SwarmBounds
 from tsplan.ts import TransitionSystem
 from tsplan.ts.edges import RISKS
@@ -50,6 +50,11 @@ class AgentClass:
     graph: ClassGraph
     groups: tuple[int, ...]  # positions in the mission's team
     bounds: SwarmBounds | None = None
+
+    def joined(self, start: Ints, group: int) -> AgentClass:
+        """The class with the agents of one more group."""
+        graph = replace(self.graph, start=self.graph.start + start)
+        return replace(self, graph=graph, groups=(*self.groups, group))
 
 
 _NONE: Mapping[str, SwarmBounds] = MappingProxyType({})
@@ -103,9 +108,8 @@ def _costs(system: TransitionSystem, class_name: str) -> Floats:
     )
 
 
-def _allowed(
-    system: TransitionSystem, capabilities: frozenset[str]
-) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+@lru_cache(maxsize=64)
+def _allowed(system: TransitionSystem, capabilities: frozenset[str]) -> Bools:
     """Which edges agents with these capabilities may use, by the needs of edges and states."""
     closed = {s.name for s in system.states.values() if s.needs and not s.needs <= capabilities}
     return np.array(
@@ -134,25 +138,17 @@ def agent_classes(
     arrays = map_arrays(system)
     known = frozenset(named)
     needed = _needed(system)
-    permitted: dict[frozenset[str], np.ndarray[tuple[int], np.dtype[np.bool_]]] = {}
     classes: dict[object, AgentClass] = {}
     for index, group in enumerate(team):
-        keys = group.capabilities & needed
-        if keys not in permitted:
-            permitted[keys] = _allowed(system, keys)
         durations = _durations(system, group.class_name)
         costs = _costs(system, group.class_name) if priced else np.zeros(len(durations))
-        usable = np.where(permitted[keys], durations, 0)
+        usable = np.where(_allowed(system, group.capabilities & needed), durations, 0)
         swarm = bounds.get(group.class_name)
         alike = (group.capabilities & known, usable.tobytes(), costs.tobytes())
         key = alike if swarm is None else group.class_name
-        start = np.zeros(len(arrays.names), dtype=np.int64)
-        for state, count in group.starts:
-            start[arrays.number[state]] += count
+        start = _start(group, arrays)
         if key in classes:
-            old = classes[key]
-            graph = replace(old.graph, start=old.graph.start + start)
-            classes[key] = replace(old, graph=graph, groups=(*old.groups, index))
+            classes[key] = classes[key].joined(start, index)
             continue
         chosen = np.flatnonzero(usable)
         graph = ClassGraph(
@@ -167,6 +163,14 @@ def agent_classes(
         )
         classes[key] = AgentClass(graph, (index,), swarm)
     return tuple(classes.values())
+
+
+def _start(group: Group, arrays: MapArrays) -> Ints:
+    """How many agents of a group start at each state."""
+    start = np.zeros(len(arrays.names), dtype=np.int64)
+    for state, count in group.starts:
+        start[arrays.number[state]] += count
+    return start
 
 
 def _needed(system: TransitionSystem) -> frozenset[str]:

@@ -74,13 +74,11 @@ def subswarms(
     children: dict[_Key, list[_Key]] = defaultdict(list)
     for move in listed:
         arrival = move.step + durations[move.source, move.target]
-        way = [staying[move.source, move.step]]
+        on_edge = (move.step + 1, True, move.source, move.target)
         if arrival > move.step + 1:
-            way.append((move.step + 1, True, move.source, move.target))
-            size[way[-1]], last[way[-1]] = move.count, min(arrival - 1, horizon)
-        if arrival <= horizon:
-            way.append(staying[move.target, arrival])
-        for parent, child in pairwise(way):
+            size[on_edge], last[on_edge] = move.count, min(arrival - 1, horizon)
+        way = staying[move.source, move.step], on_edge, staying.get((move.target, arrival))
+        for parent, child in pairwise(key for key in way if key in size):
             if parent != child and child not in children[parent]:
                 children[parent].append(child)
                 parents[child].append(parent)

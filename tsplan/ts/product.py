@@ -7,7 +7,7 @@ Here an edge takes time, so both must take equally long.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -120,10 +120,15 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
         else:
             between = [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
             states += map(State, between)
-            cost, success = edge.cost_for(class_name or ""), edge.success
-            for pair in pairwise([edge.source, *between, edge.target]):
-                edges.append(Edge(*pair, 1, cost, needs=edge.needs, success=success))
-                cost, success = 0.0, 1.0
+            edges += _through(edge, between, edge.cost_for(class_name or ""))
     if faults:
         raise MapError(faults)
     return TransitionSystem.build(states, edges, system.name)
+
+
+def _through(edge: Edge, between: Sequence[str], cost: float) -> Iterator[Edge]:
+    """An edge in single steps through other states; the first has all of its cost and its risk."""
+    success = edge.success
+    for pair in pairwise([edge.source, *between, edge.target]):
+        yield Edge(*pair, 1, cost, needs=edge.needs, success=success)
+        cost, success = 0.0, 1.0

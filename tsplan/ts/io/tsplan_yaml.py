@@ -162,8 +162,9 @@ def map_to_yaml(system: TransitionSystem) -> str:
     """
     lines = [f"name: {word(system.name)}"] if system.name else []
     lines.append("states:")
-    lines += [f"  {word(state.name)}: {flow(_state(state))}" for state in system.states.values()]
-    edges = [f"  - {flow(_edge(edge))}" for edge in written_once(system)]
+    named = {name: word(name) for name in system.states}  # each of them stands in several edges
+    lines += [f"  {named[name]}: {flow(_state(state))}" for name, state in system.states.items()]
+    edges = [f"  - {_edge(edge, named)}" for edge in written_once(system)]
     lines += ["edges:", *edges] if edges else ["edges: []"]
     return "\n".join(lines) + "\n"
 
@@ -179,8 +180,8 @@ def _state(state: State) -> dict[str, Any]:
     )
 
 
-def _edge(edge: Edge) -> dict[str, Any] | list[Any]:
-    ends = [edge.source, edge.target, edge.duration]
+def _edge(edge: Edge, named: Mapping[str, str]) -> str:
+    source, target, duration = named[edge.source], named[edge.target], flow(edge.duration)
     more = given(
         cost=short(edge.cost),
         success=None if edge.success == 1 else edge.success,
@@ -188,4 +189,6 @@ def _edge(edge: Edge) -> dict[str, Any] | list[Any]:
         needs=sorted(edge.needs),
         both_ways=edge.both_ways or None,
     )
-    return dict(zip(("from", "to", "duration"), ends, strict=True)) | more if more else ends
+    if not more:
+        return f"[{source}, {target}, {duration}]"
+    return f"{{from: {source}, to: {target}, duration: {duration}, {flow(more)[1:]}"
