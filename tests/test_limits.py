@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 import sys
+from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -15,7 +17,10 @@ from tsplan import Edge, Group, Mission, SolverChoice, State, TransitionSystem, 
 from tsplan.cli import main
 from tsplan.document import parse_document
 from tsplan.errors import MOST_TOLD, InputError, MapError, MissionError
+from tsplan.logic import CountTrace, holds
 from tsplan.mission import Preference, SwarmBounds, SwarmRules, mission_from_text
+from tsplan.plans.plan import ObjectiveValue
+from tsplan.ts.builders import grid
 from tsplan.ts.io.lomap import lomap_to_yaml
 from tsplan.ts.io.map_files import map_from_document
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
@@ -244,6 +249,46 @@ def test_edges_built_in_python_keep_the_same_limits():
         TransitionSystem.build([State("a", capacity=10**400)], [])
     with pytest.raises(MapError):
         TransitionSystem.build([State("a", at=(10**400, 0))], [])
+
+
+ENDLESS = [10**400, -(10**400), 10**5000]  # beyond floats, and beyond what Python writes
+
+
+@pytest.mark.parametrize("value", ENDLESS, ids=["large", "negative", "unwritten"])
+def test_numbers_beyond_all_are_findings_wherever_python_gives_them(value):
+    system = grid(1, 2, labels={(0, 1): "b"})
+    parts = {"map": system, "formula": "F[0,3] b", "language": "mtl"}
+    team = [{"class": "r", "at": "r0c0"}]
+    mission = Mission.of(**parts, team=team, objective=["travel"])
+    problem = tsplan.Problem(mission)
+    here = problem.count("b", step=1)
+    for ask in (
+        lambda: TransitionSystem.build([State("a", capacity=value)], []),
+        lambda: TransitionSystem.build([State("a", at=(value, 0))], []),
+        lambda: TransitionSystem.build([State("a")], [Edge("a", "a", value)]),
+        lambda: TransitionSystem.build([State("a")], [Edge("a", "a", 1, cost=value)]),
+        lambda: TransitionSystem.build([State("a")], [Edge("a", "a", 1, capacity=value)]),
+        lambda: Mission.of(**parts, team=[{"class": "r", "count": value, "at": "r0c0"}]),
+        lambda: Mission.of(**parts, team=team, horizon=value),
+        lambda: Mission.of(**parts, swarm={"size": value, "at": "r0c0"}),
+        lambda: replace(mission, horizon=value),
+        lambda: tsplan.plan(mission, time_limit=value),
+        lambda: tsplan.plan(mission, gap=Fraction(value, 3)),
+        lambda: tsplan.plan(mission, seed=value),
+        lambda: problem.count("b", step=value),
+        lambda: problem.minimise(here + value),
+        lambda: problem.maximise(value * here),
+        lambda: problem.encode(value),
+    ):
+        with pytest.raises(InputError) as caught:
+            ask()
+        assert len(str(caught.value)) < 400
+    plan = tsplan.plan(mission)
+    claimed = replace(plan, objective=(ObjectiveValue("travel", value, 1),))
+    assert "the plan claims travel" in str(tsplan.check(mission, claimed).findings[0])
+    assert claimed._repr_html_()
+    with pytest.raises(ValueError, match="beyond"):
+        holds(parse("a"), CountTrace({None: [[value]]}, {"a": np.array([0])}))
 
 
 # --- what is written can be read again ---

@@ -11,6 +11,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from numbers import Integral, Real
+from reprlib import repr as shortened
 from types import MappingProxyType
 from typing import Any
 
@@ -47,6 +48,18 @@ def is_finite(value: Any) -> bool:
         return math.isfinite(value)
     except OverflowError:
         return False
+
+
+def clipped(value: Any) -> str:
+    """A value in a message, short; also a number of which Python does not write the digits.
+
+    >>> clipped("a" * 100), clipped(10**5000)
+    ("'aaaaaaaaaaaa...aaaaaaaaaaaaa'", 'a number of thousands of digits')
+    """
+    try:
+        return shortened(value)
+    except ValueError:
+        return "a number of thousands of digits"
 
 
 def is_number(value: Any) -> bool:
@@ -93,7 +106,8 @@ class Range:
 
 def _shown(value: Any) -> str:
     """A value in a message, short."""
-    text = repr(value) if not isinstance(value, Integral) or value < 10**DIGITS else "the number"
+    long = isinstance(value, Integral) and abs(value) >= 10**DIGITS
+    text = "the number" if long else clipped(value)
     return text if len(text) <= DIGITS else f"{text[:DIGITS]}..."
 
 

@@ -6,11 +6,10 @@ from collections.abc import Collection, Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral, Rational, Real
-from reprlib import repr as clipped
 from typing import Any
 
 from tsplan.errors import Finding, InputError, nearest
-from tsplan.limits import complaints
+from tsplan.limits import clipped, complaints
 from tsplan.words import nfc
 
 _MOST_DIGITS = 400  # of a number, so that none is computed with for minutes; floats have 309

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import math
 import unicodedata
 from collections.abc import Iterable
+
+from tsplan.limits import is_finite
 
 _HIDDEN = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
 """Kinds of characters that act on a terminal or reorder a line instead of being seen."""
@@ -53,10 +54,8 @@ def number(value: float | None, infinite: str = "open") -> str:
     >>> [number(value) for value in (10000009.5, 999.999, 1234567.0, 0.00012345678, None)]
     ['10,000,009.5', '999.999', '1,234,567', '0.000123457', 'open']
     """
-    if value is None or math.isinf(value):
-        return infinite
-    if math.isnan(value):
-        return "unknown"
+    if value is None or not is_finite(value):
+        return "unknown" if value != value else infinite  # noqa: PLR0124  (as NaN is)
     if abs(value) >= _EXACT:
         return repr(float(value))
     if value == int(value):
@@ -93,4 +92,4 @@ def known(value: float | None) -> float | None:
     >>> [known(value) for value in (3.5, -0.0, float("-inf"), float("nan"), None)]
     [3.5, 0.0, None, None, None]
     """
-    return value + 0.0 if value is not None and math.isfinite(value) else None
+    return value + 0.0 if value is not None and is_finite(value) else None

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from tsplan.exact import digits, exact
+from tsplan.limits import clipped, is_finite
 from tsplan.mission.mission import Mission
 from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import ObjectiveValue, Plan, Status
@@ -26,7 +27,7 @@ def false_objectives(
     for item in plan.objective:
         actual = values[item.name]
         if not _claimed(item.value, actual):
-            yield f"the plan claims {item.name} {item.value} and has {shown(actual)}"
+            yield f"the plan claims {item.name} {clipped(item.value)} and has {shown(actual)}"
         yield from _bound(item, actual, plan.status)
 
 
@@ -34,7 +35,7 @@ def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str
     """Objectives of a plan that is called optimal and does not say what proves them."""
     for item in plan.objective if plan.status is Status.OPTIMAL else ():
         actual = values.get(item.name, math.inf)
-        if item.bound is not None or not math.isfinite(actual):
+        if item.bound is not None or not is_finite(actual):
             continue
         if not (OBJECTIVES[item.name].first and _settled_by_depth(plan)):
             yield f"{item.name} is called optimal at {shown(actual)}, and no bound proves it"
@@ -42,13 +43,13 @@ def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str
 
 def _claimed(value: float | None, actual: Fraction | float) -> bool:
     """Whether a value is the exact one, as the nearest number that a file can hold."""
-    if value is None or not math.isfinite(actual):
-        return value is None and not math.isfinite(actual)
+    if value is None or not is_finite(actual):
+        return value is None and not is_finite(actual)
     return value == float(actual)
 
 
 def _bound(item: ObjectiveValue, actual: Fraction | float, status: Status) -> Iterator[str]:
-    if item.bound is None or not math.isfinite(actual) or item.bound == float(actual):
+    if item.bound is None or not is_finite(actual) or item.bound == float(actual):
         return
     value, bound = shown(actual), shown(item.bound)
     if OBJECTIVES[item.name].is_better(actual, exact(item.bound)):
@@ -59,7 +60,7 @@ def _bound(item: ObjectiveValue, actual: Fraction | float, status: Status) -> It
 
 def shown(value: Fraction | float, infinite: str = "unbounded") -> str:
     """A value with all its digits, or the word for an infinite one; below all it is impossible."""
-    if math.isfinite(value):
+    if is_finite(value):
         return digits(value)
     return infinite if value > 0 else "impossible"
 

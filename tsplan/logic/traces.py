@@ -63,7 +63,7 @@ class CountTrace:
                 raise ValueError("the trace does not count all agents (the key None)")
             return np.zeros((*self.batch, places.size, self.steps))
         array = np.asarray(self.counts[capability])
-        return array[..., places, :].astype(np.float64)
+        return _floats(array[..., places, :])
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,11 +93,19 @@ class SignalTrace:
         """One signal (..., steps); ValueError if it is unknown."""
         if name not in self.signals:
             raise ValueError(f"the trace has no signal '{name}'; {nearest(name, self.signals)}")
-        return np.asarray(self.signals[name], dtype=np.float64)
+        return _floats(np.asarray(self.signals[name]))
 
     def total(self, terms: Iterable[tuple[str, float]]) -> Floats:
         """A weighted sum of signals (..., steps); ValueError if one is unknown."""
         return sum((factor * self.signal(name) for name, factor in terms), np.zeros(self.steps))
+
+
+def _floats(values: Values) -> Floats:
+    """Values as floats; ValueError where one is beyond all that these can hold."""
+    try:
+        return values.astype(np.float64, copy=False)
+    except OverflowError:
+        raise ValueError("a number of the trace is beyond 1e308, where floats end") from None
 
 
 Trace: TypeAlias = CountTrace | SignalTrace

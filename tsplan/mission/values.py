@@ -74,10 +74,19 @@ def from_values(
     Raises MissionError; its findings name no lines, since there is no file.
     """
     try:
-        text = json.dumps(written, default=entry)
-        return read(parse_document(_PAIR.sub(_whole, text), _SOURCE))
+        return read(parse_document(_PAIR.sub(_whole, _text(written, entry)), _SOURCE))
     except InputError as error:
         raise MissionError(_without_lines(finding) for finding in error.findings) from None
+
+
+def _text(written: Mapping[str, Any], entry: Callable[[Any], Any]) -> str:
+    """The document that values write."""
+    try:
+        return json.dumps(written, default=entry)
+    except InputError:
+        raise
+    except ValueError:  # as Python writes no number that is so long
+        raise MissionError([Finding("a number has thousands of digits", "drop digits")]) from None
 
 
 def _whole(pair: re.Match[str]) -> str:

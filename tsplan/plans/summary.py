@@ -7,6 +7,7 @@ import re
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
+from tsplan.limits import is_finite
 from tsplan.plans.agent_plans import Bundle
 from tsplan.plans.plan import ObjectiveValue, Outcome, Plan, Status
 from tsplan.plans.split_history import timeline
@@ -104,9 +105,11 @@ def infinite_word(plan: Plan) -> str:
 def objective_line(item: ObjectiveValue, infinite: str = "unbounded", noun: str = "plan") -> str:
     """One objective: its value, and what is proven about it; `infinite` is one without a number."""
     value = number(item.value, infinite)
-    if item.name == "risk" and item.value is not None:
+    if item.value is None or not is_finite(item.value):
+        return f"{item.name} {value}"
+    if item.name == "risk":
         value += f", all moves succeed with probability {math.exp(-item.value):.4g}"
-    if item.value is None or item.bound is None:
+    if item.bound is None or not is_finite(item.bound):
         return f"{item.name} {value}"
     if math.isclose(item.value, item.bound, rel_tol=1e-9, abs_tol=1e-9):
         return f"{item.name} {value} (proven: no {noun} does better)"

@@ -21,6 +21,7 @@ from typing import Any
 
 from tsplan import logic
 from tsplan.errors import Finding, MissionError
+from tsplan.limits import clipped
 from tsplan.logic import Count, Formula
 from tsplan.mission import Mission
 
@@ -34,7 +35,7 @@ def margin_for(mission: Mission, probability: float = 0.95) -> int:
     of a team and ValueError for a probability that is not between 0 and 1.
     """
     if not 0 < probability < 1:
-        raise ValueError(f"a probability between 0 and 1 is needed, not {probability}")
+        raise ValueError(f"a probability between 0 and 1 is needed, not {clipped(probability)}")
     if mission.swarm is None:
         what = "only the agents of a swarm go by chance, and the mission has a team"
         raise MissionError([Finding(what, "describe a swarm")])

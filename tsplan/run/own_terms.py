@@ -45,15 +45,19 @@ def _capability(name: str | None, mission: Mission) -> str | None:
     return known_name(name, [able], "capability", MissionError)
 
 
-def checked_terms(terms: Iterable[tuple[CountTerm, Fraction | int]], mission: Mission) -> None:
+def checked_terms(
+    terms: Iterable[tuple[CountTerm, Fraction | int]],
+    mission: Mission,
+    constant: Fraction | int = 0,
+) -> None:
     """Refuse terms that the mission does not know, and sums too large for a solver."""
-    total = Fraction(0)
+    total = abs(Fraction(constant))
     for term, factor in terms:
         checked_term(term, mission)
         total += mission.size * abs(Fraction(factor))
     if total > MOST_TOTAL:
         what = f"in whole numbers the terms sum to more than {MOST_TOTAL:.0e}"
-        raise MissionError([Finding(what, "drop digits of the coefficients")])
+        raise MissionError([Finding(what, "drop digits of the numbers in them")])
 
 
 def within_reach(constraint: Constraint, agents: int) -> Constraint:

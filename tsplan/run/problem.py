@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from reprlib import repr as clipped
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from tsplan.clock import Clock
@@ -15,7 +14,8 @@ from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.model_objectives import OwnSum, objectives_of
 from tsplan.encode.preparation import prepare
 from tsplan.encode.switches import ALL_SWITCHES, Switch
-from tsplan.errors import Finding, MissionError, nearest
+from tsplan.errors import Finding, InputError, MissionError, nearest
+from tsplan.limits import LARGEST, Range, clipped
 from tsplan.milp.model import Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
@@ -144,7 +144,7 @@ class Problem:
         if not isinstance(expression, Expression) or not expression.terms:
             remedy = "give a sum of counts, such as 2 * problem.count(place, step=5)"
             raise MissionError([Finding(f"{clipped(expression)} is not an objective", remedy)])
-        checked_terms(expression.terms, self.mission)
+        checked_terms(expression.terms, self.mission, expression.constant)
         first = not self._objective.terms
         self._maximised = maximised and (first or self._maximised)
         self._objective += -expression if maximised else expression
@@ -183,7 +183,12 @@ class Problem:
         return self._setting
 
     def encode(self, level: int = 0) -> Encoded:
-        """The model of all plans with availability at least `level`, without an objective."""
+        """The model of all plans with availability at least `level`, without an objective.
+
+        Raises InputError for a level that is no number of agents.
+        """
+        if words := Range(-LARGEST, LARGEST, whole=True).complaint(level):
+            raise InputError([Finding(f"level: {words}", "give a number of agents")])
         if self.tuning.encoding == "tight":
             return tight(self.setting, level)
         return reference(self.setting, (level, level))

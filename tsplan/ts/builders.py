@@ -6,10 +6,10 @@ import random
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from numbers import Integral, Real
-from reprlib import repr as clipped
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.errors import Finding, MapError
+from tsplan.limits import clipped
 from tsplan.ts.edges import NOTHING, Edge, State, missing_waits, words
 from tsplan.ts.system import TransitionSystem
 from tsplan.ts.validity import Fault, problems

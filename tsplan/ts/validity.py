@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.errors import Finding, Nearest
-from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, is_number
+from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, clipped, is_number
 from tsplan.ts.edges import Edge, Pair, State
 
 # the fewest corners of a shape
@@ -98,7 +98,7 @@ def _state(state: State) -> Iterator[_Flaw]:
         message = f"{state.name!r} cannot be the name of a state"
         yield "name", message, "use text of at least one character"
     if state.at is not None and not _is_point(state.at):
-        yield "at", f"at: {state.at} is not a pair of finite numbers", "write it as [x, y]"
+        yield "at", f"at: {_told(state.at)} is not a pair of finite numbers", "write it as [x, y]"
     if state.shape is not None and not _is_polygon(state.shape):
         message = f"shape: not {CORNERS} or more pairs of finite numbers"
         yield "shape", message, "write it as [[x, y], [x, y], [x, y]]"
@@ -114,10 +114,10 @@ def _edge(edge: Edge) -> Iterator[_Flaw]:
         fault = steps_fault(value)
         if fault is not None:
             whose = "" if class_name is None else f" for '{class_name}'"
-            yield "duration", f"duration: {value}{whose} is {fault.what}", fault.remedy
+            yield "duration", f"duration: {_told(value)}{whose} is {fault.what}", fault.remedy
     cost: Any = edge.cost
     if cost is not None and (not is_number(cost) or cost < 0):
-        message = f"cost: {cost} is not a finite number of at least 0"
+        message = f"cost: {_told(cost)} is not a finite number of at least 0"
         yield "cost", message, "write a number such as 2.5"
     elif cost is not None and cost >= MOST_COST:
         message = (
@@ -141,9 +141,14 @@ def steps_fault(value: Any) -> Fault | None:
     return None
 
 
+def _told(value: Any) -> str:
+    """A value in a message; a text as it stands in the file."""
+    return value if isinstance(value, str) else clipped(value)
+
+
 def _capacity(value: Any) -> Iterator[_Flaw]:
     if value is not None and (type(value) is not int or value < 0):
-        message = f"capacity: {value} is not a whole number of at least 0"
+        message = f"capacity: {_told(value)} is not a whole number of at least 0"
         yield "capacity", message, "write how many agents fit, as in 2"
     elif value is not None and value > LARGEST:
         size = f"{value:.3e}" if is_number(value) else "a number of hundreds of digits"
