@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import doctest
 import importlib
+import re
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,9 @@ import pytest
 import tsplan
 
 PACKAGE = Path(tsplan.__file__).parent
+DOCS = PACKAGE.parent / "docs"
+PAGES = sorted(page for page in DOCS.glob("*.md") if "\n>>> " in page.read_text("utf-8"))
+EXAMPLE = re.compile(r"^```python\n(>>> .*?)^```$", re.MULTILINE | re.DOTALL)
 OPTIONAL = {"gurobipy", "matplotlib", "pulp"}
 MISSION = """\
 format: tsplan-mission/1
@@ -57,7 +61,18 @@ def test_examples(name, tmp_path, monkeypatch):
     assert not said, "".join(said)
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_examples_of_pages(page):
+    """All blocks of a page together, with the values of those above."""
+    parser, said = doctest.DocTestParser(), []
+    text = "".join(EXAMPLE.findall(page.read_text("utf-8")))
+    examples = parser.get_doctest(text, {}, page.name, str(page), 0)
+    assert doctest.DocTestRunner(verbose=False).run(examples, out=said.append).attempted > 1
+    assert not said, "".join(said)
+
+
 def test_no_example_is_left_out():
+    assert len(PAGES) >= 4
     assert len(modules()) > 50
     skipped = [path for path in PACKAGE.rglob("*.py") if "+SKIP" in path.read_text("utf-8")]
     assert skipped == []
