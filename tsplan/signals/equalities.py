@@ -54,9 +54,30 @@ def approximate(
                 far = (share + margin) * width
                 found[node] = Or((_moved(node, "<", -far), _moved(node, ">", far)))
             elif margin:
-                sign = 1.0 if node.relation in (">=", ">") else -1.0
-                found[node] = _moved(node, node.relation, sign * margin * width)
+                found[node] = _narrower(node, margin * width)
     return substitute(whole, found) if found else whole
+
+
+def loosened(tree: Formula, system: System, share: float = TOLERANCE) -> dict[Formula, Formula]:
+    """The comparisons of a formula, each by one that may be missed by a share of its range.
+
+    Equations are not among them.
+
+    >>> from tsplan.logic import parse
+    >>> made = loosened(parse("F[0,2] x >= 3", "stl"), System({"x": (0, 10)}), 0.01)
+    >>> [f"{one} for {other}" for one, other in made.items()]
+    ['x >= 2.9 for x >= 3']
+    """
+    return {
+        _narrower(node, -share * range_of(node.terms, system)): node
+        for node in walk(tree)
+        if isinstance(node, Linear) and node.relation not in ("=", "!=")
+    }
+
+
+def _narrower(node: Linear, by: float) -> Linear:
+    """An ordered comparison that asks for so much more."""
+    return _moved(node, node.relation, by if node.relation in (">=", ">") else -by)
 
 
 def _moved(node: Linear, relation: Relation, by: float) -> Linear:

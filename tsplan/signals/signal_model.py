@@ -23,11 +23,12 @@ from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.selection import ALWAYS, SelectionColumns
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses, WitnessRules
-from tsplan.logic import Formula, Linear, conjunction, positive, simplify, walk
+from tsplan.logic import Formula, Linear, conjunction, positive, simplify, substitute, walk
 from tsplan.logic.traces import SignalTrace
 from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints, Model
 from tsplan.milp.model import Terms as Entries
+from tsplan.signals.equalities import loosened
 from tsplan.signals.linear_system import Limit, System, Terms
 from tsplan.signals.predicate_rows import PredicateRows
 from tsplan.signals.predicates import HalfSpace, LinearEncoder, jointly
@@ -110,6 +111,19 @@ class SignalSetting:
             else:
                 pairs += wish.met(trace)
         return simplify(conjunction([self.soft.demand, positive(demanded(pairs))]))
+
+    def meant(self, trace: SignalTrace) -> tuple[Formula, Mapping[Formula, Formula]]:
+        """The same for a solver, which takes what is all but met for met.
+
+        In what is kept other comparisons stand for some, which are those that are given with it.
+        """
+        if self.soft is None:
+            return self.goal, {}
+        every = conjunction(wish.tree for wish in self.soft.wishes)
+        loose = loosened(every, self.system)
+        instead = {node: other for other, node in loose.items()}
+        wishes = [replace(w, tree=substitute(w.tree, instead)) for w in self.soft.wishes]
+        return replace(self, soft=replace(self.soft, wishes=tuple(wishes))).held(trace), loose
 
     @property
     def ideal(self) -> float:

@@ -284,12 +284,21 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     def _hear(self, point: SignalPoint) -> None:
         """Keep a point that is no worse in the objective at hand, and tell of it.
 
-        One that misses the formula by a solver's tolerance is made firm if its choices allow that.
+        Where what is to hold is chosen, so is what the point all but meets, by most: the corners
+        that solvers find lie on the borders of predicates, and beside them.
         """
+        told = self._told or (self.objectives[0] if self.objectives else None)
+        self._keep(point, told)
+        if told is not None and told.chooses:
+            meant = self._best_of(point, self._leading, self.setting, meant=True)
+            if meant is not None:
+                self._keep(meant, told)
+
+    def _keep(self, point: SignalPoint, told: SignalObjective | None) -> None:
+        """One that misses the formula by a solver's tolerance is made firm if its choices allow."""
         firm = self.problem.holds(point)
         if not firm and (other := self._firmed(point)) is not None:
             point, firm = other, True
-        told = self._told or (self.objectives[0] if self.objectives else None)
         value = None if told is None else told.worth(self.setting, point)
         if self.point is not None and firm <= self._firm:
             former = None if told is None else told.worth(self.setting, self.point)
@@ -329,18 +338,23 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         return objective
 
     def _best_of(
-        self, point: SignalPoint, objective: SignalObjective, setting: SignalSetting
+        self,
+        point: SignalPoint,
+        objective: SignalObjective,
+        setting: SignalSetting,
+        *,
+        meant: bool = False,
     ) -> SignalPoint | None:
-        """The best trajectory of the choices of another: a linear program."""
+        """The best trajectory of the choices of another, or those it is `meant` to make: an LP."""
         trace = point.trace(setting.system)
-        goal = setting.held(trace)
+        goal, atoms = setting.meant(trace) if meant else (setting.held(trace), {})
         values = margins(goal, trace)
         own = float(values[goal][0])
         if own < 0:  # what is chosen is told by what is above the whole
             values = {node: row - own for node, row in values.items()}
         with self.clock.timed("build"):
             owed = obligations(goal, START, values)
-            steps = {node: found.steps.tolist() for (node, _), found in owed.items()}
+            steps = {atoms.get(node, node): it.steps.tolist() for (node, _), it in owed.items()}
             made = self._narrowed(chosen_model(setting, self._level, steps))
         options = self.effort.limited(self.clock)
         found = tried(self.effort.solver, self._asked(made, objective)[0], options)
