@@ -11,7 +11,8 @@ from tsplan import Mission
 from tsplan.checking.count_traces import count_trace
 from tsplan.errors import PlanError
 from tsplan.explanation.why.requirements import requirements, runs
-from tsplan.explanation.why.witness_tree import Presence, explain
+from tsplan.explanation.why.staffing import Presence
+from tsplan.explanation.why.witness_tree import explain
 from tsplan.logic import horizon, parse, robustness
 from tsplan.logic.atoms import Count
 from tsplan.logic.evaluation import margins

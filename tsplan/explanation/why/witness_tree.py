@@ -17,6 +17,7 @@ import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
+from tsplan.explanation.why.staffing import Presence, Staff
 from tsplan.logic.atoms import Count, Limit, Linear, Task
 from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of
@@ -30,12 +31,9 @@ from tsplan.plans.summary import names
 from tsplan.words import number, run_words
 
 if TYPE_CHECKING:
-    from tsplan.logic.traces import CountTrace, Trace
+    from tsplan.logic.traces import Trace
     from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
-
-MOST_IDS = 4
-"""Agents that are named at one state; more are only counted."""
 
 MOST_LINES = 2000
 """Nodes that are printed; a formula that repeats itself can have many more."""
@@ -44,15 +42,6 @@ _LONGEST = 60  # characters of a formula in one line
 _RUNS = 4
 _CLOSE = 1e-9  # values that sums of floats in different orders may give for one
 _STATES = 4
-
-
-@dataclass(frozen=True, slots=True)
-class Presence:
-    """Agents at one state: how many, and the first few of them."""
-
-    state: str
-    count: int
-    ids: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,7 +164,7 @@ def explain_on(formula: Formula, trace: Trace) -> WitnessNode:
 def _by_counts(plan: Plan, mission: Mission, formula: Formula) -> WitnessNode:
     meaning = meanings(mission, formula)
     trace = trace_of(plan, mission, meaning[formula])
-    return _Builder(formula, meaning, trace, _Staff(plan, mission, trace)).tree()
+    return _Builder(formula, meaning, trace, Staff(plan, mission, trace)).tree()
 
 
 class _Place(NamedTuple):
@@ -194,7 +183,7 @@ class _Builder:
         formula: Formula,
         meaning: Mapping[Formula, Formula],
         trace: Trace,
-        staff: _Staff | None = None,
+        staff: Staff | None = None,
     ) -> None:
         self._meaning = meaning
         self._top = _Place(formula, (0,), needed=True)
@@ -262,32 +251,6 @@ class _Builder:
             present=present,
             children=children,
             of_signals=isinstance(self._trace, SignalTrace),
-        )
-
-
-@dataclass(frozen=True)
-class _Staff:
-    """Who is where in a plan."""
-
-    plan: Plan
-    mission: Mission
-    trace: CountTrace
-
-    def present(self, atom: Count, step: int | None) -> tuple[Presence, ...]:
-        """Who is at the states with an atom's label at a step; nobody if there is none."""
-        if step is None:
-            return ()
-        states = self.mission.system.labels[atom.label]
-        counts = self.trace.at(atom.label, atom.capability)[:, step].astype(np.int64).tolist()
-        ids: dict[str | None, list[str]] = {state: [] for state in states}
-        for bundle in self.plan.bundles:
-            if atom.capability is None or atom.capability in bundle.capabilities:
-                agents = self.plan.agents
-                known = ids.get(agents[bundle.agents[0]].state_at(step), [])
-                known += (agents[place].id for place in bundle.agents[: MOST_IDS - len(known)])
-        return tuple(
-            Presence(state, count, tuple(ids[state]))
-            for state, count in zip(states, counts, strict=True)
         )
 
 

@@ -1,0 +1,52 @@
+"""Who of a plan is where at a step: how many, and the first few by their ids."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from tsplan.logic.atoms import Count
+    from tsplan.logic.traces import CountTrace
+    from tsplan.mission import Mission
+    from tsplan.plans.plan import Plan
+
+MOST_IDS = 4
+"""Agents that are named at one state; more are only counted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Presence:
+    """Agents at one state: how many, and the first few of them."""
+
+    state: str
+    count: int
+    ids: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Staff:
+    """Who is where in a plan."""
+
+    plan: Plan
+    mission: Mission
+    trace: CountTrace
+
+    def present(self, atom: Count, step: int | None) -> tuple[Presence, ...]:
+        """Who is at the states with an atom's label at a step; nobody if there is none."""
+        if step is None:
+            return ()
+        states = self.mission.system.labels[atom.label]
+        counts = self.trace.at(atom.label, atom.capability)[:, step].astype(np.int64).tolist()
+        ids: dict[str | None, list[str]] = {state: [] for state in states}
+        for bundle in self.plan.bundles:
+            if atom.capability is None or atom.capability in bundle.capabilities:
+                agents = self.plan.agents
+                known = ids.get(agents[bundle.agents[0]].state_at(step), [])
+                known += (agents[place].id for place in bundle.agents[: MOST_IDS - len(known)])
+        return tuple(
+            Presence(state, count, tuple(ids[state]))
+            for state, count in zip(states, counts, strict=True)
+        )
