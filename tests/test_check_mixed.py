@@ -33,6 +33,7 @@ VALUES = {
     "travel": 14,
     "cost": 14,
     "makespan": 3,
+    "risk": 0,
     "agents": 7,
     "splits": 0,
     "moves": 2,

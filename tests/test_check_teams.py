@@ -74,6 +74,7 @@ def test_a_right_plan_is_accepted():
         "travel": 2,
         "cost": 2,
         "makespan": 2,
+        "risk": 0,
         "agents": 1,
     }
     assert any("formula holds" in fact for fact in report.facts)

@@ -214,7 +214,7 @@ def slow_reading(path):
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs the system's timer")
 def test_the_limit_holds_while_the_mission_is_read(folder, capsys, monkeypatch):
-    monkeypatch.setattr("tsplan.cli.inputs.load_mission", slow_reading)
+    monkeypatch.setattr("tsplan.cli.inputs.load_any_mission", slow_reading)
     monkeypatch.setattr("tsplan.cli.inputs._READING", 0.0)
     for command in ("plan", "explain"):
         assert main([command, "mission.yaml", "--time-limit", "0.2"]) == 4
@@ -261,7 +261,7 @@ def slow(path):
     print("reading", flush=True)
     time.sleep(60)
 
-tsplan.cli.inputs.load_mission = slow
+tsplan.cli.inputs.load_any_mission = slow
 sys.exit(main(["plan", "mission.yaml"]))
 """
 

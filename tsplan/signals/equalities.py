@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tsplan.logic import And, Formula, Linear, Or, Relation
+from tsplan.logic import And, Formula, Linear, Or, Relation, Whole
+from tsplan.logic.fraction import tree_of
 from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.traversal import substitute, walk
 from tsplan.signals.linear_system import System, Terms
@@ -17,6 +18,10 @@ from tsplan.signals.linear_system import System, Terms
 TOLERANCE = 1e-6
 """What may be amiss, as a share of the range of a value: ten times the 1e-7 by which solvers of
 linear programs let rows fail, so that rows may be scaled a little."""
+
+MARGIN = 1e-5
+"""Of its range: by how much a predicate is to hold where by none it does not, be it that it is
+strict or that a solver forgave too much. Ten times what solvers forgive."""
 
 
 def range_of(terms: Terms, system: System) -> float:
@@ -30,16 +35,22 @@ def range_of(terms: Terms, system: System) -> float:
 
 
 def approximate(
-    formula: Formula, system: System, share: float = TOLERANCE, margin: float = 0.0
+    formula: Formula,
+    system: System,
+    share: float = TOLERANCE,
+    margin: float = 0.0,
+    *,
+    strictly: bool = False,
 ) -> Formula:
     """The formula in positive normal form, with equations by comparisons a share of a range apart.
 
     Sides that are no further apart count as equal, and not as different. All other comparisons are
-    to hold by a `margin`, which is such a share as well.
+    to hold by a `margin`, which is such a share as well; `strictly` those alone whose border does
+    not belong to them. An equation counts as a whole still.
 
     >>> from tsplan.logic import parse
     >>> print(approximate(parse("F[0,2] x = 3", "stl"), System({"x": (0, 10)}), 0.01))
-    F[0,2] (x >= 2.9 && x <= 3.1)
+    F[0,2] all(x >= 2.9, x <= 3.1)
     """
     whole = positive_atoms(formula)
     found: dict[Formula, Formula] = {}
@@ -47,15 +58,27 @@ def approximate(
         if isinstance(node, Linear):
             width = range_of(node.terms, system)
             if node.relation == "=":
-                found[node] = And(
-                    (_moved(node, ">=", -share * width), _moved(node, "<=", share * width))
-                )
+                sides = _moved(node, ">=", -share * width), _moved(node, "<=", share * width)
+                found[node] = Whole(And(sides))
             elif node.relation == "!=":
                 far = (share + margin) * width
                 found[node] = Or((_moved(node, "<", -far), _moved(node, ">", far)))
-            elif margin:
+            elif margin and (node.relation in ("<", ">") or not strictly):
                 found[node] = _narrower(node, margin * width)
     return substitute(whole, found) if found else whole
+
+
+def tree(formula: Formula, system: System) -> Formula:
+    """The tree whose fraction counts, with equations as they are taken."""
+    return tree_of(approximate(formula, system))
+
+
+def narrowed_tree(formula: Formula, system: System) -> Formula:
+    """A tree of which what holds does so in `tree`, too, however a solver meets its rows.
+
+    Rows know no border that does not belong to a comparison, so that keeps a margin from it.
+    """
+    return tree_of(approximate(formula, system, TOLERANCE / 2, MARGIN, strictly=True))
 
 
 def loosened(tree: Formula, system: System, share: float = TOLERANCE) -> dict[Formula, Formula]:

@@ -12,13 +12,14 @@ import numpy as np
 from tsplan.checking.satisfaction_check import least_spare
 from tsplan.logic import Formula, Linear, positive, variables, walk
 from tsplan.logic.evaluation import holds, robustness
-from tsplan.logic.fraction import fraction, tree_of
+from tsplan.logic.fraction import fraction
+from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.traces import SignalTrace
 from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import levels
 from tsplan.mission.mission_parts import Preference
 from tsplan.signals.aims import SENSES, Aim
-from tsplan.signals.equalities import TOLERANCE, approximate
+from tsplan.signals.equalities import TOLERANCE, approximate, tree
 from tsplan.signals.motion_check import Motion
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import PartValue
@@ -68,21 +69,23 @@ def measured(mission: SignalMission, motion: Motion, trace: SignalTrace) -> Meas
     """Judge the formula and what it consists of on a trace, and add up the efforts."""
     formula, partial = mission.formula, mission.satisfaction is not None
     satisfied, by = _judged(mission, formula, trace)
-    slack = TOLERANCE * _widest(mission, motion)
+    # equations hold within as much again
+    slack = TOLERANCE * _widest(mission, motion) * (2 if _equates(mission) else 1)
     whole = mission.parts or ((mission.text or str(formula), formula),)
     parts = (*whole, *((wish.text, wish.formula) for wish in mission.prefer))
     terms = {"robustness": _spare(mission, trace, by)}
-    preferred = float(fraction(formula, trace, weighted=True)) if partial else None
+    near = approximate(formula, mission.system)
+    preferred = float(fraction(near, trace, weighted=True)) if partial else None
     if preferred is not None:
         terms["satisfaction"] = preferred
-    by_depth = levels(tree_of(formula), trace).counts if _by_depth(mission) else ()
+    by_depth = levels(tree(formula, mission.system), trace).counts if _by_depth(mission) else ()
     if mission.prefer:
-        terms["preferences"] = sum(_gain(wish, trace) for wish in mission.prefer)
+        terms["preferences"] = sum(_gain(wish, mission, trace) for wish in mission.prefer)
     return Measures(
         satisfied,
         by,
         _agm(mission, trace),
-        float(fraction(formula, trace)) if partial else None,
+        float(fraction(near, trace)) if partial else None,
         preferred,
         tuple(_part(mission, text, part, trace) for text, part in parts),
         by_depth,
@@ -119,20 +122,22 @@ def _agm(mission: SignalMission, trace: SignalTrace) -> float | None:
 def _spare(mission: SignalMission, trace: SignalTrace, slack: float) -> float:
     """The robustness that is optimised: of what holds, where not everything has to."""
     if mission.satisfaction is not None:
-        return least_spare([(tree_of(mission.formula), True)], trace)
-    wishes = [(tree_of(wish.formula), wish.partial) for wish in mission.prefer]
+        return least_spare([(tree(mission.formula, mission.system), True)], trace)
+    wishes = [(tree(wish.formula, mission.system), wish.partial) for wish in mission.prefer]
     return least_spare(wishes, trace, slack)
 
 
-def _gain(wish: Preference, trace: SignalTrace) -> float:
+def _gain(wish: Preference, mission: SignalMission, trace: SignalTrace) -> float:
     """What a preferred formula is worth."""
-    share = float(fraction(wish.formula, trace, weighted=wish.partial))
+    near = approximate(wish.formula, mission.system)
+    share = float(fraction(near, trace, weighted=wish.partial))
     return float(wish.weight) * (share if wish.partial else float(share == 1))
 
 
 def _part(mission: SignalMission, text: str, part: Formula, trace: SignalTrace) -> PartValue:
     satisfied, slack = _judged(mission, part, trace)
-    return PartValue(text, known(slack), 1.0 if satisfied else float(fraction(part, trace)))
+    near = approximate(part, mission.system)
+    return PartValue(text, known(slack), 1.0 if satisfied else float(fraction(near, trace)))
 
 
 def _lines(aim: Aim, motion: Motion, terms: Mapping[str, float], slack: float) -> Iterator[Worth]:
@@ -167,6 +172,12 @@ def _term(aim: Aim, name: str, motion: Motion, terms: Mapping[str, float], slack
     value = math.fsum(f * float(np.abs(motion.values[n]).sum()) for n, f in factors.items())
     width = motion.horizon * motion.width(tuple(factors.items()))
     return Worth(name, value, TOLERANCE * width, rises, head=False)
+
+
+def _equates(mission: SignalMission) -> bool:
+    """Whether the formula equates sums."""
+    nodes = walk(positive_atoms(mission.formula))
+    return any(isinstance(node, Linear) and node.relation == "=" for node in nodes)
 
 
 def _widest(mission: SignalMission, motion: Motion) -> float:

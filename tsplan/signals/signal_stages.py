@@ -30,6 +30,7 @@ from tsplan.milp.target import Target
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.signals.aims import Aim
+from tsplan.signals.equalities import MARGIN
 from tsplan.signals.signal_model import (
     SignalModel,
     SignalSetting,
@@ -42,9 +43,9 @@ from tsplan.signals.signal_objectives import AimObjective, SignalObjective, Sign
 CLOSE = 1e-6
 """Robustness this close to a bound counts as that: what solvers forgive a row."""
 
-_MARGINS = (1e-9, 1e-7, 1e-5)
-"""Shares of its range by which a predicate is to hold where by none it does not: what floats round,
-what solvers forgive, and ten times that."""
+_MARGINS = (0.0, 1e-9, 1e-7, MARGIN)
+"""Shares of its range by which a predicate is to hold where by none it does not: a corner that a
+linear program meets, what floats round, what solvers forgive, and ten times that."""
 
 _KEPT = 1e-12  # of a robustness that is kept may get lost: what floats round
 _BLOCKS = (16, 8, 4, 2)  # steps for which a choice stays, in restrictions
@@ -62,6 +63,10 @@ class Judge(Protocol):
 
     def setting(self, margin: float = 0.0) -> SignalSetting:
         """What every model is made of; predicates hold by a margin, a share of their range."""
+
+    @property
+    def slack(self) -> float:
+        """By how much equations make robustness look greater than it is, as they are taken."""
 
     def holds(self, point: SignalPoint) -> bool:
         """Whether what must hold does, on what the controls truly lead to."""
@@ -366,7 +371,12 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     def _level(self) -> tuple[float, float]:
         """From which robustness to which trajectories are looked for."""
         robust = [value for objective, value in self._kept if objective.plain_robustness]
-        least = max([self.least, *(value - _KEPT * max(1.0, abs(value)) for value in robust)])
+        least = max(
+            [
+                self.least,
+                *(value - _KEPT * max(1.0, abs(value)) - self.problem.slack for value in robust),
+            ]
+        )
         return least, max(self._ideal, least)
 
     def _narrowed(self, made: SignalModel) -> SignalModel:

@@ -15,9 +15,9 @@ from tsplan.encode.expressions import Constraint, Expression
 from tsplan.encode.partial.partial_model import Wish, everything
 from tsplan.encode.switches import ALL_SWITCHES
 from tsplan.errors import Finding, MissionError
-from tsplan.logic import Formula, conjunction, positive, simplify
+from tsplan.logic import Formula, Linear, conjunction, positive, simplify, walk
 from tsplan.logic.evaluation import holds
-from tsplan.logic.fraction import tree_of
+from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import INFINITY, Model
@@ -28,7 +28,7 @@ from tsplan.run.problem import Tuning
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.signals.aims import CHOSEN, Aim
-from tsplan.signals.equalities import TOLERANCE, approximate
+from tsplan.signals.equalities import TOLERANCE, approximate, narrowed_tree, range_of
 from tsplan.signals.least_violation import LeastViolation, remaining
 from tsplan.signals.motion_check import settled
 from tsplan.signals.reach import Past, reach
@@ -165,10 +165,13 @@ class Synthesis:
             goal = remaining(goal, self.past.step)
         soft = None
         if mission.satisfaction is not None:
-            wish = Wish(tree_of(mission.formula), partial=True)
+            wish = Wish(narrowed_tree(mission.formula, mission.system), partial=True)
             soft = Soft(conjunction([]), (wish,), depths=mission.satisfaction != "weighted")
         elif mission.prefer and not self.beyond:
-            wishes = (Wish(tree_of(wish.formula), wish.partial) for wish in mission.prefer)
+            wishes = (
+                Wish(narrowed_tree(wish.formula, mission.system), wish.partial)
+                for wish in mission.prefer
+            )
             soft = Soft(goal, tuple(wishes))
         return SignalSetting(
             reach(mission.system, mission.horizon, self.past, self.beyond),
@@ -258,6 +261,13 @@ class Synthesis:
             controls=controls,
         )
 
+    @property
+    def slack(self) -> float:
+        """By how much equations make robustness look greater than it is, as they are taken."""
+        system, every = self.mission.system, walk(positive_atoms(self.mission.formula))
+        equations = (node for node in every if isinstance(node, Linear) and node.relation == "=")
+        return TOLERANCE / 2 * max((range_of(n.terms, system) for n in equations), default=0.0)
+
     def holds(self, point: SignalPoint) -> bool:
         """Whether what must hold does, on what the controls of a point truly lead to."""
         mission = self.mission
@@ -273,7 +283,7 @@ def _choosing(mission: SignalMission) -> Iterator[SignalObjective]:
     if mission.satisfaction == "weighted":
         yield WishObjective("satisfaction", ((0, Fraction(1)),))
     elif mission.satisfaction is not None:
-        tree = tree_of(mission.formula)
+        tree = narrowed_tree(mission.formula, mission.system)
         yield from map(DepthObjective, sorted({place.depth for place in occurrences(tree)}))
     levels: dict[int, list[tuple[int, Fraction]]] = defaultdict(list)
     for number, wish in enumerate(mission.prefer):

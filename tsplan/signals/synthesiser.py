@@ -19,6 +19,7 @@ from tsplan.run.problem import Tuning
 from tsplan.run.run import Listener, Run
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
+from tsplan.signals.equalities import MARGIN
 from tsplan.signals.linear_system import System
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_objectives import SignalPoint
@@ -28,10 +29,6 @@ from tsplan.signals.trajectory import Trajectory
 from tsplan.signals.trajectory_check import certify
 from tsplan.stopping import StoppedBy
 from tsplan.words import known
-
-_MARGIN = 1e-5
-"""Of its range: by how much a predicate is to hold where by none it does not, be it that it is
-strict or that a solver forgave too much. Ten times what solvers forgive."""
 
 
 class SynthesisRun(Run[SignalPoint, Trajectory]):
@@ -50,7 +47,7 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         outcome = self.sought(effort)
         if outcome.point is None or self.problem.holds(outcome.point):
             return outcome
-        second = self.sought(effort, _MARGIN)
+        second = self.sought(effort, MARGIN)
         if second.point is not None:
             # the bounds of what need not hold by a margin are those of all trajectories
             pairs = zip(second.reached, outcome.reached, strict=True)
