@@ -328,7 +328,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
 
     def _firmed(self, point: SignalPoint) -> SignalPoint | None:
         """A trajectory of the same choices that truly holds; by as little as it takes."""
-        for margin in _MARGINS:
+        for margin in (0.0, *_MARGINS):  # a corner may lie right on the border
             firm = self._best_of(point, self._leading, self.problem.setting(margin))
             if firm is not None and self.problem.holds(firm):
                 return firm
