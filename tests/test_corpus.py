@@ -17,6 +17,7 @@ from tsplan.errors import InputError
 from tsplan.mission import load_mission
 from tsplan.plans.plan import Plan
 from tsplan.signals.signal_files import load_any_mission
+from tsplan.signals.trajectory import Trajectory
 from tsplan.testing import Expectation, expectations, run_corpus
 from tsplan.testing.corpus import planned
 
@@ -36,8 +37,10 @@ COMMANDS = (
     "partial_swarm",
     "preferences_team",
     "farm_shortage",
+    "linear",
+    "too_late",
 )
-ON_TERMINALS = ("farm_shortage", "swarm_splits")
+ON_TERMINALS = ("farm_shortage", "swarm_splits", "weights")
 OBJECTIVES = (*SENSE, "satisfaction", "preferences")
 SEARCHED = ("either_or", "keys")  # take long without the search of the tight encoding
 LARGE = "tasks"  # has too many joint plans to look at
@@ -65,7 +68,6 @@ def parameters(*, commands: tuple[str, ...] | None = None) -> list[object]:
             else (),
         )
         for item in EXPECTED
-        if commands is None or not of_signals(item)
     ]
 
 
@@ -95,7 +97,10 @@ def judge_command(item: Expectation, folder: Path, run) -> None:
     assert not any(word in err for word in MISTAKES)
     plan = json.loads(out, parse_constant=pytest.fail)
     assert json.loads((folder / "plan.json").read_text(encoding="utf-8")) == plan
-    assert item.differences(Plan.from_json(out)) == ()
+    result = Trajectory if of_signals(item) else Plan
+    assert item.differences(result.from_json(out)) == ()
+    if item.status != "infeasible" and of_signals(item):
+        assert run("check", str(item.path), "plan.json", folder=folder)[0] == 0
 
 
 @pytest.mark.parametrize("item", parameters(commands=COMMANDS))
