@@ -211,6 +211,7 @@ def test_several_robots():
         (("effort: 0.1", "effort: {v: 1}"), "14:45", "there is no control 'v'"),
         (("control_effort: 0.1", "satisfaction: depth"), "14:1", "is not weighed against"),
         (("dynamics:", "#"), "6:11", "there are controls and no dynamics"),
+        (("dynamics:", "dynamics: #"), "6:11", "there are controls and no dynamics"),
         (("format: tsplan-signals/1", "format: tsplan-signals/2"), "1:9", "'tsplan-signals/1'"),
     ],
 )

@@ -46,7 +46,7 @@ class SystemDraft:
         self.faults += [
             fault
             for fault in found
-            if fault.path != ("controls",) or "dynamics" not in self.document.data
+            if fault.path != ("controls",) or self.document.data.get("dynamics") is None
         ]
         if any(fault.path[0] == "dynamics" for fault in found):
             self.base = replace(self.base, dynamics=None)
