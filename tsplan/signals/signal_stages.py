@@ -189,7 +189,8 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         """What a trajectory is worth; what was reached is kept within what rows forgive."""
         value = objective.worth(self.setting, point)
         for kept, reached in self._kept:
-            if kept is objective and abs(value - reached) <= _TWICE * objective.close(reached):
+            near = _TWICE * (objective.close(reached) + self.problem.slack)
+            if kept is objective and abs(value - reached) <= near:
                 return reached
         return value
 
