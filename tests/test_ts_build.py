@@ -4,6 +4,7 @@ import networkx as nx
 import numpy as np
 import pytest
 
+import tsplan
 from tsplan.errors import MapError
 from tsplan.ts import ByClass, Edge
 from tsplan.ts.builders import cell_name, from_networkx, grid
@@ -132,3 +133,9 @@ def test_a_graph_and_back():
 @pytest.mark.long
 def test_large_grids_are_built():
     assert len(grid(200, 200).states) == 40_000
+
+
+def test_what_a_map_is_called_is_one_however_it_is_composed():
+    made, read = "Caf\u0065\u0301 \uf900", "Caf\u00e9 \u8c48"  # as files read it
+    system = tsplan.TransitionSystem.build([tsplan.State("a", color=made)], [], made)
+    assert (system.name, system.states["a"].color) == (read, read)

@@ -83,6 +83,8 @@ class State:
     def __post_init__(self) -> None:
         """Freeze what was given as another collection; a single word is one label."""
         object.__setattr__(self, "name", _spelled(self.name))
+        if self.color is not None:
+            object.__setattr__(self, "color", _spelled(self.color))
         if self.labels is not NOTHING:
             object.__setattr__(self, "labels", words(self.labels))
         if self.needs is not NOTHING:

@@ -14,6 +14,7 @@ from tsplan.errors import Finding, MapError, Spot, in_order
 from tsplan.exact import common_unit, exact
 from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.validity import Problem, problems
+from tsplan.words import nfc
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -97,7 +98,7 @@ class TransitionSystem(display.Displayed):
         if faults:
             raise MapError(in_order(faults))
         return cls(
-            name,
+            nfc(name),
             {state.name: state for state in states},
             {(edge.source, edge.target): edge for edge in edges},
             extras,
