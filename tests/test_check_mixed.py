@@ -32,7 +32,6 @@ VALUES = {
     "availability": 0,
     "travel": 14,
     "cost": 14,
-    "risk": 0,
     "makespan": 3,
     "risk": 0,
     "agents": 7,

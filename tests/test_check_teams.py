@@ -73,7 +73,6 @@ def test_a_right_plan_is_accepted():
         "availability": 0,
         "travel": 2,
         "cost": 2,
-        "risk": 0,
         "makespan": 2,
         "risk": 0,
         "agents": 1,

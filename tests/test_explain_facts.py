@@ -52,6 +52,11 @@ def test_scarcity_of_several_tasks_at_one_step() -> None:
     assert "3 agents with see in all; the team has 2 (2 a)" in fact.text
 
 
+def test_scarcity_where_an_until_changes_over() -> None:
+    fact = only(row("A U[0,9] (B && sum(C) >= 2)"))
+    assert fact.text.startswith("at one step, 1 agent is needed at 'B' and 2 agents are needed")
+
+
 def test_a_capability_that_nobody_has() -> None:
     fact = only(row("F[0,4] sum(B, lift) >= 1"))
     assert fact.text == "1 agent with lift is needed at 'B'; the team has none"

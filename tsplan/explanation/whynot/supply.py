@@ -9,9 +9,7 @@ from tsplan.explanation.explanation import Fact, SoftConstraint
 from tsplan.explanation.part_words import agents, swarm_words
 from tsplan.explanation.whynot.context import able
 from tsplan.explanation.whynot.mission_numbers import TOGETHER
-from tsplan.explanation.whynot.occurrences import Way
-from tsplan.explanation.whynot.unconditional_demands import Demand, Span, demands_below
-from tsplan.logic import Always, And, Eventually, Formula, Whole
+from tsplan.explanation.whynot.unconditional_demands import Demand, Span, demands_below, required
 from tsplan.words import many
 
 if TYPE_CHECKING:
@@ -61,25 +59,15 @@ def moments(context: Context) -> Iterator[list[Demand]]:
 
 def instants(context: Context) -> Iterator[list[Demand]]:
     """All needs that begin at the same step, whenever that is."""
-    for way, node in _anchors(context.mission.formula):
+    for way, node, _, moved in required((), context.mission.formula, Span(0, 0)):
+        if not moved:  # said with what it stands in
+            continue
         context.pause()
         yield [
             item
             for item in demands_below(context.mission, way, node, Span(0, 0))
             if not item.upper and item.amount > 0 and item.span.first == item.span.last == 0
         ]
-
-
-def _anchors(root: Formula) -> Iterator[tuple[Way, Formula]]:
-    """Sub-formulas that must hold at some step, and say something about that step."""
-    open_: list[tuple[Way, Formula]] = [((), root)]
-    yield (), root
-    while open_:
-        way, node = open_.pop()
-        if isinstance(node, Always | Eventually):
-            yield (*way, 0), node.children[0]
-        if isinstance(node, And | Whole | Always | Eventually):
-            open_ += [((*way, n), child) for n, child in enumerate(node.children)]
 
 
 def _apart(needs: Sequence[Demand], order: Callable[[Demand], Any]) -> list[tuple[Demand, str]]:

@@ -77,12 +77,21 @@ def demands(mission: Mission) -> tuple[Demand, ...]:
 
 def demands_below(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Demand]:
     """What a sub-formula asks for that must hold from some step of `span` on."""
-    open_ = [(way, node, span)]
-    while open_:
-        here, formula, when = open_.pop()
+    for here, formula, when, _ in required(way, node, span):
         yield from _of_atom(mission, here, formula, when)
+
+
+def required(way: Way, node: Formula, span: Span) -> Iterator[tuple[Way, Formula, Span, bool]]:
+    """All that must hold where a sub-formula must, in the order of the text, and when.
+
+    The last value says whether that is at other steps than what it stands in, as of the first.
+    """
+    open_ = [(way, node, span, True)]
+    while open_:
+        here, formula, when, moved = open_.pop()
+        yield here, formula, when, moved
         inner = [
-            ((*here, number), formula.children[number], later)
+            ((*here, number), formula.children[number], later, later is not when)
             for number, later in _inside(formula, when)
         ]
         open_ += reversed(inner)
