@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tsplan.encode.capability_mask import counted_nodes
+from tsplan.encode.running_sums import unfolded
 from tsplan.milp.model import Bools, Draft, Floats, Ints
 from tsplan.ts.reachability import Lengths
 
@@ -103,9 +104,8 @@ class ClassColumns:
         """Edges from `states` to `states`: the columns that have begun and not ended then."""
         edges = _members(self.by_head, states)
         edges = edges[np.isin(self.graph.tail[edges], states)]
-        spans = self.graph.duration[edges] - 1
-        since = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans) + 1
-        return self._at(np.repeat(edges, spans), steps - since[:, None])
+        inside, since = unfolded(np.ones_like(edges), self.graph.duration[edges] - 1)
+        return self._at(edges[inside], steps - since[:, None])
 
     def _at(self, edges: Ints, entered: Ints) -> tuple[Ints, Ints]:
         first, last = self.first[edges][:, None], self.last[edges][:, None]
@@ -115,10 +115,18 @@ class ClassColumns:
 
     def unrolled(self) -> tuple[Ints, Ints, Ints]:
         """Edge, step and column of every flow column of the class, as three equal-length arrays."""
-        spans = np.maximum(self.last - self.first + 1, 0)
-        edge = np.repeat(np.arange(len(spans)), spans)
-        within = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans)
-        return edge, self.first[edge] + within, self.offset[edge] + within
+        edge, step = unfolded(self.first, np.maximum(self.last - self.first + 1, 0))
+        return edge, step, self.offset[edge] + step - self.first[edge]
+
+    def late(self, makespan: int) -> Ints:
+        """Columns of the moves that end after step `makespan`."""
+        edge, step, column = self.unrolled()
+        return column[~self.graph.wait[edge] & (step + self.graph.duration[edge] > makespan)]
+
+    def price(self, vector: Floats, prices: Floats | Ints | Bools) -> None:
+        """Set the coefficients of all columns in a vector, given one for each edge."""
+        edge, _, column = self.unrolled()
+        vector[column] = prices[edge]
 
 
 @dataclass(frozen=True, eq=False)

@@ -159,12 +159,9 @@ class Makespan(LevelObjective):
     def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
         """Without the moves that end later."""
         upper = encoded.model.upper.copy()
-        for item in encoded.network.classes:
-            edge, step, column = item.unrolled()
-            late = step + item.graph.duration[edge] > value
-            upper[column[~item.graph.wait[edge] & late]] = 0.0
-        for swarm in encoded.swarms:
-            upper[swarm.places.late(int(value))] = 0.0
+        groups = [swarm.places.entered for swarm in encoded.swarms]
+        for item in (*encoded.network.classes, *groups):
+            upper[item.late(int(value))] = 0.0
         return replace(encoded, model=encoded.model.with_bounds(encoded.model.lower, upper))
 
 
@@ -192,8 +189,7 @@ class GroupMoves(ModelObjective):
         """One for every edge that is no wait."""
         vector = np.zeros(encoded.model.size.columns)
         for swarm in encoded.swarms:
-            edge, _, column = swarm.places.entered.unrolled()
-            vector[column] = ~swarm.places.entered.graph.wait[edge]
+            swarm.places.entered.price(vector, ~swarm.places.entered.graph.wait)
         return vector
 
 
@@ -288,8 +284,7 @@ def _priced(encoded: Encoded, price: Callable[[ClassColumns], Floats | Ints]) ->
     """What every flow column costs, where each edge has a price."""
     vector = np.zeros(encoded.model.size.columns)
     for item in encoded.network.classes:
-        edge, _, column = item.unrolled()
-        vector[column] = price(item)[edge]
+        item.price(vector, price(item))
     return vector
 
 
@@ -306,14 +301,9 @@ def stayers(network: Network, draft: Draft) -> Ints:
             if waits is None:
                 continue
             staying = draft.columns(1, upper=float(item.graph.start[state]), integer=True)
-            count = len(waits)
-            draft.rows(
-                np.tile(np.arange(count), 2),
-                np.concatenate([waits, np.repeat(staying, count)]),
-                np.repeat([1.0, -1.0], count),
-                lower=np.zeros(count),
-                upper=np.inf,
-                kind="stay",
+            every = np.arange(len(waits))
+            draft.sums(
+                (every, waits, 1.0), (every, staying[0], -1.0), count=len(every), kind="stay"
             )
             made.append(staying)
     return np.concatenate([*made, np.empty(0, dtype=np.int64)])

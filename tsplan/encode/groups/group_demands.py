@@ -82,11 +82,5 @@ def split_rows(
     for family in unconditional + witnesses.choices.families(costs):
         columns = np.array(family, dtype=np.int64)
         price = np.array([costs[column] for column in family], dtype=np.float64)
-        draft.rows(
-            np.zeros(len(splits[0]) + len(columns)),
-            np.concatenate([splits[0], columns]),
-            np.concatenate([splits[1], -price]),
-            lower=np.array([0.0 if family else float(always - starts)]),
-            upper=np.inf,
-            kind="splits",
-        )
+        least = 0.0 if family else float(always - starts)
+        draft.sums((0, *splits), (0, columns, -price), lower=least, kind="splits")

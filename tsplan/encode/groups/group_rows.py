@@ -113,11 +113,7 @@ def served_rows(
         if demand.bound.upper or demand.bound.amount <= 0 or not demand.selection:
             continue
         there = _at_site(swarms, demand)
-        columns = np.concatenate([there, np.array(demand.selection, dtype=np.int64)])
-        values = np.where(np.arange(len(columns)) < len(there), 1.0, -1.0)
-        draft.rows(
-            np.zeros(len(columns)), columns, values, lower=np.zeros(1), upper=np.inf, kind="served"
-        )
+        draft.sums((0, there, 1.0), (0, demand.selection, -1.0), kind="served")
 
 
 def _at_site(swarms: Sequence[Swarm], demand: Demand) -> Ints:
@@ -150,13 +146,13 @@ def _left_over(swarms: Sequence[Swarm], robots: Network, demand: Demand) -> Ints
 
 def _forbid(draft: Draft, columns: Ints, selection: Selection) -> None:
     """The columns are 0 where the selection is 1."""
-    count, members = len(columns), np.array(selection, dtype=np.int64)
-    draft.rows(
-        np.concatenate([np.arange(count), np.repeat(np.arange(count), len(members))]),
-        np.concatenate([columns, np.tile(members, count)]),
-        1.0,
+    every = np.arange(len(columns))
+    draft.sums(
+        (every, columns, 1.0),
+        *((every, column, 1.0) for column in selection),
         lower=-np.inf,
-        upper=np.full(count, 1.0 if selection else 0.0),
+        upper=1.0 if selection else 0.0,
+        count=len(every),
         kind="empty",
     )
 
@@ -192,16 +188,9 @@ def size_rows(swarms: Sequence[Swarm], draft: Draft) -> None:
 
 def _between(draft: Draft, flow: Ints, group: Ints, least: Floats, most: float) -> None:
     """`least * group <= flow <= most * group`."""
-    count = len(flow)
-    for sign, factor in ((1.0, least), (-1.0, np.full(count, most))):
-        draft.rows(
-            np.tile(np.arange(count), 2),
-            np.concatenate([flow, group]),
-            np.concatenate([np.full(count, sign), -sign * factor]),
-            lower=np.zeros(count),
-            upper=np.inf,
-            kind="size",
-        )
+    every = np.arange(len(flow))
+    draft.sums((every, flow, 1.0), (every, group, -least), count=len(every), kind="size")
+    draft.sums((every, flow, -1.0), (every, group, most), count=len(every), kind="size")
 
 
 def agents_at_states(swarm: Swarm) -> tuple[Ints, Ints]:
@@ -224,16 +213,8 @@ def _least_at_states(draft: Draft, swarm: Swarm) -> None:
     least, start = swarm.bounds.least, swarm.places.entered.graph.start
     if swarm.places.horizon == 0:  # the starts are all there is
         if (start[start > 0] < least).any():
-            draft.rows([], [], [], lower=np.ones(1), upper=1.0, kind="size")
+            draft.sums(lower=1.0, upper=1.0, kind="size")
         return
     own = swarm.places.reached()[2]
-    index, columns = agents_at_states(swarm)
-    count = len(own)
-    draft.rows(
-        np.concatenate([index, np.arange(count)]),
-        np.concatenate([columns, own]),
-        np.concatenate([np.ones(len(columns)), np.full(count, -float(least))]),
-        lower=np.zeros(count),
-        upper=np.inf,
-        kind="size",
-    )
+    groups = np.arange(len(own)), own, -float(least)
+    draft.sums((*agents_at_states(swarm), 1.0), groups, count=len(own), kind="size")

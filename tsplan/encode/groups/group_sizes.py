@@ -15,7 +15,7 @@ import numpy as np
 from scipy import sparse
 
 from tsplan.encode.groups.group_rows import Swarm, agents_at_states
-from tsplan.milp.model import INFINITY, Floats, Ints, Model, Tag
+from tsplan.milp.model import INFINITY, Floats, Ints, Model, Tag, Terms, joined_terms
 
 Solve = Callable[[Model], "Floats | None"]
 
@@ -82,26 +82,17 @@ def with_smallest(model: Model, found: Sizes, largest: float) -> Model:
 
     `size >= smallest - most * (1 - group)`.
     """
-    count = len(found.group)
-    column = model.size.columns
-    rows = np.arange(count)
-    entries = (
-        np.concatenate([np.ones(len(found.flow)), -np.ones(count), -found.most]),
-        (
-            np.concatenate([found.index, rows, rows]),
-            np.concatenate([found.flow, np.full(count, column), found.group]),
-        ),
-    )
-    block = sparse.csr_array(sparse.coo_array(entries, shape=(count, column + 1)))
-    least = -found.most - found.base
-    return _extended(model, (np.zeros(1), np.array([largest])), block, least)
+    rows, column = np.arange(len(found.group)), model.size.columns
+    terms: list[Terms] = [(found.index, found.flow, 1.0), (rows, column, -1.0)]
+    terms.append((rows, found.group, -found.most))
+    return _extended(model, np.array([largest]), terms, -found.most - found.base)
 
 
-def _extended(
-    model: Model, bounds: tuple[Floats, Floats], block: sparse.csr_array, least: Floats
-) -> Model:
-    """The model with more columns (whole numbers) and more rows `block @ x >= least`."""
-    more = len(bounds[0])
+def _extended(model: Model, most: Floats, terms: Sequence[Terms], least: Floats) -> Model:
+    """The model with more columns (whole numbers up to `most`) and rows of terms `>= least`."""
+    more, (index, columns, values) = len(most), joined_terms(terms)
+    shape = len(least), model.size.columns + more
+    block = sparse.csr_array(sparse.coo_array((values, (index, columns)), shape=shape))
     wide = sparse.csr_array(
         sparse.hstack([model.matrix, sparse.csr_array((model.matrix.shape[0], more))])
     )
@@ -109,8 +100,8 @@ def _extended(
     return replace(
         model,
         objective=np.concatenate([model.objective, np.zeros(more)]),
-        lower=np.concatenate([model.lower, bounds[0]]),
-        upper=np.concatenate([model.upper, bounds[1]]),
+        lower=np.concatenate([model.lower, np.zeros(more)]),
+        upper=np.concatenate([model.upper, most]),
         integer=np.concatenate([model.integer, np.ones(more, dtype=np.bool_)]),
         matrix=sparse.csr_array(sparse.vstack([wide, block], format="csr")),
         row_lower=np.concatenate([model.row_lower, least]),
@@ -167,20 +158,16 @@ def spread(model: Model, place: Ints, swarms: Sequence[Swarm]) -> Model | None:
     split = [members for members in parts.values() if len(members) > 1]
     if not split:
         return None
-    columns = model.size.columns
-    rows, where, what = [], [], []
-    count = 0
-    for number, members in enumerate(split):
-        high, low = columns + 2 * number, columns + 2 * number + 1
-        for member in members:
-            rows += [count, count, count + 1, count + 1]
-            where += [high, member, member, low]
-            what += [1.0, -1.0, 1.0, -1.0]
-            count += 2
-    shape = (count, columns + 2 * len(split))
-    block = sparse.csr_array(sparse.coo_array((what, (rows, where)), shape=shape))
-    more = 2 * len(split)
-    wide = _extended(model, (np.zeros(more), np.full(more, INFINITY)), block, np.zeros(count))
+    columns, more, member = model.size.columns, 2 * len(split), np.concatenate(split)
+    high = columns + 2 * np.repeat(np.arange(len(split)), list(map(len, split)))
+    above, below = np.arange(2 * len(member)).reshape(-1, 2).T
+    terms = [
+        (above, high, 1.0),
+        (above, member, -1.0),
+        (below, member, 1.0),
+        (below, high + 1, -1.0),
+    ]
+    wide = _extended(model, np.full(more, INFINITY), terms, np.zeros(2 * len(member)))
     objective = np.zeros(columns + more)
     objective[columns::2] = 1.0
     objective[columns + 1 :: 2] = -1.0

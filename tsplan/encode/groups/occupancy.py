@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tsplan.encode.flow_network import ClassColumns, ClassGraph, laid_out
+from tsplan.encode.running_sums import unfolded
 from tsplan.milp.model import Draft, Floats, Ints
 
 
@@ -31,10 +32,9 @@ class Occupancy:
 
     def reached(self) -> tuple[Ints, Ints, Ints]:
         """State, step and column of everything that can be occupied, as equal-length arrays."""
-        spans = np.maximum(self.horizon + 1 - self.entered.arrival, 0)
-        state = np.repeat(np.arange(len(spans)), spans)
-        within = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans)
-        return state, self.entered.arrival[state] + within, self.states[state] + within
+        arrival = self.entered.arrival
+        state, step = unfolded(arrival, np.maximum(self.horizon + 1 - arrival, 0))
+        return state, step, self.at(state, step)
 
     def at(self, state: Ints, step: Ints) -> Ints:
         """Columns of states that can be reached by the given steps."""
@@ -44,20 +44,12 @@ class Occupancy:
         """Places of states and steps in what `reached` lists."""
         return self.at(state, step) - int(self.states[0])
 
-    def late(self, makespan: int) -> Ints:
-        """Columns of the moves that end after step `makespan`."""
-        edge, step, column = self.entered.unrolled()
-        graph = self.entered.graph
-        return column[~graph.wait[edge] & (step + graph.duration[edge] > makespan)]
-
     def inside(self) -> tuple[Ints, Ints]:
         """Steps and columns of groups strictly between the ends of an edge, up to the horizon."""
         edge, step, column = self.entered.unrolled()
-        spans = np.maximum(
-            np.minimum(self.entered.graph.duration[edge] - 1, self.horizon - step), 0
-        )
-        within = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans) + 1
-        return np.repeat(step, spans) + within, np.repeat(column, spans)
+        spans = np.minimum(self.entered.graph.duration[edge] - 1, self.horizon - step)
+        group, inside = unfolded(step + 1, np.maximum(spans, 0))
+        return inside, column[group]
 
 
 def occupancy(graph: ClassGraph, horizon: int, draft: Draft) -> Occupancy:
@@ -76,7 +68,7 @@ def _begin(made: Occupancy, draft: Draft) -> None:
     """The starts are occupied at step 0."""
     starts = np.flatnonzero(made.entered.graph.start)
     at = made.at(starts, np.zeros(len(starts), dtype=np.int64))
-    draft.rows(np.arange(len(at)), at, 1.0, lower=np.ones(len(at)), upper=1.0, kind="start")
+    draft.sums((np.arange(len(at)), at, 1.0), lower=1.0, upper=1.0, count=len(at), kind="start")
 
 
 def _tie(made: Occupancy, draft: Draft) -> None:
@@ -96,43 +88,24 @@ def _tie(made: Occupancy, draft: Draft) -> None:
     ):
         place = np.full(int(own.max(initial=-1)) + 1, -1)
         place[some] = np.arange(len(some))
-        draft.rows(
-            np.concatenate([np.arange(len(some)), place[joined]]),
-            np.concatenate([some, members]),
-            np.concatenate([-np.ones(len(some)), np.ones(len(members))]),
-            lower=np.zeros(len(some)),
-            upper=np.inf,
-            kind="occupied",
-        )
+        every = np.arange(len(some))
+        entered = place[joined], members, 1.0
+        draft.sums((every, some, -1.0), entered, count=len(some), kind="occupied")
 
 
 def _at_most(columns: Ints, others: Ints, draft: Draft) -> None:
-    count = len(columns)
-    draft.rows(
-        np.tile(np.arange(count), 2),
-        np.concatenate([others, columns]),
-        np.repeat([1.0, -1.0], count),
-        lower=np.zeros(count),
-        upper=np.inf,
-        kind="occupied",
-    )
+    every = np.arange(len(columns))
+    draft.sums((every, others, 1.0), (every, columns, -1.0), count=len(every), kind="occupied")
 
 
 def bound_groups(swarms: Sequence[Occupancy], most: int, draft: Draft) -> None:
     """At every step at most `most` sub-swarms: occupied states, and groups inside edges."""
-    steps, columns = [], []
-    for swarm in swarms:
-        _, when, own = swarm.reached()
-        between, inside = swarm.inside()
-        steps += [when, between]
-        columns += [own, inside]
-    count = swarms[0].horizon + 1
-    draft.rows(
-        np.concatenate(steps),
-        np.concatenate(columns),
-        1.0,
+    groups = [found for swarm in swarms for found in (swarm.reached()[1:], swarm.inside())]
+    draft.sums(
+        *((step, column, 1.0) for step, column in groups),
         lower=-np.inf,
-        upper=np.full(count, float(most)),
+        upper=float(most),
+        count=swarms[0].horizon + 1,
         kind="sub-swarms",
     )
 

@@ -59,8 +59,7 @@ class Tokens:
         """How many steps each column moves; waits cost nothing."""
         price = np.zeros(self.model.size.columns)
         for columns in self._entered:
-            edge, _, column = columns.unrolled()
-            price[column] = (columns.graph.duration * ~columns.graph.wait)[edge]
+            columns.price(price, columns.graph.duration * ~columns.graph.wait)
         return price
 
     def tracks(self, values: Floats) -> list[Track]:
@@ -155,12 +154,7 @@ def _flow(columns: ClassColumns, horizon: int, draft: Draft) -> Ints:
     kept = balance(columns, horizon)
     begun = np.zeros(kept.total)
     begun[kept.row_of[starts]] = 1.0
-    draft.rows(
-        np.concatenate([kept.rows, kept.row_of[starts]]),
-        np.concatenate([kept.columns, added]),
-        np.concatenate([kept.values, -np.ones(len(starts))]),
-        lower=-INFINITY,
-        upper=begun,
-        kind="tokens",
-    )
+    born = kept.row_of[starts], added, -1.0
+    moved = kept.rows, kept.columns, kept.values
+    draft.sums(moved, born, lower=-INFINITY, upper=begun, kind="tokens")
     return added
