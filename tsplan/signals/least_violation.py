@@ -23,8 +23,9 @@ from tsplan.logic.evaluation import robustness
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
 from tsplan.signals.linear_system import Limit
-from tsplan.signals.signal_model import SignalModel, SignalSetting
+from tsplan.signals.signal_model import SignalModel
 from tsplan.signals.signal_objectives import SignalObjective, SignalPoint
+from tsplan.signals.signal_setting import SignalSetting
 
 
 def remaining(goal: Formula, step: int) -> Formula:

@@ -19,7 +19,8 @@ from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
 from tsplan.signals.aims import SENSES, Aim
 from tsplan.signals.linear_system import System
-from tsplan.signals.signal_model import SignalModel, SignalSetting
+from tsplan.signals.signal_model import SignalModel
+from tsplan.signals.signal_setting import SignalSetting
 
 _UNIT = Fraction(1)
 _CLOSE = 1e-6  # relative distance at which values of one sum count as equal: solvers' tolerance

@@ -13,7 +13,6 @@ strategies in receding horizon control", J. Process Control 17 (2007).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 import numpy as np
 
@@ -31,14 +30,10 @@ from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.signals.aims import Aim
 from tsplan.signals.equalities import MARGIN
-from tsplan.signals.signal_model import (
-    SignalModel,
-    SignalSetting,
-    chosen_model,
-    reference_model,
-    signal_model,
-)
+from tsplan.signals.kept_models import Judge, KeptModels
+from tsplan.signals.signal_model import SignalModel, chosen_model
 from tsplan.signals.signal_objectives import AimObjective, SignalObjective, SignalPoint
+from tsplan.signals.signal_setting import SignalSetting
 
 CLOSE = 1e-6
 """Robustness this close to a bound counts as that: what solvers forgive a row."""
@@ -47,7 +42,6 @@ _MARGINS = (0.0, 1e-9, 1e-7, MARGIN)
 """Shares of its range by which a predicate is to hold where by none it does not: a corner that a
 linear program meets, what floats round, what solvers forgive, and ten times that."""
 
-_KEPT = 1e-12  # of a robustness that is kept may get lost: what floats round
 _BLOCKS = (16, 8, 4, 2)  # steps for which a choice stays, in restrictions
 _FINE = 4  # such steps from which on a restriction is maximised rather than asked for the bound
 _STRIDE = 2  # steps between those at which eventualities are looked for there
@@ -56,20 +50,6 @@ _FEW = 30  # choices up to which the whole model is solved at once
 _FEWER = 0.75  # of the choices of the whole model that a restriction to be maximised may have
 _SHARE = 0.2  # of the time left that one restriction may take
 _RESTRICTED = 10.0  # seconds that it may take where there is more
-
-
-class Judge(Protocol):
-    """The problem: what its models are made of, and whether the controls of a point do it."""
-
-    def setting(self, margin: float = 0.0) -> SignalSetting:
-        """What every model is made of; predicates hold by a margin, a share of their range."""
-
-    @property
-    def slack(self) -> float:
-        """By how much equations make robustness look greater than it is, as they are taken."""
-
-    def holds(self, point: SignalPoint) -> bool:
-        """Whether what must hold does, on what the controls truly lead to."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,16 +82,15 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
     margin: float = 0.0
     tight: bool = True
     start: Start | None = None
-    _kept: list[tuple[SignalObjective, float]] = field(default_factory=list, init=False)
     _stage: str = field(default="first plan", init=False)
     _told: SignalObjective | None = field(default=None, init=False)
-    _model: tuple[int, SignalModel] | None = field(default=None, init=False)
     _firm: bool = field(default=False, init=False)
 
     def __post_init__(self) -> None:
         super().__init__(self.clock)
         self.setting = replace(self.problem.setting(self.margin), clock=self.clock)
-        self._ideal = self.setting.ideal
+        self._models = KeptModels(self.problem, self.setting, self.clock, self.least, self.tight)
+        self._ideal = self._models.ideal
 
     # --- stages --------------------------------------------------------------------------------
 
@@ -130,8 +109,8 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         if self.tight and made.model.size.integers > _FEW:
             self._restricted(first)
         if self.point is None and self.tight and not self._robust(first):
-            least = self._level[0]
-            firm = self._made(WitnessRules(), (least, least), self._firm_setting)
+            least = self._models.level[0]
+            firm = self._models.made(WitnessRules(), (least, least), self._firm_setting)
             if not firm.refuted:
                 self._ask(firm, None, first=True)
         if self.point is not None:
@@ -182,13 +161,13 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         value = objective.worth(self.setting, self.point)
         if self._closed(objective, bound):
             bound = value
-        self._kept.append((objective, value))
+        self._models.kept.append((objective, value))
         return bound
 
     def worth(self, objective: SignalObjective, point: SignalPoint) -> float:
         """What a trajectory is worth; what was reached is kept within what rows forgive."""
         value = objective.worth(self.setting, point)
-        for kept, reached in self._kept:
+        for kept, reached in self._models.kept:
             near = _TWICE * (objective.close(reached) + self.problem.slack)
             if kept is objective and abs(value - reached) <= near:
                 return reached
@@ -222,9 +201,9 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
                 continue
             rules = WitnessRules(block=block, stride=_STRIDE)
             if objective is None:
-                made = self._made(rules, (level, level), setting.whole)
+                made = self._models.made(rules, (level, level), setting.whole)
             else:
-                made = self._made(rules, (self.least, max(level, self._ideal)))
+                made = self._models.made(rules, (self.least, max(level, self._ideal)))
             if objective is not None and made.model.size.integers > _FEWER * self.size[1]:
                 continue  # the whole model is no harder
             self._try(made, objective)
@@ -313,6 +292,13 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         self.point, self._firm = point, firm
         self.tell(self._stage, point, value if self._told else None, None)
 
+    def _whole(self) -> SignalModel:
+        """The model of all trajectories that lose nothing of what was reached."""
+        made = self._models.whole()
+        size = made.model.size
+        self.size = size.columns, size.integers, size.rows, size.nonzeros
+        return made
+
     # --- the choices that are made -----------------------------------------------------------
 
     def _start(self, made: SignalModel) -> Floats | None:
@@ -361,54 +347,10 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
         with self.clock.timed("build"):
             owed = obligations(goal, START, values)
             steps = {atoms.get(node, node): it.steps.tolist() for (node, _), it in owed.items()}
-            made = self._narrowed(chosen_model(setting, self._level, steps))
+            made = self._models.narrowed(chosen_model(setting, self._models.level, steps))
         options = self.effort.limited(self.clock)
         found = tried(self.effort.solver, self._asked(made, objective)[0], options)
         return None if found is None else SignalPoint(made, found)
-
-    # --- models ----------------------------------------------------------------------------------
-
-    @property
-    def _level(self) -> tuple[float, float]:
-        """From which robustness to which trajectories are looked for."""
-        robust = [value for objective, value in self._kept if objective.plain_robustness]
-        least = max(
-            [
-                self.least,
-                *(value - _KEPT * max(1.0, abs(value)) - self.problem.slack for value in robust),
-            ]
-        )
-        return least, max(self._ideal, least)
-
-    def _narrowed(self, made: SignalModel) -> SignalModel:
-        """The model of those trajectories that lose nothing of what was reached."""
-        for objective, value in self._kept:
-            # what is chosen to hold does so in a model without choices
-            if not objective.plain_robustness and not (objective.chooses and made.chosen):
-                target = objective.target(self.setting, made)
-                kept = target.kept(made.model, target.minimised(value), f"kept {objective.name}")
-                made = replace(made, model=kept)
-        return made
-
-    def _whole(self) -> SignalModel:
-        """The model of all trajectories that lose nothing of what was reached; it is kept."""
-        if self._model is None or self._model[0] != len(self._kept):
-            self._model = len(self._kept), self._narrowed(self._made(WitnessRules(), self._level))
-            size = self._model[1].model.size
-            self.size = size.columns, size.integers, size.rows, size.nonzeros
-        return self._model[1]
-
-    def _made(
-        self,
-        rules: WitnessRules,
-        level: tuple[float, float],
-        setting: SignalSetting | None = None,
-    ) -> SignalModel:
-        setting = self.setting if setting is None else setting
-        with self.clock.timed("build"):
-            if not self.tight and setting.soft is None:
-                return reference_model(setting, level)
-            return signal_model(setting, level, rules)
 
 
 def _worse(objective: SignalObjective | None, value: float | None, known: float | None) -> bool:

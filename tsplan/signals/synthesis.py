@@ -33,7 +33,7 @@ from tsplan.signals.least_violation import LeastViolation, remaining
 from tsplan.signals.motion_check import settled
 from tsplan.signals.reach import Past, reach
 from tsplan.signals.signal_mission import SignalMission
-from tsplan.signals.signal_model import OwnRow, SignalModel, SignalSetting, Soft, signal_model
+from tsplan.signals.signal_model import SignalModel, signal_model
 from tsplan.signals.signal_objectives import (
     AimObjective,
     DepthObjective,
@@ -43,6 +43,7 @@ from tsplan.signals.signal_objectives import (
     WishObjective,
     efforts_of,
 )
+from tsplan.signals.signal_setting import OwnRow, SignalSetting, Soft
 from tsplan.signals.signal_stages import SignalStages, Start
 from tsplan.signals.trajectory import Trajectory
 from tsplan.stopping import StoppedBy

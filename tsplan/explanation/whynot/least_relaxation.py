@@ -29,7 +29,7 @@ from tsplan.signals.synthesis import Synthesis
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.mission_numbers import Edit
     from tsplan.signals.signal_mission import SignalMission
-    from tsplan.signals.signal_model import SignalSetting
+    from tsplan.signals.signal_setting import SignalSetting
     from tsplan.signals.trajectory import Trajectory
 
 _NAME = "relaxation"
