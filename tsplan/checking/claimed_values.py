@@ -12,6 +12,9 @@ from tsplan.mission.mission import Mission
 from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import ObjectiveValue, Plan, Status
 
+_NEAR = 1e-6
+"""Relative distance of two amounts that solvers do not tell apart."""
+
 
 def false_objectives(
     mission: Mission, plan: Plan, values: Mapping[str, Fraction | float]
@@ -28,7 +31,7 @@ def false_objectives(
         actual = values[item.name]
         if not _claimed(item.value, actual):
             yield f"the plan claims {item.name} {clipped(item.value)} and has {shown(actual)}"
-        yield from _bound(item, actual, plan.status)
+        yield from _bound(item, actual, plan.status, _near(mission, item.name))
 
 
 def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str]:
@@ -48,8 +51,21 @@ def _claimed(value: float | None, actual: Fraction | float) -> bool:
     return value == float(actual)
 
 
-def _bound(item: ObjectiveValue, actual: Fraction | float, status: Status) -> Iterator[str]:
-    if item.bound is None or not is_finite(actual) or item.bound == float(actual):
+def _near(mission: Mission, name: str) -> float:
+    """How far a value may be from a bound that proves it, by its size: 0 where all are whole.
+
+    Amounts that may be parted come from solvers' arithmetic.
+    """
+    parted = any(not item.indivisible for item in mission.resources)
+    return _NEAR if parted and OBJECTIVES[name].of_amounts else 0.0
+
+
+def _bound(
+    item: ObjectiveValue, actual: Fraction | float, status: Status, near: float
+) -> Iterator[str]:
+    if item.bound is None or not is_finite(actual):
+        return
+    if abs(item.bound - float(actual)) <= near * max(1.0, abs(item.bound)):
         return
     value, bound = shown(actual), shown(item.bound)
     if OBJECTIVES[item.name].is_better(actual, exact(item.bound)):

@@ -62,6 +62,16 @@ def risk(traffic: Traffic) -> Fraction:
     return sum(risks, Fraction(0))
 
 
+def haulage(traffic: Traffic) -> Fraction | None:
+    """Amounts times the steps they are moved."""
+    return traffic.ledger.haulage if traffic.mission.resources else None
+
+
+def reserve(traffic: Traffic) -> Fraction | float | None:
+    """The least amount left at an execution beside what it needs."""
+    return traffic.ledger.reserve if traffic.mission.resources else None
+
+
 def makespan(traffic: Traffic) -> int:
     """The step at which the last move arrives, perhaps beyond the horizon; 0 without one."""
     return max((item.left for item in traffic.away), default=0)
@@ -94,6 +104,8 @@ _REGISTER: dict[str, Measure] = {
     "travel": travel,
     "cost": cost,
     "risk": risk,
+    "haulage": haulage,
+    "reserve": reserve,
     "makespan": makespan,
     "agents": agents,
     "splits": split,

@@ -19,6 +19,7 @@ from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
 from tsplan.checking.satisfaction_check import completed, false_claims
+from tsplan.checking.supplied import unsupplied
 from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import SolverError
 from tsplan.plans.plan import ObjectiveValue, Plan
@@ -86,6 +87,7 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
     problems += [
         *crowded(traffic),
         *broken_bounds(traffic),
+        *unsupplied(traffic),
         *_broken_formula(traffic),
         *misnamed(plan.groups, traffic),
     ]
@@ -148,6 +150,7 @@ def _completed(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> Pl
     actual = known(traffic.availability)
     return replace(
         with_moves(plan, traffic),
+        stocks=plan.stocks or traffic.ledger.histories,
         availability=actual if plan.availability is None else plan.availability,
         satisfaction=completed(plan.satisfaction, traffic.satisfaction),
         preferences=plan.preferences or traffic.preferences,
@@ -171,4 +174,6 @@ def _false_claims(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) ->
     actual = known(traffic.availability)
     if plan.availability != actual:
         problems.append(f"the plan claims availability {plan.availability} and has {actual}")
+    if plan.stocks != traffic.ledger.histories:
+        problems.append("the plan's account of stocks is not what its cargo and executions make")
     return [*problems, *false_objectives(traffic.mission, plan, values)]

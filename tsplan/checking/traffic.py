@@ -12,7 +12,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeAlias
 
+import numpy as np
+
 from tsplan.checking.count_traces import count_trace
+from tsplan.checking.ledger import Ledger, read_ledger
 from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
 from tsplan.checking.satisfaction_check import preferences_of, satisfaction_of
 from tsplan.logic import Formula, capabilities
@@ -23,7 +26,7 @@ from tsplan.plans.presence import Presence, of_bundles, state_counts
 from tsplan.plans.subswarms import SubSwarm, subswarms
 
 if TYPE_CHECKING:
-    from tsplan.milp.model import Ints
+    from tsplan.milp.model import Bools, Ints
     from tsplan.mission import Group, Mission
     from tsplan.plans.agent_plans import Bundle
     from tsplan.plans.plan import Plan
@@ -54,6 +57,7 @@ class Traffic:
     mission: Mission
     horizon: int
     classes: tuple[ClassTraffic, ...]
+    ledger: Ledger
 
     @property
     def segments(self) -> Iterator[Segment]:
@@ -104,7 +108,16 @@ class Traffic:
         named = sorted({name for formula in formulas for name in capabilities(formula)})
         states = tuple(mission.system.states)
         counts = {name: self.counts(states, name) for name in (None, *named)}
-        return count_trace(mission.system, counts)
+        return count_trace(mission.system, counts, self._executions(states))
+
+    def _executions(self, states: Sequence[str]) -> dict[str, Bools]:
+        """Where and when each task is executed, by its text."""
+        found: dict[str, Bools] = {}
+        for use in self.ledger.uses:
+            none = np.zeros((len(states), self.horizon + 1), dtype=np.bool_)
+            here = found.setdefault(str(use.task), none)
+            here[states.index(use.state), use.first] = True
+        return found
 
     @cached_property
     def availability(self) -> float:
@@ -161,10 +174,13 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
         elif name not in plan.moves:
             problems.append(f"the plan has no moves of {name}")
             continue
-        traffic, wrong = _read_moves(mission.system, swarms[name], moves, plan.horizon)
+        moved, wrong = _read_moves(mission.system, swarms[name], moves, plan.horizon)
         problems += [f"{name} {words}" for words in wrong]
-        classes.append(replace(traffic, moving=_moving(walks[name])) if name in walks else traffic)
-    return (None if problems else Traffic(mission, plan.horizon, tuple(classes))), problems
+        classes.append(replace(moved, moving=_moving(walks[name])) if name in walks else moved)
+    ledger, wrong = read_ledger(mission, plan)
+    problems += wrong
+    traffic = None if problems else Traffic(mission, plan.horizon, tuple(classes), ledger)
+    return traffic, problems
 
 
 def _swarms(mission: Mission) -> dict[str, Group]:

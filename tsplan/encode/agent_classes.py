@@ -129,11 +129,13 @@ def agent_classes(
     *,
     bounds: Mapping[str, SwarmBounds] = _NONE,
     priced: bool = False,
+    carrying: bool = False,
 ) -> tuple[AgentClass, ...]:
     """The classes of a team, given the capabilities that the problem names.
 
     `bounds` are those of the swarms by their class names. The graphs have costs where these matter
-    (`priced`), and zeros otherwise.
+    (`priced`), and zeros otherwise; what robots carry tells them apart where there is anything to
+    carry (`carrying`).
     """
     arrays = map_arrays(system)
     known = frozenset(named)
@@ -144,7 +146,8 @@ def agent_classes(
         costs = _costs(system, group.class_name) if priced else np.zeros(len(durations))
         usable = np.where(_allowed(system, group.capabilities & needed), durations, 0)
         swarm = bounds.get(group.class_name)
-        alike = (group.capabilities & known, usable.tobytes(), costs.tobytes())
+        carries = group.carries if carrying else ()
+        alike = (group.capabilities & known, carries, usable.tobytes(), costs.tobytes())
         key = alike if swarm is None else group.class_name
         start = _start(group, arrays)
         if key in classes:
@@ -160,6 +163,7 @@ def agent_classes(
             cost=costs[chosen],
             risk=arrays.risk[chosen],
             group=arrays.group[chosen],
+            carries=carries,
         )
         classes[key] = AgentClass(graph, (index,), swarm)
     return tuple(classes.values())

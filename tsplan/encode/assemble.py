@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from tsplan.encode.capacity_rows import capacity_rows
 from tsplan.encode.demand_rows import DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
+from tsplan.encode.executions import Executions
 from tsplan.encode.flow_network import ClassColumns, Network, flow
 from tsplan.encode.groups.group_rows import (
     counted,
@@ -26,6 +27,8 @@ from tsplan.encode.own_constraints import constraint_rows
 from tsplan.encode.precedence import legs_of, route_rows
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
+from tsplan.encode.stocks import PART as STOCKS
+from tsplan.encode.stocks import demanded_columns, executed_columns, stocks
 from tsplan.encode.switches import Switch
 from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
 from tsplan.milp.model import Draft, Ints
@@ -107,9 +110,20 @@ class _Assembly:
             replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms
         )
         size_rows(self._swarms, draft)
-        own = {o.name: o.columns(network, draft) for o in objectives_of(setting.mission)}
+        executed = demanded_columns(witnesses.executions, witnesses.choices, draft)
+        own = self._parts(network, executed)
         encoded = self._encoded(network, witnesses, self._flows, decided=list(swarms.values()))
-        return replace(encoded, occupied=occupied, own_columns=own, families=tuple(families))
+        return replace(encoded, occupied=occupied, families=tuple(families), **own)
+
+    def _parts(self, network: Network, executed: Executions) -> dict[str, Any]:
+        """What objectives and other parts have of their own in a model."""
+        setting, draft = self._setting, self._draft
+        mission = setting.mission
+        own: dict[str, Any] = {o.name: o.columns(network, draft) for o in objectives_of(mission)}
+        if not mission.resources:
+            return {"own_columns": own}
+        made = stocks(mission, executed, network, setting.arrays, draft)
+        return {"own_columns": {**own, STOCKS: made}, "loads": made.pieces}
 
     def reference(self, levels: tuple[int, int]) -> Encoded:
         """The plain model, with one column `rho` for the availability between `levels`."""
@@ -118,18 +132,19 @@ class _Assembly:
         network = self._network(self._laid)
         self._shared_rows(network)
         rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=True)[0])
-        atoms = setting.atoms(network)
+        atoms, executed = executed_columns(setting.goal, setting.atoms(network), network, draft)
         if setting.plain is not None:  # the margin is kept whatever the availability
             none = int(draft.columns(1, upper=0.0, integer=True)[0])
             ReferenceEncoder(draft, atoms, (none, 0, 0)).encode(setting.goal)
         ReferenceEncoder(draft, atoms, (rho, *levels)).encode(setting.judged)
         swarms = tuple(replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms)
         size_rows(swarms, draft)
-        own = {o.name: o.columns(network, draft) for o in objectives_of(setting.mission)}
+        own = self._parts(network, executed)
         model = draft.build()
         flows = np.concatenate(self._flows)
-        others = np.setdiff1d(np.flatnonzero(model.integer), flows)
-        return Encoded(model, network, others, flows, swarms=swarms, own_columns=own, rho=rho)
+        loads = own.get("loads", flows[:0])
+        others = np.setdiff1d(np.flatnonzero(model.integer), np.concatenate([flows, loads]))
+        return Encoded(model, network, others, flows, swarms=swarms, rho=rho, **own)
 
     def _flow(self, numbers: Iterable[int], *, reduced: bool = True) -> None:
         """Flow columns and conservation of some classes."""

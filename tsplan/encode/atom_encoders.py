@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
-from tsplan.logic import Formula
+from tsplan.logic import Execution, Formula
 from tsplan.milp.model import Floats, Ints
 
 Site: TypeAlias = tuple[int, ...]
@@ -28,6 +28,14 @@ class Bound:
     capability: str | None
     upper: bool
     amount: int
+
+
+@dataclass(frozen=True, slots=True)
+class Executed:
+    """A task is executed at a state."""
+
+    task: Execution
+    state: int
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ its own (all of them must hold); `min ... <=` and `max ... >=` ask for one state
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import ClassVar
@@ -16,9 +16,11 @@ import numpy as np
 from tsplan.encode.agent_classes import MapArrays
 from tsplan.encode.atom_encoders import AtomEncoder, Atoms, Bound, Requirement, Site, Slack
 from tsplan.encode.capability_mask import is_counted
+from tsplan.encode.executions import ExecutionEncoder
 from tsplan.encode.flow_network import Network
-from tsplan.logic import Count, Formula, walk
+from tsplan.logic import Count, Execution, Formula, walk
 from tsplan.milp.model import Bools, Floats
+from tsplan.mission import Resource
 from tsplan.ts import TransitionSystem
 
 
@@ -74,10 +76,15 @@ ENCODERS: Mapping[type[Formula], Callable[..., AtomEncoder]] = MappingProxyType(
 
 
 def atoms_over(
-    network: Network, system: TransitionSystem, arrays: MapArrays, level: int = 0
+    network: Network,
+    system: TransitionSystem,
+    arrays: MapArrays,
+    level: int = 0,
+    resources: Sequence[Resource] = (),
 ) -> Atoms:
     """The encoders of all classes of atoms over the flows of a network."""
     made = {kind: make(network, system, arrays, level) for kind, make in ENCODERS.items()}
+    made[Execution] = ExecutionEncoder(network, system, arrays, tuple(resources))
     return Atoms(made, network.horizon)
 
 

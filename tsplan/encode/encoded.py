@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -48,7 +49,8 @@ class Setting:
 
     def atoms(self, network: Network) -> Atoms:
         """How atoms are encoded over a network."""
-        return atoms_over(network, self.mission.system, self.arrays, self.level)
+        mission = self.mission
+        return atoms_over(network, mission.system, self.arrays, self.level, mission.resources)
 
     @cached_property
     def judged(self) -> Formula:
@@ -87,7 +89,8 @@ class Encoded:
     places of groups are known, whose columns are the first of this model. `shared` says that some
     eventuality lies under an always, `level` which availability was asked for. `rho` is the
     availability's column in the reference encoding; `own_columns` are those that an objective
-    needs for itself, by its name.
+    needs for itself, by its name, and what the columns of other parts mean by theirs. `loads` are
+    the columns of whole pieces that are carried, which are repaired as flows are.
     """
 
     model: Model
@@ -96,7 +99,8 @@ class Encoded:
     flows: Ints
     swarms: tuple[Swarm, ...] = ()
     occupied: Encoded | None = None
-    own_columns: Mapping[str, Ints] = field(default_factory=dict)
+    own_columns: Mapping[str, Any] = field(default_factory=dict)
+    loads: Ints = field(default_factory=lambda: _NO_INTS)
     rho: int = -1
     refuted: bool = False
     shared: bool = False
@@ -104,6 +108,11 @@ class Encoded:
     steps: Ints = field(default_factory=lambda: _NO_INTS)
     choices: tuple[Ints, ...] = ()
     families: tuple[tuple[SiteColumns, Family], ...] = ()
+
+    @property
+    def repaired(self) -> Ints:
+        """The columns that may be fractions at first and are made whole afterwards."""
+        return np.concatenate([self.flows, self.loads])
 
 
 @dataclass(frozen=True, eq=False)

@@ -51,13 +51,15 @@ class Cover:
 class Witnesses:
     """What a formula asks of the agents, as demands under selections.
 
-    Of `visits` it is enough that they hold at some step of theirs, for one agent.
+    Of `visits` it is enough that they hold at some step of theirs, for one agent. `executions` are
+    the demands that tasks be executed.
     """
 
     choices: SelectionColumns
     demands: list[Demand] = field(default_factory=list)
     covers: list[Cover] = field(default_factory=list)
     visits: list[Demand] = field(default_factory=list)
+    executions: list[Demand] = field(default_factory=list)
 
     @cached_property
     def stepwise(self) -> list[Demand]:

@@ -18,6 +18,7 @@ import numpy as np
 from tsplan.encode.capability_mask import counted_nodes
 from tsplan.encode.running_sums import unfolded
 from tsplan.milp.model import Bools, Draft, Floats, Ints
+from tsplan.mission.resources import Carries
 from tsplan.ts.reachability import Lengths
 
 
@@ -37,6 +38,7 @@ class ClassGraph:
     cost: Floats
     risk: Floats  # in millionths
     group: Ints
+    carries: Carries = ()  # what each of them carries at most
 
     @property
     def wait(self) -> Bools:

@@ -15,6 +15,7 @@ from fractions import Fraction
 import numpy as np
 
 from tsplan.encode.encoded import Encoded, Point, Setting
+from tsplan.encode.executions import beyond
 from tsplan.encode.expressions import Own
 from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.encode.groups.group_sizes import sizes, smallest, with_smallest
@@ -29,6 +30,9 @@ from tsplan.encode.objective_kinds import (
 from tsplan.encode.own_constraints import resolve
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
+from tsplan.encode.stocks import PART as STOCKS
+from tsplan.encode.stocks import Stocks
+from tsplan.logic import Execution, walk
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
 from tsplan.mission import Mission
@@ -123,7 +127,10 @@ class Availability(LevelObjective, TargetObjective):
     def ideal(self, setting: Setting) -> float:
         """Every atom on its own, by team and travel times; infinite if nothing is asked for."""
         bound = OptimisticBound(setting.judged, setting.atoms(setting.unrolled()))
-        return bound.best(setting.judged, 0)
+        best = bound.best(setting.judged, 0)
+        if best == np.inf and any(isinstance(node, Execution) for node in walk(setting.judged)):
+            return float(beyond(setting.judged, setting.mission.size))  # not with every plan
+        return best
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """The column of the reference encoding."""
@@ -140,6 +147,55 @@ class Availability(LevelObjective, TargetObjective):
     def worth(self, setting: Setting, point: Point) -> float:
         """Robustness of the goal under the counts of the moves."""
         return availability(setting, point)
+
+
+class Haulage(ModelObjective):
+    """Amounts times the steps they are moved."""
+
+    name = "haulage"
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The duration of what every amount is carried along."""
+        vector = np.zeros(encoded.model.size.columns)
+        for load in _stocks(encoded).loads:
+            vector[load.columns] = load.lanes.duration
+        return vector
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """Whole where all comes in whole pieces."""
+        return Target(self.vector(setting, encoded), step=float(_stocks(encoded).whole))
+
+
+class Reserve(ModelObjective):
+    """The least amount left at any execution beside what is needed there."""
+
+    name = "reserve"
+    opens = False
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The column that is at most what is left."""
+        vector = np.zeros(encoded.model.size.columns)
+        vector[_stocks(encoded).reserve] = -1.0
+        return vector
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """Whole where all comes in whole pieces."""
+        whole = float(_stocks(encoded).whole)
+        return Target(self.vector(setting, encoded), Fraction(-1), step=whole)
+
+    def minimised(self, setting: Setting, point: Point) -> float:
+        """Told by the stocks, but no more than the column can be."""
+        most = float(point.encoded.model.upper[_stocks(point.encoded).reserve])
+        return -min(self.worth(setting, point), most)
+
+    def worth(self, setting: Setting, point: Point) -> float:
+        """What is left at the executions, infinite without any."""
+        return _stocks(point.encoded).least_left(point.values)
+
+
+def _stocks(encoded: Encoded) -> Stocks:
+    made: Stocks = encoded.own_columns[STOCKS]
+    return made
 
 
 class Makespan(LevelObjective):
@@ -261,6 +317,8 @@ for _each in (
     Risk(),
     MovingAgents(),
     Availability(),
+    Haulage(),
+    Reserve(),
     Makespan(),
     Splits(),
     GroupMoves(),

@@ -17,7 +17,7 @@ from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import states_of, terms_of
 from tsplan.encode.switches import ALL_SWITCHES, Switch
-from tsplan.logic import Formula, capabilities, positive, simplify
+from tsplan.logic import Execution, Formula, capabilities, positive, simplify, walk
 from tsplan.mission import Mission
 
 
@@ -65,6 +65,7 @@ def _classes(
         {name for name in named if name is not None},
         bounds={} if mission.swarm is None else mission.swarm.each,
         priced=any(objective.priced for objective in objectives_of(mission)),
+        carrying=any(isinstance(node, Execution) for node in walk(goal)),
     )
 
 
@@ -75,7 +76,8 @@ def _on_reduced_maps(setting: Setting) -> Setting:
     interests = [_interest(setting, item.graph.capabilities) for item in setting.classes]
     reduced: list[Reduced] = []
     for item, interest in zip(setting.classes, interests, strict=True):
-        if item.bounds is not None:  # where groups split and merge is seen on the whole map
+        # where groups split and merge, and where cargo is handed over, is seen on the whole map
+        if item.bounds is not None or item.graph.carries != ():
             reduced.append(whole(item.graph))
             continue
         short = reduce(item.graph, interest, setting.horizon, setting.clock)

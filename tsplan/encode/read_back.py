@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
 import numpy as np
@@ -10,10 +10,13 @@ import numpy as np
 from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.map_reduction import Reduced, whole
-from tsplan.logic import Formula
+from tsplan.encode.stocks import PART as STOCKS
+from tsplan.encode.stocks import Stocks
+from tsplan.logic import Execution, Formula
 from tsplan.logic import labels as labels_of
 from tsplan.logic.evaluation import CountTrace, robustness
-from tsplan.milp.model import Floats, Ints
+from tsplan.milp.model import Bools, Floats, Ints
+from tsplan.plans.loading import LEAST, Carried
 from tsplan.plans.moves import Move
 
 Moves: TypeAlias = tuple[Ints, Ints, Ints]
@@ -83,6 +86,10 @@ def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
     shape = (len(watched), setting.horizon + 1)
     everybody = np.zeros(shape)
     counts: dict[str | None, Floats] = {None: everybody}
+    executions: dict[str, Bools] = {}
+    for task, state, when in executions_of(point):
+        here = executions.setdefault(task.task, np.zeros(shape, dtype=np.bool_))
+        here[np.searchsorted(watched, state), when] = True
     for item, (edge, step, count) in moves_of(setting, point):
         present = np.zeros(shape)
         present[:, 0] = item.graph.start[watched]
@@ -95,7 +102,26 @@ def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
             counts.setdefault(capability, np.zeros(shape))
             counts[capability] += present
     labels = {label: np.searchsorted(watched, states) for label, states in site.items()}
-    return CountTrace(counts, labels)
+    return CountTrace(counts, labels, executions)
+
+
+def executions_of(point: Point) -> list[tuple[Execution, int, int]]:
+    """The task, state and step of every execution at a point."""
+    made: Stocks | None = point.encoded.own_columns.get(STOCKS)
+    return [] if made is None else made.executed(point.values)
+
+
+def carried_at(setting: Setting, point: Point) -> Iterator[Carried]:
+    """What is carried along every edge at a point."""
+    made: Stocks | None = point.encoded.own_columns.get(STOCKS)
+    names = setting.arrays.names
+    for load in () if made is None else made.loads:
+        lanes = load.lanes
+        amounts = point.values[load.columns]
+        for place in np.flatnonzero(amounts > LEAST).tolist():
+            ends = names[lanes.tail[place]], names[lanes.head[place]]
+            times = int(lanes.step[place]), int(lanes.duration[place])
+            yield Carried(*ends, *times, lanes.held, load.resource, float(amounts[place]))
 
 
 def last_arrival(setting: Setting, point: Point) -> int:

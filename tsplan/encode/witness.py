@@ -31,6 +31,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from tsplan.encode.atom_encoders import Executed
 from tsplan.encode.encoder_rules import Asker, Cover, Demand, Witnesses, sorted_out
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.selection import ALWAYS, Selection, SelectionColumns, Timed
@@ -98,8 +99,10 @@ class WitnessEncoder(Asker):
         """Make demands of what is required of an atom."""
         encoder, needed = self._atoms.of(node)
         if needed.every:
+            of_agents = not isinstance(needed.bounds[0], Executed)
+            made = self.result.demands if of_agents else self.result.executions
             for span in spans:
-                self.result.demands += [Demand(bound, *span) for bound in needed.bounds]
+                made += [Demand(bound, *span) for bound in needed.bounds]
             return
         best = [(bound, encoder.best(bound)) for bound in needed.bounds]
         for step, selection in self.choices.by_step(spans):

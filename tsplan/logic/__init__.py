@@ -12,6 +12,7 @@ from tsplan.lazy_names import lazily
 from tsplan.logic import layouts  # noqa: F401  (formulas can be printed once it is loaded)
 from tsplan.logic.atoms import (
     Count,
+    Execution,
     Function,
     Limit,
     Linear,
@@ -71,6 +72,7 @@ __all__ = [
     "Count",
     "CountTrace",
     "Eventually",
+    "Execution",
     "Formula",
     "Function",
     "Iff",

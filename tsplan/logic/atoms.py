@@ -9,6 +9,7 @@ from math import isfinite
 from types import MappingProxyType
 from typing import Literal, TypeAlias, cast
 
+from tsplan.exact import exact
 from tsplan.logic.nodes import Formula
 from tsplan.words import nfc
 
@@ -135,7 +136,8 @@ class Linear(Formula):
 class Task(Formula):
     """Every state with the label is staffed, for each need (capability, m), by m agents or more.
 
-    This lasts `duration` steps. `resources` are (name, amount) pairs to be spent there.
+    This lasts `duration` steps. `resources` are (name, amount) pairs: a task with some is executed,
+    and they are needed for that at each of the states. A name that is repeated adds up.
     """
 
     duration: int
@@ -147,13 +149,33 @@ class Task(Formula):
         _whole(self.duration, least=0)
         object.__setattr__(self, "label", _name(self.label))
         object.__setattr__(self, "needs", _staffing(self.needs))
-        spent = tuple((_name(name), float(amount)) for name, amount in self.resources)
-        object.__setattr__(self, "resources", spent)
-        _distinct(name for name, _ in spent)
+        spent: dict[str, float] = {}
+        for given, amount in self.resources:
+            name = _name(given)
+            total = (
+                exact(float(amount)) + exact(spent.get(name, 0.0)) if isfinite(amount) else amount
+            )
+            spent[name] = float(total)
+        object.__setattr__(self, "resources", tuple(spent.items()))
         if not all(isfinite(amount) and amount >= 0 for _, amount in self.resources):
             raise ValueError("amounts of resources are finite and not negative")
         if not self.needs and not self.resources:
             raise ValueError("a task asks for some capability or resource")
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Execution(Formula):
+    """A task with resources is executed now, at every state with the task's label.
+
+    Nothing in a text is read as this: it is a part of what a task with resources translates to.
+    `task` is the text of the task. Its needs hold, and tools are in use, from now on to `last`.
+    """
+
+    task: str
+    label: str
+    needs: Needs
+    resources: tuple[tuple[str, float], ...]
+    last: int
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)

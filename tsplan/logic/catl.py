@@ -10,7 +10,7 @@ from math import ceil, floor
 from typing import Literal, TypeAlias
 
 from tsplan.errors import Finding, FormulaError
-from tsplan.logic.atoms import Count, Limit, Linear, Percent, Relation, Task
+from tsplan.logic.atoms import Count, Execution, Limit, Linear, Percent, Relation, Task
 from tsplan.logic.nodes import (
     FALSE,
     TRUE,
@@ -36,10 +36,10 @@ def translate(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     """The formula without tasks and limits.
 
     `T(d,A,{(c,m),...})` becomes `G[0,d]` of the conjunction of `min(A,c) >= m`; `half-open` ends
-    one step sooner. `L(A,{(c,m),...})` becomes the conjunction of `max(A,c) <= m`.
+    one step sooner. `L(A,{(c,m),...})` becomes the conjunction of `max(A,c) <= m`. A task with
+    resources also becomes the `Execution` of it.
 
-    Raises FormulaError for tasks that need resources, and for tasks of duration 0 where the
-    interval is half-open.
+    Raises FormulaError for tasks of duration 0 where the interval is half-open.
 
     >>> from tsplan.logic import parse
     >>> print(translate(parse("F[0,9] T(2, green, {(IR,2),(Vis,1)})", language="catl")))
@@ -61,10 +61,6 @@ def translate(formula: Formula, interval: TaskInterval = "closed") -> Formula:
 
 def _untranslatable(node: Task, interval: TaskInterval) -> list[Finding]:
     findings = []
-    if node.resources:
-        names = ", ".join(f"'{name}'" for name, _ in node.resources)
-        remedy = "remove the second braces of the task"
-        findings.append(Finding(f"'{node}' needs {names}: resources are not planned", remedy))
     if interval == "half-open" and node.duration == 0:
         remedy = "give it at least 1 step, or use the closed task interval"
         findings.append(Finding(f"'{node}' lasts no step in a half-open interval", remedy))
@@ -83,7 +79,7 @@ def counted(
 
 @counted.register
 def _(
-    node: Constant | Count | Linear | Not | Whole | Several | Pair | Window | Switch,
+    node: Constant | Count | Linear | Execution | Not | Whole | Several | Pair | Window | Switch,
     below: tuple[Formula, ...],
     _interval: TaskInterval,
 ) -> Formula:
@@ -94,7 +90,12 @@ def _(
 def _(node: Task, _below: tuple[Formula, ...], interval: TaskInterval) -> Formula:
     last = node.duration if interval == "closed" else node.duration - 1
     staffed = (Count("min", node.label, name, ">=", number) for name, number in node.needs)
-    return Always(0, last, conjunction(staffed))
+    throughout = Always(0, last, conjunction(staffed))
+    if not node.resources:
+        return throughout
+    return conjunction(
+        (throughout, Execution(str(node), node.label, node.needs, node.resources, last))
+    )
 
 
 @counted.register

@@ -22,7 +22,7 @@ import numpy as np
 
 from tsplan.errors import nearest
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Limit, Linear, Percent, Relation, Task
+from tsplan.logic.atoms import Count, Execution, Limit, Linear, Percent, Relation, Task
 from tsplan.logic.catl import translate
 from tsplan.logic.connectives import EXTREMES, Connectives, Means, Scaled
 from tsplan.logic.nodes import Formula
@@ -272,6 +272,13 @@ def _(node: Count, _below: tuple[Values, ...], reading: Reading) -> Values:
     counts = reading.trace.at(node.label, node.capability)
     measured: Values = getattr(counts, node.function)(axis=-2)
     return reading.compare[node.relation](measured, float(node.bound))
+
+
+@value.register
+def _(node: Execution, _below: tuple[Values, ...], reading: Reading) -> Values:
+    if not isinstance(reading.trace, CountTrace):
+        raise ValueError(f"'{node}' is about agents, but the trace holds signals")  # noqa: TRY004  (the trace is the value)
+    return np.where(reading.trace.executed(node.task, node.label), reading.true, reading.false)
 
 
 @value.register

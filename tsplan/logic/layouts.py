@@ -7,7 +7,7 @@ from itertools import islice
 from types import MappingProxyType
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
 from tsplan.logic.nodes import Formula
 from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted, sum_text
 from tsplan.logic.weight_values import Weights
@@ -90,6 +90,11 @@ def _(node: Task) -> Layout:
     if node.resources:
         parts.append(_pairs(node.resources))
     return _atom(f"T({','.join(parts)})")
+
+
+@layout.register
+def _(node: Execution) -> Layout:
+    return _atom(f"executed {node.task}")
 
 
 @layout.register

@@ -7,7 +7,7 @@ from functools import singledispatch
 from typing import TypeAlias
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
 from tsplan.logic.nodes import FALSE, TRUE, Formula
 from tsplan.logic.traversal import fold
 
@@ -36,7 +36,7 @@ def simpler(node: Formula, _below: Below) -> Formula:
 
 
 @simpler.register
-def _(node: nodes.Constant | Count | Linear | Task | Limit, _below: Below) -> Formula:
+def _(node: nodes.Constant | Count | Linear | Execution | Task | Limit, _below: Below) -> Formula:
     return node
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import NamedTuple
 
-from tsplan.logic.atoms import Count, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
 from tsplan.logic.nodes import Constant, Formula, Not, Pair, Several, Switch, Whole, Window
 from tsplan.logic.traversal import walk
 
@@ -52,6 +52,11 @@ def _(_node: Constant | Not | Whole | Several | Pair | Window | Switch) -> Names
 @names.register
 def _(node: Count) -> Names:
     return Names((node.label,), () if node.capability is None else (node.capability,))
+
+
+@names.register
+def _(node: Execution) -> Names:
+    return Names((node.label,))
 
 
 @names.register

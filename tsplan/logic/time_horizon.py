@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import TypeAlias
 
-from tsplan.logic.atoms import Count, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
 from tsplan.logic.nodes import Constant, Formula, Not, Pair, Several, Switch, Whole, Window
 from tsplan.logic.traversal import fold
 
@@ -28,6 +28,7 @@ def horizon(formula: Formula) -> int:
 
 def _horizon(node: Formula, below: tuple[int, ...]) -> int:
     own = node.duration if isinstance(node, Task) else 0
+    own = node.last if isinstance(node, Execution) else own
     spans = zip(lookahead(node), below, strict=True)
     return max((last + steps for (_, last), steps in spans if last >= 0), default=own)
 
@@ -43,7 +44,7 @@ def lookahead(node: Formula) -> tuple[Span, ...]:
 
 @lookahead.register
 def _(
-    node: Constant | Count | Linear | Task | Limit | Not | Whole | Several | Pair,
+    node: Constant | Count | Linear | Execution | Task | Limit | Not | Whole | Several | Pair,
 ) -> tuple[Span, ...]:
     return ((0, 0),) * len(node.children)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -24,11 +24,13 @@ class CountTrace:
 
     `counts[capability]` is an array (..., states, steps) of whole numbers, `counts[None]` that of
     all agents; a capability that is absent counts 0 everywhere. `labels[label]` holds the places of
-    the label's states along the states axis. Axes before these two are a batch.
+    the label's states along the states axis. Axes before these two are a batch. `executions` has,
+    by the text of a task with resources, where and when it is executed: Booleans of that shape.
     """
 
     counts: Mapping[str | None, Values]
     labels: Mapping[str, Values]
+    executions: Mapping[str, Values] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         counts = {name and nfc(name): array for name, array in self.counts.items()}
@@ -54,16 +56,28 @@ class CountTrace:
 
     def at(self, label: str, capability: str | None) -> Floats:
         """Counts (..., states with the label, steps) as floats; ValueError if that is unknown."""
-        places = np.asarray(self.labels.get(label, ()), dtype=np.int64)
-        if not places.size:
-            known = [name for name, states in self.labels.items() if len(states)]
-            raise ValueError(f"no state has the label '{label}'; {nearest(label, known)}")
+        places = self._places(label)
         if capability not in self.counts:
             if capability is None:
                 raise ValueError("the trace does not count all agents (the key None)")
             return np.zeros((*self.batch, places.size, self.steps))
         array = np.asarray(self.counts[capability])
         return _floats(array[..., places, :])
+
+    def executed(self, task: str, label: str) -> Values:
+        """Whether a task is executed at all states with a label: Booleans (..., steps)."""
+        if task not in self.executions:
+            return np.zeros((*self.batch, self.steps), dtype=np.bool_)
+        here = np.asarray(self.executions[task])[..., self._places(label), :]
+        return np.asarray(here.all(axis=-2))
+
+    def _places(self, label: str) -> Values:
+        """Where the states with a label are; ValueError if there is none."""
+        places = np.asarray(self.labels.get(label, ()), dtype=np.int64)
+        if not places.size:
+            known = [name for name, states in self.labels.items() if len(states)]
+            raise ValueError(f"no state has the label '{label}'; {nearest(label, known)}")
+        return places
 
 
 @dataclass(frozen=True, eq=False)

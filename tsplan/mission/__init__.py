@@ -5,6 +5,7 @@ from tsplan.mission.mission import Mission
 from tsplan.mission.mission_parts import Preference
 from tsplan.mission.objectives import OBJECTIVES, Objective, register
 from tsplan.mission.read import load_mission, mission_from_text
+from tsplan.mission.resources import Resource
 from tsplan.mission.team import Agent, Group, SwarmBounds, SwarmRules
 from tsplan.mission.vocabulary import LANGUAGES, ORDERS, TASK_INTERVALS
 
@@ -18,6 +19,7 @@ __all__ = [
     "Mission",
     "Objective",
     "Preference",
+    "Resource",
     "SolverChoice",
     "SwarmBounds",
     "SwarmRules",

@@ -110,9 +110,6 @@ def _refused(node: Formula) -> Iterator[Fault]:
         what = f"'{node}' speaks about signals, and a team has only counts of robots"
         remedy = "write what is to be counted, for example sum(A) >= 2 for a label A"
         yield Fault(FORMULA, what, remedy, node=node)
-    if isinstance(node, logic.Task) and node.resources:
-        what = f"'{node}' asks for resources, which are not planned"
-        yield Fault(FORMULA, what, "remove the last braces of the task", node=node)
 
 
 def weight_faults(formula: Formula, order: Order | None) -> Iterator[Fault]:

@@ -23,6 +23,7 @@ from tsplan.mission.mission_checks import mission_faults
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.mission_writer import mission_to_yaml, save_mission
 from tsplan.mission.name_resolution import with_named_classes, with_named_states
+from tsplan.mission.resources import Resource
 from tsplan.mission.team import Agent, Group
 from tsplan.mission.values import parts_from_values
 from tsplan.mission.vocabulary import Language, TaskInterval, default_language
@@ -44,7 +45,7 @@ class Mission(MissionParts):
     mission's own map, so that everything made from the mission counts there alike.
     A name of a class that is nobody's capability is one of its own robots, if a formula or the
     map asks for it. The `swarm` rules say which classes are swarms, whose agents move as
-    sub-swarms.
+    sub-swarms. `resources` are what tasks may need beside robots.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
 
@@ -147,6 +148,7 @@ class Mission(MissionParts):
         *,
         map: TransitionSystem | str | Path,  # noqa: A002  (the word of the mission file)
         team: Iterable[Group | Mapping[str, Any]] | None = None,
+        resources: Iterable[Resource | Mapping[str, Any]] = (),
         swarm: Mapping[str, Any] | None = None,
         swarms: Iterable[Mapping[str, Any]] | None = None,
         max_subswarms: int | None = None,
@@ -167,7 +169,7 @@ class Mission(MissionParts):
         `map` is a transition system or the path of a map file. Each member of `team` is a Group
         or a mapping with the keys of a mission file; instead of a team or beside it there may be
         one `swarm` or several `swarms`, mappings with those keys, and for them `max_subswarms`
-        and `margin`.
+        and `margin`. Each of the `resources` is a Resource or a mapping.
         `formula` is a text, several texts (their conjunction) or a parsed formula; `must` is
         another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
         and that of swarms "mtl". In "wmtl" formulas name `weights`, which may be functions (see
@@ -184,6 +186,7 @@ class Mission(MissionParts):
         values = {
             "name": name,
             "map": map,
+            "resources": list(resources) or None,
             "team": team,
             "swarm": swarm,
             "swarms": None if swarms is None else list(swarms),

@@ -16,6 +16,7 @@ from tsplan.mission.formula_checks import formula_faults, horizon_faults
 from tsplan.mission.magnitudes import number_faults
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.objectives import OBJECTIVES, objectives_for
+from tsplan.mission.resource_checks import Carrying, resource_faults, spending_faults
 from tsplan.mission.team import SwarmRules
 from tsplan.mission.team_checks import entries_of, map_faults, team_faults
 
@@ -31,7 +32,8 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
         *team_faults(entries_of(mission.team, mission.swarm), mission.system, mission.swarm),
         *map_faults(mission.system, mission.team),
         *cost_faults(mission.system, mission.team, mission.horizon, mission.objective),
-        *_formula_faults(mission, mission.formula),
+        *resource_faults(_carrying(mission), mission.objective, mission.swarm),
+        *_formula_faults(mission, mission.formula, whole="satisfaction" not in mission.objective),
         *(
             fault
             for number, soft in enumerate(mission.prefer)
@@ -40,10 +42,18 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
     ]
 
 
-def _formula_faults(mission: MissionParts, formula: Formula) -> Iterator[Fault]:
+def _formula_faults(
+    mission: MissionParts, formula: Formula, *, whole: bool = False
+) -> Iterator[Fault]:
     """What does not fit in a formula of a mission."""
     yield from formula_faults(formula, mission.system, mission.team, mission.swarm)
     yield from horizon_faults(formula, mission.task_interval, mission.horizon)
+    yield from spending_faults(formula, _carrying(mission), whole=whole)
+
+
+def _carrying(mission: MissionParts) -> Carrying:
+    entries = entries_of(mission.team, mission.swarm)
+    return Carrying(mission.resources, entries, mission.system)
 
 
 def preference_faults(

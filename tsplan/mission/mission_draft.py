@@ -36,6 +36,8 @@ from tsplan.mission.mission_schema import (
 )
 from tsplan.mission.name_resolution import with_named_classes
 from tsplan.mission.objectives import default_objective
+from tsplan.mission.resource_checks import Carrying, resource_faults, spending_faults
+from tsplan.mission.resources import Resource
 from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
 from tsplan.mission.team_checks import map_faults, team_faults
 from tsplan.mission.vocabulary import ORDERS, Order, default_language
@@ -89,6 +91,7 @@ class _Draft(Filing):
     system: TransitionSystem | None = None
     entries: list[Entry] | None = None  # None where what is said of them is wrong
     swarm: SwarmRules | None = None
+    resources: tuple[Resource, ...] | None = None  # as the entries
     horizon: int = 0
     weights: Mapping[str, Weight] = field(default_factory=dict)
 
@@ -170,7 +173,19 @@ class _Draft(Filing):
             (name,) = member.at
             starts = ((self.word(name, (*path, "at")), member.count or 1),)
         able = self._words(member.capabilities, (*path, "capabilities"))
-        return Group(self.word(member.class_name, (*path, "class")), able, starts)
+        return Group(self.word(member.class_name, (*path, "class")), able, starts, member.carries)
+
+    def read_resources(self, file: MissionFile) -> None:
+        """The resources."""
+        self.resources = tuple(
+            Resource(
+                self.word(entry.name, ("resources", number, "name")),
+                tuple(entry.at.items()),
+                entry.indivisible,
+                entry.consumed,
+            )
+            for number, entry in enumerate(file.resources)
+        )
 
     def _words(self, names: Sequence[str], path: Place) -> frozenset[str]:
         return frozenset(self.word(name, (*path, n)) for n, name in enumerate(names))
@@ -181,6 +196,8 @@ class _Draft(Filing):
             return
         if not faulty.intersection(KINDS) and any(kind in self.document.data for kind in KINDS):
             self.read_agents(file)
+        if "resources" not in faulty:
+            self.read_resources(file)
         self.judge(file)
 
     def judge(self, file: MissionFile) -> None:
@@ -197,10 +214,16 @@ class _Draft(Filing):
             faults += team_faults(self.entries, self.system, self.swarm)
         if self.system is not None and self.team is not None:
             faults += map_faults(self.system, self.team)
+        if self.resources is not None:
+            team = Carrying(self.resources, self.entries, self.system)
+            faults += resource_faults(team, self.objective(file), self.swarm)
         horizons = []
         for where, formula in self.formulas.all():
             found = [*formula_faults(formula, self.system, self.team, self.swarm)]
             found += horizon_faults(formula, file.task_interval, file.horizon)
+            whole = where == self.formulas.where and self.order(file, where) is None
+            team = Carrying(self.resources, self.entries, self.system)
+            found += spending_faults(formula, team, whole=whole)
             faults += moved(found, where)
             horizons.append(formula_horizon(formula, file.task_interval) or 0)
         self.horizon = max(horizons, default=0) if file.horizon is None else file.horizon
@@ -241,6 +264,7 @@ class _Draft(Filing):
             task_interval=file.task_interval,
             solver=SolverChoice(**solver),
             swarm=self.swarm,
+            resources=self.resources or (),
             satisfaction=objective_order(file.objective or ()),
             prefer=self.preferences(file.spec.prefer),
             weights=settled(self.weights),

@@ -12,6 +12,7 @@ from tsplan.logic import Formula
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.objectives import default_objective
+from tsplan.mission.resources import Resource
 from tsplan.mission.team import Group, SwarmBounds, SwarmRules
 from tsplan.mission.vocabulary import Language, Order, TaskInterval
 from tsplan.ts import TransitionSystem
@@ -55,6 +56,7 @@ class MissionParts:
     task_interval: TaskInterval = "closed"
     solver: SolverChoice = field(default_factory=SolverChoice)
     swarm: SwarmRules | None = None
+    resources: tuple[Resource, ...] = ()
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()
     weights: Mapping[str, Weight] = field(default_factory=dict, compare=False, repr=False)

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
 
-from tsplan.document.fields import complaint, shown
+from tsplan.document.fields import Number, complaint, shown
 from tsplan.errors import nearest
 from tsplan.limits import (
     LARGEST,
@@ -19,6 +19,7 @@ from tsplan.limits import (
     MOST_SEED,
     MOST_THREADS,
     MOST_WEIGHT,
+    Range,
 )
 from tsplan.mission.mission_writer import FORMAT
 from tsplan.mission.vocabulary import ORDERS, Language, TaskInterval
@@ -65,6 +66,16 @@ def _aim(value: Any) -> Any:
     return f"satisfaction: {order}"
 
 
+def _load(value: Any) -> Any:
+    """What a robot carries: an amount of each resource, or one number for all together."""
+    for amount in value.values() if isinstance(value, dict) else [value]:
+        if words := Range(0, LARGEST).complaint(amount):
+            raise complaint(words, "write how much it carries, as in {brick: 2}, or 6 for any mix")
+    if not isinstance(value, dict):
+        return float(value)
+    return tuple((str(name), float(amount)) for name, amount in value.items())
+
+
 Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
 Title = Annotated[str, BeforeValidator(_name)]
 WeightEntry = Annotated[Any, BeforeValidator(weights_of_entry)]
@@ -78,6 +89,19 @@ class Part(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
 
 
+Amount = Annotated[Number, Field(ge=0, le=LARGEST)]
+Load = Annotated[Any, BeforeValidator(_load)]
+
+
+class ResourceEntry(Part):
+    """A resource, and where it lies at first."""
+
+    name: Name
+    at: dict[Name, Amount]
+    indivisible: bool = False
+    consumed: bool = True
+
+
 class Member(Part):
     """One entry of the team: robots of one class."""
 
@@ -85,6 +109,7 @@ class Member(Part):
     count: Count | None = None
     at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
     capabilities: list[Name] = []
+    carries: Load = ()
 
 
 class Swarm(Part):
@@ -139,6 +164,7 @@ class MissionFile(Part):
     format: Literal["tsplan-mission/1"]
     name: Title = ""
     map: Any
+    resources: list[ResourceEntry] = []
     team: Annotated[list[Member], Field(min_length=1)] = []
     swarm: Swarm | None = None
     swarms: Annotated[list[NamedSwarm], Field(min_length=1)] = []

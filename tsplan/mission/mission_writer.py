@@ -19,6 +19,7 @@ from tsplan.logic import Formula, Percent, parse_with_places
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_parts import MissionParts, Preference
+from tsplan.mission.resources import Resource
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 from tsplan.mission.vocabulary import Language
 from tsplan.mission.weight_entries import entries_of
@@ -52,6 +53,9 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
         yield from (f"  {line}" for line in map_to_yaml(mission.system).splitlines())
     else:
         yield f"map: {word(map_file)}"
+    if mission.resources:
+        yield "resources:"
+        yield from (f"  - {flow(resource_entry(item))}" for item in mission.resources)
     yield from _team_lines(mission)
     read = partial(read_formula, language=mission.language, weights=mission.weights)
     yield from spec_lines(mission.language, (mission.formula, mission.text), mission.prefer, read)
@@ -137,7 +141,17 @@ def group_entry(group: Group) -> dict[str, Any]:
         ((state, count),) = group.starts
         starts = {"count": count, "at": state}
     able = {"capabilities": sorted(group.capabilities)} if group.capabilities else {}
-    return {"class": group.class_name, **starts, **able}
+    load = dict(group.carries) if isinstance(group.carries, tuple) else group.carries
+    carries = {} if group.carries == () else {"carries": load}
+    return {"class": group.class_name, **starts, **able, **carries}
+
+
+def resource_entry(resource: Resource) -> dict[str, Any]:
+    """The entry of a resource."""
+    entry: dict[str, Any] = {"name": resource.name, "at": dict(resource.at)}
+    if resource.indivisible:
+        entry["indivisible"] = True
+    return entry if resource.consumed else {**entry, "consumed": False}
 
 
 def swarm_entry(swarm: Group, rules: SwarmRules) -> dict[str, Any]:

@@ -22,7 +22,8 @@ class Objective:
     One `of_groups` counts the sub-swarms of swarms, and only a mission with swarms may name it; any
     other is about all agents. One that is `first` says what holds, and no other objective comes
     before it. The value of one that is `whole` is a whole number wherever it is finite; that of
-    any other is an exact decimal number or fraction. `words` say what it is.
+    any other is an exact decimal number or fraction. One `of_amounts` is about resources, and only
+    a mission with some may name it. `words` say what it is.
     """
 
     name: str
@@ -31,6 +32,7 @@ class Objective:
     of_groups: bool = False
     first: bool = False
     whole: bool = True
+    of_amounts: bool = False
 
     def is_better(self, value: Fraction | float, other: Fraction | float) -> bool:
         """Whether one value is better than another.
@@ -68,6 +70,20 @@ for _objective in (
     Objective("travel", "minimise", "steps that all agents together spend on moves"),
     Objective("cost", "minimise", "summed costs of all edges that are entered", whole=False),
     Objective("risk", "minimise", "-log of the chance that no move fails", whole=False),
+    Objective(
+        "haulage",
+        "minimise",
+        "amounts times the steps they are moved",
+        whole=False,
+        of_amounts=True,
+    ),
+    Objective(
+        "reserve",
+        "maximise",
+        "least amount left beside what an execution needs",
+        whole=False,
+        of_amounts=True,
+    ),
     Objective("makespan", "minimise", "step at which the last move arrives"),
     Objective("agents", "minimise", "agents that ever move"),
     Objective("splits", "minimise", "how often sub-swarms split", of_groups=True),

@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import ceil
 from numbers import Integral
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from tsplan.mission.resources import Carries, merged
 from tsplan.words import nfc
 
 ONE_SWARM = "swarm"
@@ -27,11 +29,16 @@ class Agent(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Robots of one class with the same capabilities: how many of them start at which state."""
+    """Robots of one class with the same capabilities: how many of them start at which state.
+
+    `carries` is what each of them carries at most: so much of each resource, or so much of all
+    together.
+    """
 
     class_name: str
     capabilities: frozenset[str]
     starts: tuple[tuple[str, int], ...]
+    carries: Carries = field(default=(), repr=False)
 
     def __post_init__(self) -> None:
         """Bring names into the form in which they are compared; name every state once."""
@@ -44,6 +51,8 @@ class Group:
                 total[state] += count
             starts = tuple(total.items())
         object.__setattr__(self, "starts", starts)
+        if isinstance(self.carries, tuple):
+            object.__setattr__(self, "carries", merged(self.carries))
 
     @property
     def count(self) -> int:
@@ -56,14 +65,18 @@ class Group:
         class_name: str,
         starts: Mapping[str, int] | Iterable[tuple[str, int]],
         capabilities: Iterable[str] = (),
+        carries: Mapping[str, float] | float = MappingProxyType({}),
     ) -> Group:
         """A group from any mapping or pairs of start states and counts.
+
+        What each robot carries is an amount of each resource, or one number for all together.
 
         >>> Group.of("scout", {"q1": 3}, ["Vis"]).count
         3
         """
         pairs = starts.items() if isinstance(starts, Mapping) else starts
-        return cls(class_name, frozenset(capabilities), tuple(pairs))
+        load = tuple(carries.items()) if isinstance(carries, Mapping) else carries
+        return cls(class_name, frozenset(capabilities), tuple(pairs), load)
 
 
 def _whole(value: Any) -> Any:

@@ -25,9 +25,11 @@ from tsplan.mission.mission_writer import (
     group_entry,
     preference_entry,
     read_formula,
+    resource_entry,
     solver_entry,
     written_formula,
 )
+from tsplan.mission.resources import Resource
 from tsplan.mission.team import Group
 from tsplan.mission.weight_entries import entries_of
 from tsplan.ts import TransitionSystem
@@ -101,6 +103,8 @@ def _entry(language: Any, weights: Mapping[str, Weight]) -> Any:
     def entry(value: Any) -> Any:
         if isinstance(value, Group):
             return group_entry(value)
+        if isinstance(value, Resource):
+            return resource_entry(value)
         if isinstance(value, Preference):
             read = partial(read_formula, language=language, weights=weights)
             text = written_formula(value.formula, value.text, read)

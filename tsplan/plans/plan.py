@@ -37,6 +37,7 @@ from tsplan.plans.records import (
 )
 from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
 from tsplan.plans.subswarms import SubSwarm
+from tsplan.plans.supplies import Cargo, ExecutedTask, StockHistory
 from tsplan.stopping import LIMITS, StoppedBy
 
 if TYPE_CHECKING:
@@ -205,6 +206,9 @@ class Plan(Record, display.Displayed):
     The plan of a mission with swarms has the `moves` of every swarm, by its name, and `groups`, the
     sub-swarms that they make; the `agents` of swarms are there if they were asked for, or are few.
 
+    The plan of a mission with resources has the `executions` of tasks, the `cargo` of every agent
+    and the `stocks` that follow from both.
+
     Raises PlanError for a status that contradicts `stopped_by` or the presence of paths.
     """
 
@@ -222,6 +226,9 @@ class Plan(Record, display.Displayed):
     agents: Annotated[tuple[AgentPlan, ...], BeforeValidator(_entries)] = field(
         default=(), metadata=OPTIONAL
     )
+    executions: tuple[ExecutedTask, ...] = field(default=(), metadata=OPTIONAL)
+    cargo: tuple[Cargo, ...] = field(default=(), metadata=OPTIONAL)
+    stocks: tuple[StockHistory, ...] = field(default=(), metadata=OPTIONAL)
     solver: SolverUse = field(default_factory=SolverUse)
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)
@@ -401,6 +408,9 @@ class Plan(Record, display.Displayed):
         large = {
             "moves": lambda: json_lines(moves, "{}"),
             "groups": lambda: json_lines(map(as_json, self.groups)),
+            "executions": lambda: json_lines(map(as_json, self.executions)),
+            "cargo": lambda: json_lines(map(as_json, self.cargo)),
+            "stocks": lambda: json_lines(map(as_json, self.stocks)),
             "agents": lambda: agents_json(self.agents, self.bundles),
         }
         return json_document({**first, **self.data()}, large)

@@ -7,10 +7,12 @@ from typing import TypedDict
 import numpy as np
 
 from tsplan.encode.encoded import Point, Setting
-from tsplan.encode.read_back import listed, moves_of
+from tsplan.encode.read_back import carried_at, executions_of, listed, moves_of
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.decomposition import paths_of
+from tsplan.plans.loading import loading
 from tsplan.plans.moves import Move
+from tsplan.plans.supplies import Cargo, ExecutedTask
 
 MOST_AGENTS = 1000
 """Agents up to which every one of a swarm gets a path; for more, `tsplan.assign` makes them."""
@@ -21,6 +23,8 @@ class Ways(TypedDict, total=False):
 
     agents: tuple[AgentPlan, ...]
     moves: dict[str, tuple[Move, ...]]
+    executions: tuple[ExecutedTask, ...]
+    cargo: tuple[Cargo, ...]
 
 
 def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
@@ -42,4 +46,12 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
         numbers = [number for span in spans for number in span]
         members = [mission.agents[number] for number in numbers]
         agents.update(zip(numbers, paths_of(mission, members, made, seed), strict=True))
-    return Ways(moves=moves, agents=tuple(agents[number] for number in sorted(agents)))
+    paths = tuple(agents[number] for number in sorted(agents))
+    names = setting.arrays.names
+    done = [(step, names[state], task.task) for task, state, step in executions_of(point)]
+    return Ways(
+        moves=moves,
+        agents=paths,
+        executions=tuple(ExecutedTask(task, state, step) for step, state, task in sorted(done)),
+        cargo=loading(mission, paths, carried_at(setting, point)),
+    )

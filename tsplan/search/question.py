@@ -49,7 +49,7 @@ class Question:
     """The least value of an objective, or with `first` any plan that it leads to.
 
     `told` is the objective whose values are told meanwhile, None for none of them; `bound` is what
-    is known of it while any plan is looked for.
+    is known of it while any plan is looked for. It may be left open after some `seconds`.
     """
 
     objective: TargetObjective
@@ -57,6 +57,7 @@ class Question:
     told: StageObjective | None
     first: bool = False
     bound: float | None = None
+    seconds: float | None = None
 
     @property
     def stage(self) -> str:

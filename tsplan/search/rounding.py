@@ -40,7 +40,7 @@ class Rounding:
 
         `lp` is the relaxation of the model; its bounds are restored before returning.
         """
-        indicators, flows = self.encoded.indicators, self.encoded.flows
+        indicators, flows = self.encoded.indicators, self.encoded.repaired
         if not len(fractional(values, flows)):
             return values
         fixed = np.round(values[indicators])

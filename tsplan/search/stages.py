@@ -28,6 +28,7 @@ from tsplan.search.question import Kept, Question, start_in
 from tsplan.search.search import Search
 
 _CHAIN_SECONDS = 15.0
+_HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands allow
 
 
 @dataclass(eq=False)
@@ -60,7 +61,23 @@ class Stages(Lexicographic[Point, StageObjective]):
         """Any plan; a first objective that may find one is minimised to its end at once."""
         if isinstance(opening, TargetObjective):
             return self._ask(Question(opening, self._kept, opening))
-        return self._ask(Question(self._guide, self._kept, None, first=True))
+        return self._at_best() or self._ask(Question(self._guide, self._kept, None, first=True))
+
+    def _at_best(self) -> Found | None:
+        """A plan as available as can be hoped for, where there are resources and one is found soon.
+
+        With more robots than are needed their room is no matter, so linear programs come to whole
+        robots by themselves; with just enough of them they do not.
+        """
+        first = self.objectives[0] if self.objectives else None
+        if not (self.setting.mission.resources and self.tight and isinstance(first, Availability)):
+            return None
+        ideal = first.ideal(self.setting)
+        if not 0 < ideal < np.inf:
+            return None
+        kept = self._kept.and_also(first, ideal)
+        found = self._ask(Question(self._guide, kept, None, first=True, seconds=_HOPE_SECONDS))
+        return None if found.values is None else found
 
     @property
     def _guide(self) -> TargetObjective:
@@ -87,6 +104,9 @@ class Stages(Lexicographic[Point, StageObjective]):
             self.noted(f"{objective.name} is told apart to {CLOSED:.0e} of its size")
         value = objective.minimised(self.setting, self.point)
         self._kept = self._kept.and_also(objective, value)
+        worth = objective.worth(self.setting, self.point)
+        if np.isinf(worth) and (worth > 0) is objective.rises:
+            return worth
         self.stopping(found.stopped_by)
         bound = value if found.proven else min(found.bound, value)
         return target.own(bound) if np.isfinite(bound) else None
@@ -95,7 +115,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         """Bisect between the value of the plan that is known and a bound."""
         assert self.point is not None
         value = objective.worth(self.setting, self.point)
-        sign = 1 if objective.rises else -1
+        sign, ideal = 1 if objective.rises else -1, bound
         while sign * (bound - value) > 0 and not self.clock.over:
             probe = value + sign * ((abs(bound - value) + 1) // 2)
             kept = self._kept.and_also(objective, probe)
@@ -109,7 +129,7 @@ class Stages(Lexicographic[Point, StageObjective]):
                 self.stopping(found.stopped_by if found else None)
                 break
             self.tell(objective.name, None, value, bound)
-        self._kept = self._kept.and_also(objective, value)
+        self._kept = self._kept.and_also(objective, value if np.isfinite(value) else ideal)
         return sign * max(sign * bound, sign * value)
 
     # --- questions -----------------------------------------------------------------------------
@@ -138,7 +158,8 @@ class Stages(Lexicographic[Point, StageObjective]):
             point = None if values is None else Point(whole, values[:columns], self.tight)
             self._hear(question, point, question.shown(target, bound))
 
-        search = Search(encoded, target, self._effort(whole), self.clock, report)
+        clock = self.clock if question.seconds is None else self.clock.within(question.seconds)
+        search = Search(encoded, target, self._effort(whole), clock, report)
         search.know(bound)
         if (
             whole.shared

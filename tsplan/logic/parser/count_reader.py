@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias, cast
@@ -137,30 +137,23 @@ class CountReader(Reader):
             remedy = "name at least one (capability, number)"
             self.complain(part.pairs(0), "the task asks for nothing", remedy)
             return None
+        made = Task(duration, label, numbers, amounts)
         parts = {("duration",): reach(part.number()), LABEL: reach(part.name())}
         for name, pairs in zip(("needs", "resources"), part.pairs(), strict=False):
-            parts |= _pair_spans(name, pairs)
-        return Written(Task(duration, label, numbers, amounts), reach(part), parts=parts)
+            parts |= _pair_spans(name, pairs, amounts if name == "resources" else numbers)
+        return Written(made, reach(part), parts=parts)
 
     def read_limit(self, part: Any) -> Written | None:
         """Read a label and the most agents that may be at each of its states."""
         label, needs = self.read(part.name()), self._needs(self.read(part.pairs()))
         if label is None or needs is None:
             return None
-        parts = {LABEL: reach(part.name()), **_pair_spans("needs", part.pairs())}
+        parts = {LABEL: reach(part.name()), **_pair_spans("needs", part.pairs(), needs)}
         return Written(Limit(label, needs), reach(part), parts=parts)
 
     def read_pairs(self, part: Any) -> Pairs | None:
-        """Read (name, number) pairs; no name twice."""
+        """Read (name, number) pairs."""
         pairs = [self.read(pair) for pair in part.pair()]
-        seen: set[str] = set()
-        for place, pair in enumerate(pairs):
-            if pair is not None and pair[0] in seen:
-                remedy = "write each name once, with the number that is meant"
-                self.complain(part.pair(place), f"'{pair[0]}' is named twice", remedy)
-                pairs[place] = None
-            elif pair is not None:
-                seen.add(pair[0])
         return None if None in pairs else pairs
 
     def read_pair(self, part: Any) -> tuple[str, Number, Any] | None:
@@ -195,16 +188,22 @@ class CountReader(Reader):
         return value
 
     def _needs(self, pairs: Pairs | None) -> tuple[tuple[str, int], ...] | None:
+        """Numbers of agents; no capability twice."""
         if pairs is None:
             return None
-        read = [
-            (name, self._natural(number, at, "a number of agents")) for name, number, at in pairs
-        ]
+        read: list[tuple[str, int | None]] = []
+        for name, number, at in pairs:
+            many = self._natural(number, at, "a number of agents")
+            if any(name == other for other, _ in read):
+                remedy = "write each name once, with the number that is meant"
+                self.complain(at.parentCtx, f"'{name}' is named twice", remedy)
+                many = None
+            read.append((name, many))
         sure = tuple((name, number) for name, number in read if number is not None)
         return sure if len(sure) == len(read) else None
 
     def _amounts(self, pairs: Pairs | None) -> tuple[tuple[str, float], ...] | None:
-        """Amounts of resources, which need not be whole."""
+        """Amounts of resources, which need not be whole; those of one name add up in the task."""
         if pairs is None:
             return None
         amounts = []
@@ -218,10 +217,17 @@ class CountReader(Reader):
         return tuple(amounts) if len(amounts) == len(pairs) else None
 
 
-def _pair_spans(name: str, pairs: Any) -> dict[Way, Span]:
-    """Where the pairs of a task or limit stand, and the name and number of each."""
+def _pair_spans(kind: str, pairs: Any, read: Iterable[tuple[str, float]]) -> dict[Way, Span]:
+    """Where the pairs of a task or limit stand, and the name and number of each.
+
+    Of pairs that add up it is where the name is written first.
+    """
     spans: dict[Way, Span] = {}
-    for number, pair in enumerate(pairs.pair()):
+    numbers: dict[str, int] = {}
+    for (name, _), pair in zip(read, pairs.pair(), strict=True):
+        if name in numbers:
+            continue
+        number = numbers[name] = len(numbers)
         for way, part in (((), pair), ((0,), pair.name()), ((1,), pair.number())):
-            spans[name, number, *way] = reach(part)
+            spans[kind, number, *way] = reach(part)
     return spans

@@ -1,0 +1,296 @@
+"""Random missions with resources, and the best of all joint plans with cargo of the tiny ones.
+
+Nothing of the brute force knows the encoding: agents walk as edges say, and at every step each
+choice of executions and of loads is tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise, product
+from math import inf
+from random import Random
+
+import numpy as np
+
+from tests.joint_plans import JointPlan, joint_plans
+from tsplan import Mission
+from tsplan.logic import Task, walk
+from tsplan.logic.evaluation import robustness
+from tsplan.logic.traces import CountTrace
+from tsplan.mission import Resource
+from tsplan.ts import Edge, State, TransitionSystem
+
+SENSE = {"availability": -1, "travel": 1, "haulage": 1, "reserve": -1, "agents": 1, "makespan": 1}
+
+
+def random_resource_mission(
+    seed: int,
+    *,
+    states: int = 3,
+    robots: int = 3,
+    steps: int = 4,
+    most: int = 3,
+    parted: bool = False,
+) -> Mission:
+    """A mission with one or two resources, of which there are `most` at a state.
+
+    With `parted`, any amounts of one resource may be carried, in halves at the start.
+    """
+    random = Random(seed)
+    names = [f"s{number}" for number in range(states)]
+    labels = {name: {random.choice("ab")} for name in names}
+    labels[names[0]], labels[names[-1]] = {"a"}, {"b"}
+    edges = {(name, name): 1 for name in names}
+    for source, target in pairwise(names):
+        edges[source, target] = random.choice([1, 1, 2])
+        edges[target, source] = random.choice([1, 1, 2])
+    if random.random() < 0.4:
+        edges[names[0], names[-1]] = random.choice([1, 2, 3])
+    system = TransitionSystem.build(
+        [State(name, frozenset(labels[name])) for name in names],
+        [Edge(*ends, duration) for ends, duration in edges.items()],
+    )
+    resources = _resources(random, names, most, parted=parted)
+    team, left = [], random.randint(1, robots)
+    while left:
+        count = random.randint(1, left)
+        left -= count
+        member = {
+            "class": f"k{len(team)}",
+            "count": count,
+            "at": random.choice(names),
+            "capabilities": random.choice([["u"], ["v"], ["u", "v"]]),
+        }
+        carries = _carries(random, [r["name"] for r in resources], parted=parted)
+        team.append(member if carries is None else {**member, "carries": carries})
+    horizon = random.randint(2, steps)
+    objective = random.sample(list(SENSE), random.choice([1, 2, 2, 3]))
+    return Mission.of(
+        map=system,
+        team=team,
+        resources=resources,
+        formula=_formula(random, [r["name"] for r in resources], horizon, parted=parted),
+        objective=objective,
+        horizon=horizon,
+    )
+
+
+def _resources(random: Random, names: list[str], most: int, *, parted: bool) -> list[dict]:
+    scale = 0.5 if parted else 1
+    return [
+        {
+            "name": name,
+            "at": {s: scale * random.randint(1, most) for s in random.sample(names, 2)},
+            "indivisible": not parted,
+            "consumed": random.random() < 0.7,
+        }
+        for name in (["x"] if parted else random.choice([["x"], ["x", "y"]]))
+    ]
+
+
+def _carries(random: Random, names: list[str], *, parted: bool) -> object:
+    kind = random.random()
+    if kind < 0.2:
+        return None
+    if parted:
+        return random.choice([0.5, 1.0, {"x": 0.5}, {"x": 1.5}])
+    if kind < 0.5:
+        return random.choice([1, 2, 1.5])
+    return {name: random.choice([1, 1, 2, 1.7]) for name in names if random.random() < 0.8}
+
+
+def _formula(random: Random, names: list[str], horizon: int, *, parted: bool) -> str:
+    scale = 0.5 if parted else 1
+
+    def task() -> str:
+        duration = random.choice([0, 1, 1])
+        needs = random.choice(["{(u,1)}", "{(v,1)}", "{(u,1),(v,1)}", "{}"])
+        chosen = random.sample(names, random.randint(1, len(names)))
+        amounts = ",".join(f"({name},{scale * random.choice([1, 1, 2]):g})" for name in chosen)
+        return f"T({duration},{random.choice('ab')},{needs},{{{amounts}}})"
+
+    def part() -> str:
+        last = horizon - 1
+        kind = random.random()
+        if kind < 0.55:
+            return f"F[0,{last}] {task()}"
+        if kind < 0.7:
+            return f"G[{last - 1},{last}] {task()}"
+        if kind < 0.8:
+            return f"(F[0,{last}] {task()} || F[0,{last}] {task()})"
+        if kind < 0.9:
+            return f"(T(0,a,{{(u,1)}}) U[0,{last}] {task()})"
+        return f"(T(0,b,{{(v,2)}}) => F[0,{last}] {task()})"
+
+    return " && ".join(part() for _ in range(random.choice([1, 1, 2])))
+
+
+# --- brute force -----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Done:
+    """What became of the resources of one joint plan."""
+
+    executed: frozenset[tuple[str, str, int]]  # task, state, step
+    haulage: float
+    reserve: float
+
+
+@dataclass(frozen=True)
+class Now:
+    """What there is at a step: `coming` is (step, resource, state, pieces, robot)."""
+
+    lying: tuple[tuple[int, ...], ...]  # by resource and state
+    coming: frozenset[tuple[int, int, int, int, int]]
+    done: Done
+
+
+class Depot:
+    """Everything that can be done with the resources along given paths, in whole units."""
+
+    def __init__(self, mission: Mission, plan: JointPlan, unit: float) -> None:
+        self.mission, self.plan, self.unit = mission, plan, unit
+        self.states = list(mission.system.states)
+        self.tasks = {
+            str(node): node
+            for node in walk(mission.formula)
+            if isinstance(node, Task) and node.resources
+        }
+        self.carries = [group.carries for group in mission.team for _ in range(group.count)]
+        self.staffed = plan.trace().counts
+
+    def outcomes(self) -> set[Done]:
+        now = {Now(self.begin(), frozenset(), Done(frozenset(), 0.0, inf))}
+        for step in range(self.mission.horizon + 1):
+            there = {self.arrived(here, step) for here in now}
+            now = {after for here in there for after in self.executions(here, step)}
+            if step < self.mission.horizon:
+                now = {after for here in now for after in self.departures(here, step)}
+        return {here.done for here in now}
+
+    def begin(self) -> tuple[tuple[int, ...], ...]:
+        return tuple(
+            tuple(round(dict(item.at).get(state, 0) / self.unit) for state in self.states)
+            for item in self.mission.resources
+        )
+
+    def needs(self, task: Task, name: str) -> int:
+        return round(dict(task.resources).get(name, 0) / self.unit)
+
+    def able(self, task: Task, state: str, step: int) -> bool:
+        row, last = self.states.index(state), step + task.duration
+        return last <= self.mission.horizon and all(
+            name in self.staffed and self.staffed[name][row, step : last + 1].min() >= number
+            for name, number in task.needs
+        )
+
+    def loads(self, robot: int) -> list[tuple[int, ...]]:
+        carries, resources = self.carries[robot], self.mission.resources
+        if isinstance(carries, tuple):
+            rooms = [int(dict(carries).get(item.name, 0) / self.unit + 1e-9) for item in resources]
+            return list(product(*(range(room + 1) for room in rooms)))
+        room = int(carries / self.unit + 1e-9)
+        every = product(range(room + 1), repeat=len(resources))
+        return [load for load in every if sum(load) <= room]
+
+    def executions(self, here: Now, step: int) -> Iterator[Now]:
+        options = [
+            (text, state)
+            for text, task in self.tasks.items()
+            for state in self.mission.system.labels[task.label]
+            if self.able(task, state, step)
+        ]
+        for chosen in product([False, True], repeat=len(options)):
+            made = {(*option, step) for option, so in zip(options, chosen, strict=True) if so}
+            after = self.executed(here, frozenset(made), step)
+            if after is not None:
+                yield after
+
+    def executed(self, here: Now, made: frozenset[tuple[str, str, int]], step: int) -> Now | None:
+        lying, least = [list(row) for row in here.lying], here.done.reserve
+        for r, item in enumerate(self.mission.resources):
+            for s, state in enumerate(self.states):
+                asked = self.asked(item, state, step, here.done.executed | made)
+                left = lying[r][s] - asked
+                if left < 0:
+                    return None
+                if any(self.needs(self.tasks[t], item.name) for t, at, _ in made if at == state):
+                    least = min(least, left)
+                if item.consumed:
+                    lying[r][s] = left
+        done = Done(here.done.executed | made, here.done.haulage, least)
+        return Now(tuple(map(tuple, lying)), here.coming, done)
+
+    def asked(
+        self, item: Resource, state: str, step: int, executed: frozenset[tuple[str, str, int]]
+    ) -> int:
+        """What is used up at a step, or the tools in use."""
+        return sum(
+            self.needs(self.tasks[text], item.name)
+            for text, at, begun in executed
+            if at == state
+            and begun <= step <= begun + (0 if item.consumed else self.tasks[text].duration)
+        )
+
+    def departures(self, here: Now, step: int) -> Iterator[Now]:
+        movers = [
+            (number, edge)
+            for number, path in enumerate(self.plan.paths)
+            for edge in path.entered
+            if edge[2] == step and edge[0] != edge[1] and self.carries[number] != ()
+        ]
+        for chosen in product(*(self.loads(number) for number, _ in movers)):
+            lying = [list(row) for row in here.lying]
+            coming, haulage = set(here.coming), here.done.haulage
+            for (number, (source, target, _, duration)), load in zip(movers, chosen, strict=True):
+                at, to = self.states.index(source), self.states.index(target)
+                for r, pieces in enumerate(load):
+                    lying[r][at] -= pieces
+                    haulage += pieces * duration
+                    coming |= {(step + duration, r, to, pieces, number)} if pieces else set()
+            if min(map(min, lying)) >= 0:
+                done = Done(here.done.executed, haulage, here.done.reserve)
+                yield Now(tuple(map(tuple, lying)), frozenset(coming), done)
+
+    def arrived(self, here: Now, step: int) -> Now:
+        lying = [list(row) for row in here.lying]
+        for _, r, s, pieces, _ in (item for item in here.coming if item[0] == step):
+            lying[r][s] += pieces
+        coming = frozenset(item for item in here.coming if item[0] > step)
+        return Now(tuple(map(tuple, lying)), coming, here.done)
+
+
+def best(mission: Mission, unit: float = 1.0) -> tuple[float, ...] | None:
+    """The best objective values, signed to be minimised; None if there is no plan."""
+    found = None
+    states = list(mission.system.states)
+    for plan in joint_plans(mission):
+        counts = plan.trace()
+        judged: dict[frozenset[tuple[str, str, int]], float] = {}
+        for done in Depot(mission, plan, unit).outcomes():
+            if done.executed not in judged:
+                tables: dict[str, np.ndarray] = {}
+                for text, state, step in done.executed:
+                    table = tables.setdefault(
+                        text, np.zeros((len(states), mission.horizon + 1), bool)
+                    )
+                    table[states.index(state), step] = True
+                trace = CountTrace(counts.counts, counts.labels, tables)
+                judged[done.executed] = float(robustness(mission.counted, trace)[0])
+            spare = judged[done.executed]
+            if spare < 0:
+                continue
+            own = {
+                "availability": spare,
+                "haulage": done.haulage * unit,
+                "reserve": done.reserve * unit,
+            }
+            value = tuple(
+                float(SENSE[name] * (own[name] if name in own else plan.worth(name)))
+                for name in mission.objective
+            )
+            found = value if found is None else min(found, value)
+    return found

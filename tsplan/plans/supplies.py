@@ -1,0 +1,51 @@
+"""What a plan says of resources: executions of tasks, what every robot carries, what lies where."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, TypeAlias
+
+from pydantic import Field
+
+from tsplan.plans.records import Record, Whole, Word
+
+Amount: TypeAlias = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+
+
+@dataclass(frozen=True, slots=True)
+class ExecutedTask(Record):
+    """A task with resources, by its text, is executed at a state at a step."""
+
+    task: Word
+    state: Word
+    step: Whole
+
+
+@dataclass(frozen=True, slots=True)
+class Cargo(Record):
+    """What an agent carries of a resource along the edge that it enters at a step."""
+
+    agent: Word
+    step: Whole
+    resource: Word
+    amount: Annotated[float, Field(gt=0, allow_inf_nan=False)]
+
+
+@dataclass(frozen=True, slots=True)
+class StockHistory(Record):
+    """How much of a resource lies at a state: `(step, amount)` wherever that changes, from 0 on.
+
+    What has come by a step is there at it, and so is what is used up or carried away then.
+    """
+
+    resource: Word
+    state: Word
+    amounts: tuple[tuple[Whole, Amount], ...]
+
+    def at(self, step: int) -> float:
+        """The amount at a step.
+
+        >>> StockHistory("brick", "wall", ((0, 0.0), (4, 2.0))).at(5)
+        2.0
+        """
+        return next((amount for since, amount in reversed(self.amounts) if since <= step), 0.0)
