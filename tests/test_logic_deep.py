@@ -2,10 +2,12 @@
 
 import pickle
 import sys
+from itertools import product
 
 import numpy as np
 import pytest
 
+from tests.seeds import sampled
 from tsplan import logic
 from tsplan.errors import FormulaError
 from tsplan.logic import CountTrace, parse
@@ -45,26 +47,28 @@ def test_deep_formulas_are_read_printed_and_transformed(name):
     assert sys.getrecursionlimit() == limit
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "(" * DEPTH + "a",
-        "a" + ")" * DEPTH,
-        "sum(" * DEPTH + "a",
-        "F[" * DEPTH,
-        "{(" * DEPTH,
-        ",(" * DEPTH,
-        "T(1,a,{(" * DEPTH,
-        "@" * DEPTH,
-        "a, (" * DEPTH,
-        "(a b) && " * 200 + "c",
-        "(a => b && c) && " * 200 + "c",
-    ],
+WRONG = (
+    "(" * DEPTH + "a",
+    "a" + ")" * DEPTH,
+    "sum(" * DEPTH + "a",
+    "F[" * DEPTH,
+    "{(" * DEPTH,
+    ",(" * DEPTH,
+    "T(1,a,{(" * DEPTH,
+    "@" * DEPTH,
+    "a, (" * DEPTH,
+    "(a b) && " * 200 + "c",
+    "(a => b && c) && " * 200 + "c",
 )
-def test_wrong_texts_that_are_long_are_refused(text):
-    for language in logic.LANGUAGES:
-        with pytest.raises(FormulaError):
-            parse(text, language)
+EVERY = [*product(range(len(WRONG)), logic.LANGUAGES)]
+
+
+# by default each text in one language, and each language for some texts
+@pytest.mark.parametrize("one", sampled(EVERY, EVERY[:: len(logic.LANGUAGES) + 1]))
+def test_wrong_texts_that_are_long_are_refused(one):
+    number, language = one
+    with pytest.raises(FormulaError):
+        parse(WRONG[number], language)
 
 
 def test_five_hundred_conjuncts_are_parsed():
