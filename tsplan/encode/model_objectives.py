@@ -14,6 +14,7 @@ from fractions import Fraction
 
 import numpy as np
 
+from tsplan.encode.amount_objectives import Haulage, Reserve
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.executions import beyond
 from tsplan.encode.expressions import Own
@@ -30,8 +31,6 @@ from tsplan.encode.objective_kinds import (
 from tsplan.encode.own_constraints import resolve
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
-from tsplan.encode.stocks import PART as STOCKS
-from tsplan.encode.stocks import Stocks
 from tsplan.logic import Execution, walk
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
@@ -147,55 +146,6 @@ class Availability(LevelObjective, TargetObjective):
     def worth(self, setting: Setting, point: Point) -> float:
         """Robustness of the goal under the counts of the moves."""
         return availability(setting, point)
-
-
-class Haulage(ModelObjective):
-    """Amounts times the steps they are moved."""
-
-    name = "haulage"
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The duration of what every amount is carried along."""
-        vector = np.zeros(encoded.model.size.columns)
-        for load in _stocks(encoded).loads:
-            vector[load.columns] = load.lanes.duration
-        return vector
-
-    def target(self, setting: Setting, encoded: Encoded) -> Target:
-        """Whole where all comes in whole pieces."""
-        return Target(self.vector(setting, encoded), step=float(_stocks(encoded).whole))
-
-
-class Reserve(ModelObjective):
-    """The least amount left at any execution beside what is needed there."""
-
-    name = "reserve"
-    opens = False
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The column that is at most what is left."""
-        vector = np.zeros(encoded.model.size.columns)
-        vector[_stocks(encoded).reserve] = -1.0
-        return vector
-
-    def target(self, setting: Setting, encoded: Encoded) -> Target:
-        """Whole where all comes in whole pieces."""
-        whole = float(_stocks(encoded).whole)
-        return Target(self.vector(setting, encoded), Fraction(-1), step=whole)
-
-    def minimised(self, setting: Setting, point: Point) -> float:
-        """Told by the stocks, but no more than the column can be."""
-        most = float(point.encoded.model.upper[_stocks(point.encoded).reserve])
-        return -min(self.worth(setting, point), most)
-
-    def worth(self, setting: Setting, point: Point) -> float:
-        """What is left at the executions, infinite without any."""
-        return _stocks(point.encoded).least_left(point.values)
-
-
-def _stocks(encoded: Encoded) -> Stocks:
-    made: Stocks = encoded.own_columns[STOCKS]
-    return made
 
 
 class Makespan(LevelObjective):

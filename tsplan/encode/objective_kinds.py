@@ -72,6 +72,10 @@ class StageObjective(ABC):
     def worth(self, setting: Setting, point: Point) -> float:
         """What the plan of a point is worth, in the objective's own unit."""
 
+    def matched(self, value: float, bound: float) -> float:
+        """What is told of a bound, where the last plan is worth so much."""
+        return bound
+
     @abstractmethod
     def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
         """The model of those plans that are no worse than a value as it is `minimised`."""

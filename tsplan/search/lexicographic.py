@@ -106,6 +106,10 @@ class Lexicographic(ABC, Generic[PointT, AimT]):
         """The first objective, where some point is found by settling it at once."""
         return None
 
+    def told_bound(self, objective: AimT, value: float, bound: float | None) -> float | None:
+        """What is told of a bound, given what the last point is worth."""
+        return bound
+
     def finished(self, point: PointT) -> PointT:
         """The point with what is left to decide at the end."""
         return point
@@ -127,9 +131,10 @@ class Lexicographic(ABC, Generic[PointT, AimT]):
         point = self.point
         if point is not None:
             point = self.point = self.guarded("sizes", partial(self.finished, point)) or point
+            worths = [self.worth(objective, point) for objective in self.objectives[: len(reached)]]
             reached = tuple(
-                replace(item, value=self.worth(objective, point))
-                for item, objective in zip(reached, self.objectives, strict=True)
+                replace(item, value=value, bound=self.told_bound(objective, value, item.bound))
+                for item, objective, value in zip(reached, self.objectives, worths, strict=False)
             )
         proven = point is not None and all(item.proven for item in reached)
         stopped = None

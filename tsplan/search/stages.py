@@ -26,6 +26,7 @@ from tsplan.search.group_search import GroupSearch
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.search.question import Kept, Question, start_in
 from tsplan.search.search import Search
+from tsplan.search.tidying import tidied
 
 _CHAIN_SECONDS = 15.0
 _HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands allow
@@ -87,6 +88,12 @@ class Stages(Lexicographic[Point, StageObjective]):
     def worth(self, objective: StageObjective, point: Point) -> float:
         """What the plan of a point is worth."""
         return objective.worth(self.setting, point)
+
+    def told_bound(
+        self, objective: StageObjective, value: float, bound: float | None
+    ) -> float | None:
+        """A bound that the value is not told apart from is the value."""
+        return bound if bound is None else objective.matched(value, bound)
 
     def settled(self, objective: StageObjective, done: Found | None) -> float | None:
         """Settle one objective and keep what it reached; its bound."""
@@ -200,9 +207,12 @@ class Stages(Lexicographic[Point, StageObjective]):
         )
 
     def finished(self, point: Point) -> Point:
-        """The point with the shares of groups settled, in the model of all that was reached."""
+        """The point with the shares of groups settled, in the model of all that was reached.
+
+        Without swarms it is the point with what is carried in order.
+        """
         if not point.encoded.swarms:
-            return point
+            return tidied(self.setting, point, self.effort, self.clock)
         whole = self._encoded(self._kept.level if self.tight else 0)
         if whole is not point.encoded:
             target = Travel().target(self.setting, whole)
