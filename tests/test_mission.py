@@ -142,7 +142,7 @@ def test_missions_can_be_sent_to_another_process(folder):
         ("gap: 0.0", "gap: -1", "15:44", ["at least 0"]),
         ("threads: 2", "thread: 2", "15:49", ["unknown key 'thread'", "'threads'"]),
         ("format: tsplan-mission/1", "format: tsplan-mission/2", "1:9", ["tsplan-mission/1"]),
-        ("{(see,1)})", "{(see,1)}, {(fuel, 2.5)})", "11:41", ["there is no resource 'fuel'"]),
+        ("{(see,1)})", "{(see,1)}, {(fuel, 2.5)})", "11:37", ["there is no resource 'fuel'"]),
         ("G[0,9]", "G[9,0]", "12:11", ["[0,9]"]),
         ("home) >= 1", "home) >= 30%", "12:17", ["percentage"]),
         ("map: yard.yaml", "maps: yard.yaml\nmap: yard.yaml", "3:1", ["unknown key", "'map'"]),

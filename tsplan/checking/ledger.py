@@ -225,6 +225,8 @@ def _overloaded(
     mission: Mission, loaded: Mapping[tuple[str, int], Mapping[str, Fraction]]
 ) -> Iterator[str]:
     """Agents that carry more than they can."""
+    if not loaded:
+        return
     groups = (group for group in mission.team for _ in range(group.count))
     carries = dict(
         zip((agent.id for agent in mission.agents), (g.carries for g in groups), strict=True)

@@ -63,6 +63,9 @@ def loading(
     mission: Mission, agents: Sequence[AgentPlan], carried: Iterable[Carried]
 ) -> tuple[Cargo, ...]:
     """The cargo of every agent, in the order of time: who has some of a resource keeps it."""
+    carried = tuple(carried)
+    if not carried:
+        return ()
     carries = dict(
         zip(
             (agent.id for agent in mission.agents),
