@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from tsplan.logic import TRUE, Or, linear
 from tsplan.plans.plan import MissionRef, ObjectiveValue
 from tsplan.signals.linear_system import Dynamics, System
 from tsplan.signals.region import Region
+from tsplan.signals.signal_files import load_signal_mission
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.synthesiser import synthesise
 from tsplan.signals.trajectory import Trajectory
@@ -271,3 +273,15 @@ def test_what_is_preferred_by_weight_is_what_the_formula_rests_on():
     rests = {(demand.atom, demand.witness_steps) for demand in demands if demand.witness_steps}
     assert rests == {(y, ((0, 0),)), (y, ((1, 1),))}
     assert min(d.spare for d in demands if d.spare is not None) == pytest.approx(0.9 * 0.1 * 3)
+
+
+def test_a_region_is_one_to_be_out_of_whose_ends_another_one_shares():
+    mission = load_signal_mission(Path(__file__).parents[1] / "environments/signals/keys.yaml")
+    wanted = {place.name: place.wanted for place in places_of(mission, ("x", "y"))}
+    assert {name for name, inside in wanted.items() if inside} == {
+        "first key",
+        "second key",
+        "goal",
+    }
+    assert not any(wanted[name] for name in ("above", "below", "west", "north", "first door"))
+    assert None not in wanted.values()

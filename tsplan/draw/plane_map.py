@@ -6,7 +6,7 @@ robots of one kind, the copies `a_x`, `a_y` and `b_x`, `b_y` of `x` and `y`, hav
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any, TypeAlias
@@ -20,7 +20,7 @@ from tsplan.draw.palette import HUES, Paint, paints
 from tsplan.draw.signal_chart import title_of
 from tsplan.draw.text_placement import Box, Placement
 from tsplan.errors import Finding, InputError, nearest
-from tsplan.logic import Linear, positive, walk
+from tsplan.logic import Always, And, Formula, Linear, Or, positive, walk
 from tsplan.milp.model import Floats
 from tsplan.signals.region import Region
 from tsplan.signals.signal_mission import SignalMission
@@ -177,12 +177,9 @@ def paths_of(
 def places_of(mission: SignalMission, plane: Axes) -> tuple[Place, ...]:
     """The regions in a plane, those of several robots once; larger ones first."""
     formulas = (mission.formula, *(soft.formula for soft in mission.prefer))
-    atoms = {
-        (node.terms, node.relation[0], node.bound)
-        for formula in formulas
-        for node in walk(positive(formula))
-        if isinstance(node, Linear)
-    }
+    nodes = [node for formula in formulas for node in walk(positive(formula))]
+    joined = [(type(node), _sides_of(node)) for node in nodes if isinstance(node, And | Or)]
+    joined += [(And, _sides_of(node)) for node in nodes if isinstance(node, Linear)]
     found: dict[Sides, Place] = {}
     for prefix in robots_in([*mission.system.signals], plane):
         for name, region in mission.regions.items():
@@ -191,7 +188,7 @@ def places_of(mission: SignalMission, plane: Axes) -> tuple[Place, ...]:
             if np.isfinite(pair).any():
                 (left, right), (bottom, top) = pair
                 sides = (left, bottom, right, top)
-                wanted = _wanted(axes, atoms)
+                wanted = _wanted(axes, joined)
                 known = found.get(sides, Place(name.removeprefix(prefix), sides, wanted, ()))
                 wanted = wanted if known.wanted is None else known.wanted
                 regions = tuple(dict.fromkeys((*known.regions, name)))
@@ -207,16 +204,33 @@ def of_robot(region: Region, prefix: str) -> dict[str, tuple[float, float]]:
     }
 
 
+_Half: TypeAlias = "tuple[tuple[tuple[str, float], ...], str, float]"
+"""The terms of a comparison, which way it looks, and its bound."""
+
+
+def _sides_of(node: Formula) -> frozenset[_Half]:
+    """The comparisons that a node joins, or that it is; one throughout some steps counts as one."""
+    parts = node.children or (node,)
+    single = (part.child if isinstance(part, Always) else part for part in parts)
+    return frozenset(
+        (part.terms, part.relation[0], part.bound) for part in single if isinstance(part, Linear)
+    )
+
+
 def _wanted(
-    axes: Mapping[str, tuple[float, float]], atoms: set[tuple[Any, str, float]]
+    axes: Mapping[str, tuple[float, float]],
+    joined: Sequence[tuple[type[Formula], frozenset[_Half]]],
 ) -> bool | None:
-    """Whether the formula asks for a region's sides from inside; None if it asks for none."""
-    inside = outside = False
-    for name, (low, high) in axes.items():
-        for bound, sign, other in ((low, ">", "<"), (high, "<", ">")):
-            inside |= (((name, 1.0),), sign, bound) in atoms
-            outside |= (((name, 1.0),), other, bound) in atoms
-    return inside if inside or outside else None
+    """Whether the formula asks to be in a region; None if it asks for neither.
+
+    To be in it is to be on the inner side of all its ends, to be out of it beyond any of them.
+    """
+    ends = [(name, *end) for name, (a, b) in axes.items() for end in ((a, ">", "<"), (b, "<", ">"))]
+    inside = {(((name, 1.0),), sign, bound) for name, bound, sign, _ in ends}
+    outside = {(((name, 1.0),), other, bound) for name, bound, _, other in ends}
+    if any(kind is And and inside <= halves for kind, halves in joined):
+        return True
+    return False if any(kind is Or and outside <= halves for kind, halves in joined) else None
 
 
 def _area(place: Place) -> float:
