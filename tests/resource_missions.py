@@ -40,12 +40,13 @@ def random_resource_mission(
     """
     random = Random(seed)
     names = [f"s{number}" for number in range(states)]
-    labels = {name: {random.choice("ab")} for name in names}
+    labels = {name: set(random.choice(["a", "b", ""])) for name in names}
     labels[names[0]], labels[names[-1]] = {"a"}, {"b"}
+    labels = {name: found - {""} for name, found in labels.items()}
     edges = {(name, name): 1 for name in names}
     for source, target in pairwise(names):
-        edges[source, target] = random.choice([1, 1, 2])
-        edges[target, source] = random.choice([1, 1, 2])
+        edges[source, target] = random.choice([1, 1, 1, 2])
+        edges[target, source] = random.choice([1, 1, 1, 2])
     if random.random() < 0.4:
         edges[names[0], names[-1]] = random.choice([1, 2, 3])
     system = TransitionSystem.build(
@@ -61,17 +62,19 @@ def random_resource_mission(
             "class": f"k{len(team)}",
             "count": count,
             "at": random.choice(names),
-            "capabilities": random.choice([["u"], ["v"], ["u", "v"]]),
+            "capabilities": random.choice([["u"], ["u", "v"], ["u", "v"]]),
         }
         carries = _carries(random, [r["name"] for r in resources], parted=parted)
         team.append(member if carries is None else {**member, "carries": carries})
-    horizon = random.randint(2, steps)
+    horizon = random.randint(steps - 1, steps)
+    stocked = {state for item in resources for state in item["at"]}
+    dry = "".join(c for c in "ab" if not any(c in labels[state] for state in stocked))
     objective = random.sample(list(SENSE), random.choice([1, 2, 2, 3]))
     return Mission.of(
         map=system,
         team=team,
         resources=resources,
-        formula=_formula(random, [r["name"] for r in resources], horizon, parted=parted),
+        formula=_formula(random, resources, (dry or "ab"), horizon),
         objective=objective,
         horizon=horizon,
     )
@@ -82,7 +85,10 @@ def _resources(random: Random, names: list[str], most: int, *, parted: bool) -> 
     return [
         {
             "name": name,
-            "at": {s: scale * random.randint(1, most) for s in random.sample(names, 2)},
+            "at": {
+                s: scale * random.randint(1, most)
+                for s in random.sample(names, random.choice([1, 1, 2]))
+            },
             "indivisible": not parted,
             "consumed": random.random() < 0.7,
         }
@@ -92,7 +98,7 @@ def _resources(random: Random, names: list[str], most: int, *, parted: bool) -> 
 
 def _carries(random: Random, names: list[str], *, parted: bool) -> object:
     kind = random.random()
-    if kind < 0.2:
+    if kind < 0.1:
         return None
     if parted:
         return random.choice([0.5, 1.0, {"x": 0.5}, {"x": 1.5}])
@@ -101,15 +107,18 @@ def _carries(random: Random, names: list[str], *, parted: bool) -> object:
     return {name: random.choice([1, 1, 2, 1.7]) for name in names if random.random() < 0.8}
 
 
-def _formula(random: Random, names: list[str], horizon: int, *, parted: bool) -> str:
-    scale = 0.5 if parted else 1
+def _formula(random: Random, resources: list[dict], dry: str, horizon: int) -> str:
+    """Tasks, mostly where nothing lies."""
+    names = [item["name"] for item in resources]
+    scale = 1 if resources[0]["indivisible"] else 0.5
 
-    def task() -> str:
-        duration = random.choice([0, 1, 1])
-        needs = random.choice(["{(u,1)}", "{(v,1)}", "{(u,1),(v,1)}", "{}"])
+    def task(longest: int = 1) -> str:
+        duration = min(longest, random.choice([0, 0, 1]))
+        needs = random.choice(["{(u,1)}", "{(u,1)}", "{(v,1)}", "{}", "{}"])
         chosen = random.sample(names, random.randint(1, len(names)))
-        amounts = ",".join(f"({name},{scale * random.choice([1, 1, 2]):g})" for name in chosen)
-        return f"T({duration},{random.choice('ab')},{needs},{{{amounts}}})"
+        amounts = ",".join(f"({name},{scale * random.choice([1, 1, 1, 2]):g})" for name in chosen)
+        label = random.choice(dry if random.random() < 0.7 else "ab")
+        return f"T({duration},{label},{needs},{{{amounts}}})"
 
     def part() -> str:
         last = horizon - 1
@@ -117,14 +126,14 @@ def _formula(random: Random, names: list[str], horizon: int, *, parted: bool) ->
         if kind < 0.55:
             return f"F[0,{last}] {task()}"
         if kind < 0.7:
-            return f"G[{last - 1},{last}] {task()}"
+            return f"G[{last},{last + (random.random() < 0.3)}] {task(0)}"
         if kind < 0.8:
             return f"(F[0,{last}] {task()} || F[0,{last}] {task()})"
         if kind < 0.9:
-            return f"(T(0,a,{{(u,1)}}) U[0,{last}] {task()})"
+            return f"(T(0,{random.choice('ab')},{{(u,1)}}) U[0,{last}] {task()})"
         return f"(T(0,b,{{(v,2)}}) => F[0,{last}] {task()})"
 
-    return " && ".join(part() for _ in range(random.choice([1, 1, 2])))
+    return " && ".join(part() for _ in range(random.choice([1, 1, 1, 2])))
 
 
 # --- brute force -----------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from tests.resource_missions import SENSE, best, random_resource_mission
 from tests.seeds import seed_blocks
 from tsplan import Mission
 
-MOST = 150
+MOST = 400
 """Joint plans of a mission, each with all that can be done with its resources."""
 
 

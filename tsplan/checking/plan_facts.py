@@ -46,6 +46,10 @@ def _rules(plan: Plan, traffic: Traffic) -> Iterator[str]:
     system, swarm = traffic.mission.system, traffic.mission.swarm
     if system.capacity_groups or any(s.capacity is not None for s in system.states.values()):
         yield "every capacity is kept"
+    if traffic.mission.resources:
+        count = len(traffic.ledger.uses)
+        yield f"{count} task{'s have' if count != 1 else ' has'} what they need when executed"
+        yield "no robot carries more than it can, and no state is left with less than nothing"
     if swarm is None:
         return
     least = min(group.size for group in traffic.groups)

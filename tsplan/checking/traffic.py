@@ -12,8 +12,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeAlias
 
-import numpy as np
-
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.ledger import Ledger, read_ledger
 from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
@@ -24,9 +22,10 @@ from tsplan.logic.traces import CountTrace
 from tsplan.plans.moves import Move
 from tsplan.plans.presence import Presence, of_bundles, state_counts
 from tsplan.plans.subswarms import SubSwarm, subswarms
+from tsplan.plans.supplies import execution_tables
 
 if TYPE_CHECKING:
-    from tsplan.milp.model import Bools, Ints
+    from tsplan.milp.model import Ints
     from tsplan.mission import Group, Mission
     from tsplan.plans.agent_plans import Bundle
     from tsplan.plans.plan import Plan
@@ -108,16 +107,9 @@ class Traffic:
         named = sorted({name for formula in formulas for name in capabilities(formula)})
         states = tuple(mission.system.states)
         counts = {name: self.counts(states, name) for name in (None, *named)}
-        return count_trace(mission.system, counts, self._executions(states))
-
-    def _executions(self, states: Sequence[str]) -> dict[str, Bools]:
-        """Where and when each task is executed, by its text."""
-        found: dict[str, Bools] = {}
-        for use in self.ledger.uses:
-            none = np.zeros((len(states), self.horizon + 1), dtype=np.bool_)
-            here = found.setdefault(str(use.task), none)
-            here[states.index(use.state), use.first] = True
-        return found
+        uses = ((str(use.task), use.state, use.first) for use in self.ledger.uses)
+        executed = execution_tables(uses, states, self.horizon)
+        return count_trace(mission.system, counts, executed)
 
     @cached_property
     def availability(self) -> float:

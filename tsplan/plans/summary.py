@@ -65,6 +65,7 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += [f"  {objective_line(item, endless)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, endless)}")
+        lines += supply_lines(plan)
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
         robots = [*_table(plan), ""] if plan.robots else []
         events = [*_events(plan), ""] if plan.groups else []
@@ -116,6 +117,23 @@ def objective_line(item: ObjectiveValue, infinite: str = "unbounded", noun: str 
     side = "at most" if item.bound > item.value else "at least"
     gap = abs(item.value - item.bound) / max(1.0, abs(item.value))
     return f"{item.name} {value} (any {noun} has {side} {number(item.bound)}; gap {gap:.1%})"
+
+
+def supply_lines(plan: Plan) -> list[str]:
+    """Which tasks with resources are executed where and when, and what is carried for that."""
+    lines = [
+        f"  executed at {item.state} at step {item.step}: {shorten(item.task, _LONGEST)}"
+        for item in plan.executions[:MOST_PARTS]
+    ]
+    if rest := len(plan.executions) - len(lines):
+        lines.append(f"  ... and {rest} further executions")
+    loads: dict[str, float] = {}
+    for cargo in plan.cargo:
+        loads[cargo.resource] = loads.get(cargo.resource, 0.0) + cargo.amount
+    if loads:
+        told = ", ".join(f"{name} {number(amount)}" for name, amount in loads.items())
+        lines.append(f"  carried along edges, summed up: {told}")
+    return lines
 
 
 def satisfaction_lines(plan: Plan) -> list[str]:

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, TypeAlias
+from typing import TYPE_CHECKING, Annotated, TypeAlias
 
+import numpy as np
 from pydantic import Field
 
 from tsplan.plans.records import Record, Whole, Word
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from tsplan.milp.model import Bools
 
 Amount: TypeAlias = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 
@@ -19,6 +25,22 @@ class ExecutedTask(Record):
     task: Word
     state: Word
     step: Whole
+
+
+def execution_tables(
+    executions: Iterable[tuple[str, str, int]], states: Sequence[str], horizon: int
+) -> dict[str, Bools]:
+    """Where and when each task, by its text, is executed: arrays (states, steps).
+
+    >>> execution_tables([("T(0,a,{},{(brick,1)})", "q", 1)], ["p", "q"], 1)
+    {'T(0,a,{},{(brick,1)})': array([[False, False],
+           [False,  True]])}
+    """
+    found: dict[str, Bools] = {}
+    for task, state, step in executions:
+        none = np.zeros((len(states), horizon + 1), dtype=np.bool_)
+        found.setdefault(task, none)[states.index(state), step] = True
+    return found
 
 
 @dataclass(frozen=True, slots=True)

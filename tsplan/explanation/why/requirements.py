@@ -26,6 +26,7 @@ from tsplan.logic.symbols import capabilities
 from tsplan.logic.time_horizon import Span
 from tsplan.logic.traces import SignalTrace
 from tsplan.plans.presence import state_counts
+from tsplan.plans.supplies import execution_tables
 
 if TYPE_CHECKING:
     from tsplan.logic.nodes import Formula
@@ -150,7 +151,8 @@ def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
     states = tuple(mission.system.states)
     wanted = (None, *sorted(capabilities(formula)))
     counts = {n: state_counts(plan.presences, states, plan.horizon, n) for n in wanted}
-    return count_trace(mission.system, counts)
+    done = ((item.task, item.state, item.step) for item in plan.executions)
+    return count_trace(mission.system, counts, execution_tables(done, states, plan.horizon))
 
 
 def measured(atom: Count | Linear, trace: Trace) -> Any:
