@@ -13,7 +13,7 @@ from tsplan.mission.objectives import OBJECTIVES
 from tsplan.plans.plan import ObjectiveValue, Plan, Status
 
 _NEAR = 1e-6
-"""Relative distance of two amounts that solvers do not tell apart."""
+"""Relative distance of two amounts or expected values that solvers do not tell apart."""
 
 
 def false_objectives(
@@ -29,7 +29,7 @@ def false_objectives(
         return
     for item in plan.objective:
         actual = values[item.name]
-        if not _claimed(item.value, actual):
+        if not _claimed(mission, item.value, actual):
             yield f"the plan claims {item.name} {clipped(item.value)} and has {shown(actual)}"
         yield from _bound(item, actual, plan.status, _near(mission, item.name))
 
@@ -44,18 +44,32 @@ def unproven(plan: Plan, values: Mapping[str, Fraction | float]) -> Iterator[str
             yield f"{item.name} is called optimal at {shown(actual)}, and no bound proves it"
 
 
-def _claimed(value: float | None, actual: Fraction | float) -> bool:
+def same(mission: Mission, claimed: float | None, actual: float | None) -> bool:
+    """Whether a number that is claimed is the actual one; expected ones are sums of floats."""
+    if claimed is None or actual is None or mission.expected is None:
+        return claimed == actual
+    return near_enough(claimed, actual)
+
+
+def near_enough(claimed: float, actual: float) -> bool:
+    """Whether two floats are not told apart."""
+    return abs(claimed - actual) <= _NEAR * max(1.0, abs(actual))
+
+
+def _claimed(mission: Mission, value: float | None, actual: Fraction | float) -> bool:
     """Whether a value is the exact one, as the nearest number that a file can hold."""
     if value is None or not is_finite(actual):
         return value is None and not is_finite(actual)
-    return value == float(actual)
+    return same(mission, value, float(actual))
 
 
 def _near(mission: Mission, name: str) -> float:
     """How far a value may be from a bound that proves it, by its size: 0 where all are whole.
 
-    Amounts that may be parted come from solvers' arithmetic.
+    Amounts that may be parted and expected numbers come from solvers' arithmetic.
     """
+    if mission.expected is not None:
+        return _NEAR
     parted = any(not item.indivisible for item in mission.resources)
     return _NEAR if parted and OBJECTIVES[name].of_amounts else 0.0
 

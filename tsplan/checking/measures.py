@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.satisfaction_check import slack_of
 from tsplan.exact import exact
-from tsplan.mission.objectives import OBJECTIVES
+from tsplan.mission.objectives import OBJECTIVES, objectives_for
 from tsplan.plans.moves import splits
 
 if TYPE_CHECKING:
@@ -133,12 +133,9 @@ def register_measure(name: str, measure: Measure) -> None:
 
 def measured(traffic: Traffic) -> dict[str, Number]:
     """The value of every objective that the mission of some traffic may name; all are exact."""
-    swarms = traffic.mission.swarm is not None
-    values = {
-        name: measure(traffic)
-        for name, measure in MEASURES.items()
-        if swarms or not OBJECTIVES[name].of_groups
-    }
+    mission = traffic.mission
+    named = objectives_for(swarms=mission.swarm is not None, expected=mission.expected is not None)
+    values = {name: measure(traffic) for name, measure in MEASURES.items() if name in named}
     return {
         name: Fraction(value) if not isinstance(value, float) else value
         for name, value in values.items()

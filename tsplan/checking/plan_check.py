@@ -13,8 +13,15 @@ from operator import eq
 from typing import TYPE_CHECKING
 
 from tsplan.checking.check_report import Report, findings_of, refuse
-from tsplan.checking.claimed_values import false_objectives, shown, unproven
+from tsplan.checking.claimed_values import (
+    false_objectives,
+    near_enough,
+    same,
+    shown,
+    unproven,
+)
 from tsplan.checking.crowding import crowded
+from tsplan.checking.expected_traffic import TOLERANCE, ExpectedTraffic, read_policies
 from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
@@ -69,7 +76,8 @@ def certify(mission: Mission, plan: Plan) -> Plan:
 
 def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
     """Every objective's value, by name, computed from a plan that fits the map."""
-    traffic, problems = read_traffic(mission, plan)
+    read = read_traffic if mission.expected is None else read_policies
+    traffic, problems = read(mission, plan)
     if traffic is None:
         raise SolverError("\n".join(problems))
     return {name: float(value) for name, value in measured(traffic).items()}
@@ -79,6 +87,14 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
     """What a plan does unless that is impossible, and everything that is wrong about it."""
     ends = f"the plan ends at step {plan.horizon} and the mission at step {mission.horizon}"
     problems = [] if plan.horizon == mission.horizon else [ends]
+    if mission.expected is not None:
+        problems += [f"agent {agent.id} has a path" for agent in plan.agents]
+        expected, wrong = read_policies(mission, plan)
+        problems += wrong
+        problems += [] if expected is None else _broken_formula(expected)
+        return expected, problems
+    if plan.policies:
+        problems.append("the plan has policies, and the moves of the mission are certain")
     problems += _strangers(mission, plan)
     traffic, impossible = read_traffic(mission, plan)
     problems += impossible
@@ -134,11 +150,12 @@ def _broken_formula(traffic: Traffic) -> Iterator[str]:
     mission = traffic.mission
     if mission.partial:
         return
-    if traffic.availability < 0:
+    least = 0.0 if mission.expected is None else -TOLERANCE
+    if traffic.availability < least:
         yield f"the formula does not hold (its availability is {shown(traffic.availability)})"
-    elif mission.swarm is not None and mission.swarm.margin:
+    elif mission.headroom is not None:
         slack = traffic.robustness(mission.goal)
-        if slack < 0:
+        if slack < least:
             short = f"{shown(-slack)} short of the mission's margin"
             yield f"the formula holds, but some demand falls {short}"
 
@@ -148,6 +165,9 @@ def _completed(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> Pl
     finite = {name: known(float(value)) for name, value in values.items()}
     items = plan.objective or [ObjectiveValue(name, None) for name in traffic.mission.objective]
     actual = known(traffic.availability)
+    if isinstance(traffic, ExpectedTraffic):
+        plan = replace(plan, policies=traffic.policies)
+        items = [_closed(item, values[item.name]) for item in items if item.name in values]
     return replace(
         with_moves(plan, traffic),
         stocks=plan.stocks or traffic.ledger.histories,
@@ -161,6 +181,12 @@ def _completed(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> Pl
     )
 
 
+def _closed(item: ObjectiveValue, actual: Number) -> ObjectiveValue:
+    """An objective whose bound is the value that is measured, where floats tell no difference."""
+    near = item.bound is not None and near_enough(item.bound, float(actual))
+    return replace(item, bound=float(actual)) if near else item
+
+
 def with_moves(plan: Plan, traffic: Traffic) -> Plan:
     """The plan with the moves and the sub-swarms of its swarms where it names none."""
     return replace(
@@ -172,7 +198,7 @@ def _false_claims(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) ->
     """What the plan says about itself and is not so."""
     problems = list(false_claims(plan, traffic.satisfaction, traffic.preferences))
     actual = known(traffic.availability)
-    if plan.availability != actual:
+    if not same(traffic.mission, plan.availability, actual):
         problems.append(f"the plan claims availability {plan.availability} and has {actual}")
     if plan.stocks != traffic.ledger.histories:
         problems.append("the plan's account of stocks is not what its cargo and executions make")

@@ -27,6 +27,12 @@ def facts_of(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> tupl
 
 def _team(plan: Plan, traffic: Traffic) -> Iterator[str]:
     """Who is there: robots with paths, and swarms."""
+    if plan.policies:
+        agents = traffic.mission.size
+        yield f"the team is the mission's: {agents:,} agents, each by the policy of its class"
+        where = f"at all states it may lead to before step {plan.horizon}"
+        yield f"every policy takes actions of the map {where}"
+        return
     swarms = traffic.moves
     robots = sum(agent.class_name not in swarms for agent in plan.agents)
     if robots:
@@ -65,7 +71,8 @@ def _formula(traffic: Traffic) -> Iterator[str]:
         by = "" if satisfaction.preference is None else f", preference {satisfaction.preference}"
         yield f"the formula holds in part, with satisfaction {satisfaction.fraction}{by}"
     else:
-        yield f"the formula holds, with availability {shown(traffic.availability)}"
+        over = "" if traffic.mission.expected is None else " of expected numbers"
+        yield f"the formula{over} holds, with availability {shown(traffic.availability)}"
     for item in traffic.preferences:
         fraction = f"not met (its fraction is {item.fraction})"
         yield f"preference '{item.name}' is {'met' if item.met else fraction}"

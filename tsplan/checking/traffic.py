@@ -25,7 +25,7 @@ from tsplan.plans.subswarms import SubSwarm, subswarms
 from tsplan.plans.supplies import execution_tables
 
 if TYPE_CHECKING:
-    from tsplan.milp.model import Ints
+    from tsplan.milp.model import Floats, Ints
     from tsplan.mission import Group, Mission
     from tsplan.plans.agent_plans import Bundle
     from tsplan.plans.plan import Plan
@@ -94,7 +94,7 @@ class Traffic:
             )
         )
 
-    def counts(self, states: Sequence[str], capability: str | None = None) -> Ints:
+    def counts(self, states: Sequence[str], capability: str | None = None) -> Ints | Floats:
         """Agents with a capability (all for None) at each of `states` and step."""
         present = (presence for item in self.classes for presence in item.present)
         return state_counts(present, states, self.horizon, capability)

@@ -14,11 +14,12 @@ from types import MappingProxyType
 
 import numpy as np
 
-from tsplan.encode.flow_network import ClassGraph
+from tsplan.encode.flow_network import ClassGraph, Outcomes
 from tsplan.exact import exact
 from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.mission import Group, SwarmBounds
 from tsplan.ts import TransitionSystem
+from tsplan.ts.actions import Action
 from tsplan.ts.edges import RISKS
 
 
@@ -130,13 +131,17 @@ def agent_classes(
     bounds: Mapping[str, SwarmBounds] = _NONE,
     priced: bool = False,
     carrying: bool = False,
+    apart: bool = False,
 ) -> tuple[AgentClass, ...]:
     """The classes of a team, given the capabilities that the problem names.
 
     `bounds` are those of the swarms by their class names. The graphs have costs where these matter
     (`priced`), and zeros otherwise; what robots carry tells them apart where there is anything to
     carry (`carrying`).
+    Classes of different names are told `apart` where they may not share a policy.
     """
+    if system.actions:
+        return action_classes(system, team, named, apart=apart)
     arrays = map_arrays(system)
     known = frozenset(named)
     needed = _needed(system)
@@ -175,6 +180,75 @@ def _start(group: Group, arrays: MapArrays) -> Ints:
     for state, count in group.starts:
         start[arrays.number[state]] += count
     return start
+
+
+def action_classes(
+    system: TransitionSystem, team: Sequence[Group], named: Iterable[str], *, apart: bool
+) -> tuple[AgentClass, ...]:
+    """The classes of a team on a map of uncertain actions, whose edges are the actions."""
+    number = map_arrays(system).number
+    known, needed = frozenset(named), _needed(system)
+    classes: dict[object, AgentClass] = {}
+    for index, group in enumerate(team):
+        start = np.zeros(len(number), dtype=np.int64)
+        for state, count in group.starts:
+            start[number[state]] += count
+        able = group.capabilities & (known | needed)
+        key = able, group.class_name if apart else None
+        if key in classes:
+            old = classes[key]
+            graph = replace(old.graph, start=old.graph.start + start)
+            classes[key] = replace(old, graph=graph, groups=(*old.groups, index))
+        else:
+            graph = _action_graph(system, group.capabilities, start)
+            graph = replace(graph, capabilities=group.capabilities & known)
+            classes[key] = AgentClass(graph, (index,))
+    return tuple(classes.values())
+
+
+def usable_actions(system: TransitionSystem, capabilities: frozenset[str]) -> tuple[Action, ...]:
+    """The actions that lead agents with these capabilities nowhere that they may not be."""
+    closed = {s.name for s in system.states.values() if s.needs and not s.needs <= capabilities}
+    return tuple(
+        action
+        for action in system.actions.values()
+        if action.state not in closed and closed.isdisjoint(state for state, _ in action.possible)
+    )
+
+
+def _action_graph(
+    system: TransitionSystem, capabilities: frozenset[str], start: Ints
+) -> ClassGraph:
+    """The graph of the actions that agents may take, and the edges that end it."""
+    number, unit = map_arrays(system).number, float(system.cost_unit)
+    actions = usable_actions(system, capabilities)
+    states = np.arange(len(number))
+    drawn = [
+        (edge, number[state], chance)
+        for edge, action in enumerate(actions)
+        for state, chance in action.possible
+    ]
+    edge, head, chance = zip(*drawn, strict=True) if drawn else ((), (), ())
+    none = np.zeros(len(states))
+    size = len(actions) + len(states)
+    ends = [(number[action.state], number[action.aim]) for action in actions]
+    tail, aim = zip(*ends, strict=True) if ends else ((), ())
+    return ClassGraph(
+        capabilities=capabilities,
+        start=start,
+        tail=np.concatenate([np.array(tail, dtype=np.int64), states]),
+        head=np.concatenate([np.array(aim, dtype=np.int64), states]),
+        duration=np.array([*(a.duration for a in actions), *np.ones_like(states)], dtype=np.int64),
+        cost=np.concatenate([[action.price / unit for action in actions], none]),
+        risk=np.zeros(size),
+        group=np.full(size, -1, dtype=np.int64),
+        outcomes=Outcomes(
+            np.array(edge, dtype=np.int64),
+            np.array(head, dtype=np.int64),
+            np.array(chance, dtype=np.float64),
+            np.arange(size) >= len(actions),
+        ),
+    )
 
 
 def _needed(system: TransitionSystem) -> frozenset[str]:

@@ -13,6 +13,7 @@ from tsplan.encode.demand_rows import DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.executions import Executions
+from tsplan.encode.expected_rows import expected_rows, policy_rows
 from tsplan.encode.flow_network import ClassColumns, Network, flow
 from tsplan.encode.groups.group_rows import (
     counted,
@@ -31,6 +32,7 @@ from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import demanded_columns, executed_columns, stocks
 from tsplan.encode.switches import Switch
 from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
+from tsplan.logic import Formula
 from tsplan.milp.model import Draft, Ints
 
 Sited: TypeAlias = tuple[SiteColumns, Family]
@@ -45,6 +47,8 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
     """
     rules = WitnessRules(chain=chain, visits=Switch.VISITS in setting.switches)
     setting = setting.at(level)
+    if setting.mission.expected is not None:
+        return _Assembly(setting).expected()
     encoded = assembled(setting, lambda encoder, *_: encoder.encode(setting.goal), rules)
     return replace(encoded, level=level)
 
@@ -125,13 +129,51 @@ class _Assembly:
         made = stocks(mission, executed, network, setting.arrays, draft)
         return {"own_columns": {**own, STOCKS: made}, "loads": made.pieces}
 
-    def reference(self, levels: tuple[int, int]) -> Encoded:
+    def expected(self) -> Encoded:
+        """The model of expected numbers, with a column for the availability.
+
+        Nothing that rests on whole agents is in it: cuts of arrivals, joint demands, chains.
+        """
+        setting, draft = self._setting, self._draft
+        self._flow(range(len(setting.classes)), reduced=False)
+        network = self._network(self._laid)
+        constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
+        decided = policy_rows(setting.mission.expected, network, draft)
+
+        def ask(goal: Formula) -> tuple[Witnesses, OptimisticBound]:
+            optimistic = OptimisticBound(goal, setting.atoms(network))
+            return WitnessEncoder(draft, optimistic, WitnessRules()).encode(goal), optimistic
+
+        witnesses, optimistic = ask(setting.judged)
+        most = optimistic.best(setting.judged, 0)
+        most = max(most, 0.0) if np.isfinite(most) else 0.0
+        rho = int(draft.columns(1, upper=most)[0])
+        expected_rows(witnesses, network, draft, rho=(rho, most))
+        asked = [witnesses]
+        if setting.plain is not None:  # the margin is kept whatever the availability
+            asked.append(ask(setting.goal)[0])
+            expected_rows(asked[-1], network, draft)
+        made = [each.choices for each in asked]
+        return Encoded(
+            draft.build(),
+            network,
+            indicators=np.array([c for each in made for c in each.columns], dtype=np.int64),
+            flows=decided,
+            rho=rho,
+            refuted=any(each.refuted for each in made),
+            steps=np.array([step for each in made for step in each.steps], dtype=np.int64),
+            choices=tuple(group for each in made for group in each.groups),
+        )
+
+    def reference(self, levels: tuple[int, float]) -> Encoded:
         """The plain model, with one column `rho` for the availability between `levels`."""
         setting, draft = self._setting, self._draft
         self._flow(range(len(setting.classes)), reduced=False)
         network = self._network(self._laid)
         self._shared_rows(network)
-        rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=True)[0])
+        whole = not network.expected
+        policy_rows(setting.mission.expected, network, draft)
+        rho = int(draft.columns(1, lower=levels[0], upper=levels[1], integer=whole)[0])
         atoms, executed = executed_columns(setting.goal, setting.atoms(network), network, draft)
         if setting.plain is not None:  # the margin is kept whatever the availability
             none = int(draft.columns(1, upper=0.0, integer=True)[0])
@@ -221,6 +263,6 @@ class _Assembly:
         )
 
 
-def reference(setting: Setting, levels: tuple[int, int]) -> Encoded:
+def reference(setting: Setting, levels: tuple[int, float]) -> Encoded:
     """The reference model, with one column `rho` for the availability between `levels`."""
     return _Assembly(setting).reference(levels)

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import ClassVar
 
 import numpy as np
 
@@ -33,7 +32,11 @@ class CountEncoder:
     arrays: MapArrays
     level: int = 0
     _most: dict[tuple[Site, str | None], Floats] = field(default_factory=dict)
-    grain: ClassVar[float] = 1.0
+
+    @property
+    def grain(self) -> float:
+        """Numbers of agents are whole, expected ones are not."""
+        return 0.0 if self.network.expected else 1.0
 
     def requirement(self, atom: Count) -> Requirement:
         """The bounds an atom means."""
@@ -53,7 +56,7 @@ class CountEncoder:
         site = bound.states, bound.capability
         if site not in self._most:
             states = np.array(bound.states, dtype=np.int64)
-            self._most[site] = self.network.most(states, bound.capability).astype(np.float64)
+            self._most[site] = self.network.best(states, bound.capability)
         return self._most[site] - bound.amount
 
     def worst(self, bound: Bound) -> None:

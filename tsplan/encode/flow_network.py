@@ -1,7 +1,9 @@
 """The flow network: agents of one class move through the map unrolled over time.
 
 `x[g, e, k]` is the number of agents of class g that enter edge e at step k. Agents of a class are
-interchangeable, so the number of columns does not depend on how many there are. A column exists
+interchangeable, so the number of columns does not depend on how many there are. Where outcomes are
+uncertain an edge is an action, whose agents end at several states in their parts; then the columns
+are expected numbers, and at the last step there is one for every state. A column exists
 only where some agent can be: from the earliest arrival at the edge's tail on. All arrays here are
 built without a Python loop over columns.
 """
@@ -23,6 +25,19 @@ from tsplan.ts.reachability import Lengths
 
 
 @dataclass(frozen=True, eq=False)
+class Outcomes:
+    """Where the agents of actions end: a part `chance` of those of `edge` at `head`.
+
+    An edge that is `ending` is entered at the last step alone: agents that are at its state then.
+    """
+
+    edge: Ints
+    head: Ints
+    chance: Floats
+    ending: Bools
+
+
+@dataclass(frozen=True, eq=False)
 class ClassGraph:
     """What one class of interchangeable agents can do on the map.
 
@@ -39,6 +54,7 @@ class ClassGraph:
     risk: Floats  # in millionths
     group: Ints
     carries: Carries = ()  # what each of them carries at most
+    outcomes: Outcomes | None = None  # where edges are actions; `head` is some other state then
 
     @property
     def wait(self) -> Bools:
@@ -53,6 +69,10 @@ class ClassGraph:
     @cached_property
     def lengths(self) -> Lengths:
         """The durations of the edges, for shortest ways."""
+        if self.outcomes is not None:
+            edge = self.outcomes.edge
+            tail, head, duration = self.tail[edge], self.outcomes.head, self.duration[edge]
+            return Lengths(len(self.start), tail, head, duration)
         return Lengths(len(self.start), self.tail, self.head, self.duration)
 
     def earliest(self, horizon: int) -> Ints:
@@ -138,6 +158,11 @@ class Network:
     classes: tuple[ClassColumns, ...]
     horizon: int
 
+    @property
+    def expected(self) -> bool:
+        """Whether the columns are expected numbers."""
+        return any(item.graph.outcomes is not None for item in self.classes)
+
     def counted(self, capability: str | None) -> Bools:
         """At which nodes agents of each class have a capability, as an array (classes, nodes)."""
         nodes = max((len(item.graph.start) for item in self.classes), default=0)
@@ -165,6 +190,8 @@ class Network:
         Agents at a state leave it by some edge (a wait is one), or have arrived at the horizon.
         """
         able = self.having(capability)
+        if self.expected:
+            return *_joined([c.leaving(states, steps) for c in able]), 0
         if self.horizon == 0:
             return *_joined([]), sum(int(c.graph.start[states].sum()) for c in able)
         begun = [c.leaving(states, steps) for c in able]
@@ -201,6 +228,14 @@ class Network:
             most[earliest:] += item.graph.agents
         return most
 
+    def best(self, states: Ints, capability: str | None) -> Floats:
+        """The same, of expected numbers where outcomes are uncertain."""
+        if not self.expected:
+            return self.most(states, capability).astype(np.float64)
+        able = self.having(capability)
+        parts = [most_expected(item.graph, states, self.horizon) for item in able]
+        return np.asarray(sum(parts, np.zeros(self.horizon + 1)))
+
 
 def unroll(
     graphs: Sequence[ClassGraph],
@@ -229,14 +264,22 @@ def flow(graph: ClassGraph, finish: Bools | None, horizon: int, draft: Draft) ->
 def laid_out(
     graph: ClassGraph, horizon: int, draft: Draft, *, upper: float, finish: Bools | None = None
 ) -> ClassColumns:
-    """Integer columns up to `upper` for every edge and step at which it may be entered."""
+    """Columns up to `upper` for every edge and step at which it may be entered.
+
+    They are whole numbers unless outcomes are uncertain.
+    """
     arrival = graph.earliest(horizon)
     last = np.full(len(graph.tail), horizon - 1)
     if finish is not None:
         last = np.where(finish, horizon - graph.duration, last)
     first = arrival[graph.tail]
+    if graph.outcomes is not None:
+        ending = graph.outcomes.ending
+        first = np.where(ending, np.maximum(first, horizon), first)
+        last = np.where(ending, horizon, last)
     spans = np.maximum(last - first + 1, 0)
-    columns = draft.columns(int(spans.sum()), upper=upper, integer=True)
+    whole = graph.outcomes is None
+    columns = draft.columns(int(spans.sum()), upper=upper, integer=whole)
     base = int(columns[0]) if len(columns) else 0
     return ClassColumns(
         graph=graph,
@@ -252,6 +295,7 @@ def laid_out(
 class Balance(NamedTuple):
     """At every state and step before the horizon: what leaves, less what has come.
 
+    Where outcomes are uncertain, at the horizon too: there, agents leave by edges that end it.
     There are `total` rows; `row_of` plus a step is that of a state. `rows`, `columns` and `values`
     are their entries.
     """
@@ -266,19 +310,34 @@ class Balance(NamedTuple):
 def balance(columns: ClassColumns, horizon: int) -> Balance:
     """The balance of one class."""
     graph = columns.graph
-    spans = np.maximum(horizon - columns.arrival, 0)
+    stop = horizon if graph.outcomes is None else horizon + 1
+    spans = np.maximum(stop - columns.arrival, 0)
     row_of = np.cumsum(spans) - spans - columns.arrival
     edge, step, column = columns.unrolled()
-    end = step + graph.duration[edge]
-    inside = end < horizon
-    leaving, coming = row_of[graph.tail[edge]] + step, (row_of[graph.head[edge]] + end)[inside]
+    leaving = row_of[graph.tail[edge]] + step
+    entry, head, part = _ends(graph, edge)
+    end = (step + graph.duration[edge])[entry]
+    inside = end < stop
+    coming = (row_of[head] + end)[inside]
     return Balance(
         int(spans.sum()),
         row_of,
         np.concatenate([leaving, coming]),
-        np.concatenate([column, column[inside]]),
-        np.concatenate([np.ones(len(leaving)), -np.ones(len(coming))]),
+        np.concatenate([column, column[entry][inside]]),
+        np.concatenate([np.ones(len(leaving)), -part[inside]]),
     )
+
+
+def _ends(graph: ClassGraph, edge: Ints) -> tuple[Ints, Ints, Floats]:
+    """Where those who enter edges end: positions in `edge`, states, and which part of them does."""
+    if graph.outcomes is None:
+        return np.arange(len(edge)), graph.head[edge], np.ones(len(edge))
+    order, begin = _grouped(graph.outcomes.edge, len(graph.tail))
+    counts = (begin[1:] - begin[:-1])[edge]
+    entry = np.repeat(np.arange(len(edge)), counts)
+    within = np.arange(len(entry)) - np.repeat(np.cumsum(counts) - counts, counts)
+    outcome = order[begin[edge][entry] + within]
+    return entry, graph.outcomes.head[outcome], graph.outcomes.chance[outcome]
 
 
 def _conserve(columns: ClassColumns, horizon: int, draft: Draft) -> None:
@@ -286,9 +345,32 @@ def _conserve(columns: ClassColumns, horizon: int, draft: Draft) -> None:
     kept = balance(columns, horizon)
     supply = np.zeros(kept.total)
     begun = np.flatnonzero(columns.graph.start)
-    if horizon > 0:
+    if horizon > 0 or columns.graph.outcomes is not None:
         supply[kept.row_of[begun]] = columns.graph.start[begun]
     draft.rows(kept.rows, kept.columns, kept.values, lower=supply, upper=supply, kind="flow")
+
+
+_ROUNDING = 1e-9  # by which a sum of products of probabilities may be too small
+
+
+def most_expected(graph: ClassGraph, states: Ints, horizon: int) -> Floats:
+    """The most agents that can be expected at `states`, for every step, by backward induction.
+
+    Source: R. Bellman, "A Markovian decision process", Journal of Mathematics and Mechanics 6,
+    1957; the value of a state is how likely an agent is at `states` in so many steps.
+    """
+    outcomes = graph.outcomes
+    assert outcomes is not None
+    count, actions = len(graph.start), np.flatnonzero(~outcomes.ending)
+    likely = np.zeros((horizon + 1, count))
+    likely[0, states] = 1.0
+    duration = graph.duration[outcomes.edge]
+    for left in range(1, horizon + 1):
+        in_time = duration <= left
+        later = likely[np.maximum(left - duration, 0), outcomes.head] * in_time
+        value = np.bincount(outcomes.edge, later * outcomes.chance, len(graph.tail))
+        np.maximum.at(likely[left], graph.tail[actions], value[actions])
+    return np.asarray((likely @ graph.start) * (1 + _ROUNDING))
 
 
 def _grouped(keys: Ints, count: int) -> tuple[Ints, Ints]:

@@ -8,9 +8,10 @@ check, which does not believe what is said here.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from types import MappingProxyType
 
 import numpy as np
 
@@ -253,6 +254,37 @@ class OwnSum(TargetObjective):
         return Target.of(terms, count, constant, most=most, maximise=maximise)
 
 
+class ExpectedTravel(Travel):
+    """Agent-steps that are expected to be spent in actions that are no waits."""
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """Expected numbers are not whole."""
+        return replace(super().target(setting, encoded), step=0.0)
+
+
+class ExpectedCost(Cost):
+    """Expected costs of all actions."""
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """Expected costs are told apart as floats are."""
+        return replace(super().target(setting, encoded), step=0.0)
+
+
+class ExpectedAvailability(TargetObjective):
+    """By how much expected numbers of agents exceed what the formula asks for."""
+
+    name = "availability"
+
+    def target(self, setting: Setting, encoded: Encoded) -> Target:
+        """The column of the availability, a real number."""
+        return replace(Availability().target(setting, encoded), step=0.0)
+
+
+EXPECTED: Mapping[str, StageObjective] = MappingProxyType(
+    {each.name: each for each in (ExpectedTravel(), ExpectedCost(), ExpectedAvailability())}
+)
+"""The objectives of expected numbers, by their names."""
+
 _OBJECTIVES: dict[str, StageObjective] = {}
 
 
@@ -284,7 +316,8 @@ def model_objective(name: str) -> StageObjective | None:
 
 def objectives_of(mission: Mission) -> tuple[StageObjective, ...]:
     """The objectives of a mission in their order, but for those that say what is to hold."""
-    found = map(model_objective, mission.objective)
+    named = model_objective if mission.expected is None else EXPECTED.get
+    found = map(named, mission.objective)
     return tuple(objective for objective in found if objective is not None)
 
 

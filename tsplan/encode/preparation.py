@@ -35,7 +35,7 @@ def prepare(
     over before that is done.
     """
     plain = None
-    if goal is None and mission.swarm is not None and mission.swarm.margin:
+    if goal is None and mission.headroom is not None:
         plain = simplify(positive(mission.counted))
     goal = mission.goal if goal is None else goal
     classes = _classes(mission, goal, constraints)
@@ -51,7 +51,9 @@ def prepare(
         clock=clock or Clock(),
         plain=plain,
     )
-    return _on_reduced_maps(setting) if Switch.REDUCTION in switches else setting
+    # quickest ways say nothing of uncertain moves
+    reducible = Switch.REDUCTION in switches and mission.expected is None
+    return _on_reduced_maps(setting) if reducible else setting
 
 
 def _classes(
@@ -66,6 +68,7 @@ def _classes(
         bounds={} if mission.swarm is None else mission.swarm.each,
         priced=any(objective.priced for objective in objectives_of(mission)),
         carrying=any(isinstance(node, Execution) for node in walk(goal)),
+        apart=mission.expected is not None and mission.expected.deterministic,
     )
 
 

@@ -36,6 +36,7 @@ _ENDS: dict[Ended, LPStatus] = {
 }
 _LARGE = 100_000  # entries from which presolve may take seconds, in which HiGHS hears nothing
 _QUIET = 0.2  # seconds that a warm solve may take before `stop` is asked in every iteration
+_MOMENT = 0.2  # seconds of the simplex method before an interior point method takes over
 _INFINITY = float("inf")
 
 
@@ -80,10 +81,18 @@ class WarmLP:
 
     Integrality is ignored. `stop` is asked now and then while solving; once it is true the solve
     ends with status "limit". Changes keep the basis, so the next solve goes on from the last one
-    (dual simplex after changed bounds and new rows, primal after changed costs).
+    (dual simplex after changed bounds and new rows, primal after changed costs). With `interior`
+    what the simplex method does not solve in a moment is left to an interior point method, whose
+    end is made a basis.
     """
 
-    def __init__(self, model: Model, stop: Callable[[], bool] | None = None) -> None:
+    def __init__(
+        self,
+        model: Model,
+        stop: Callable[[], bool] | None = None,
+        *,
+        interior: bool = False,
+    ) -> None:
         self._highs = load(model, relaxed=True)
         self._stop = stop
         self._cutoff = _INFINITY
@@ -95,6 +104,7 @@ class WarmLP:
         # HiGHS calls a program without columns empty, whatever its rows say
         self._offset = float(model.offset)
         self._refuted = trivially_infeasible(model)
+        self._interior = interior
         set_option(self._highs, "solver", "simplex")
 
     def bounds(
@@ -149,7 +159,7 @@ class WarmLP:
             set_option(self._highs, "objective_bound", most)
             self._cutoff = most
         until = _INFINITY if time_limit is None else began + max(time_limit, 0.0)
-        ended = self._run(until)
+        ended = self._from_inside(until) if self._interior else self._run(until)
         if self._left_running:
             return LPResult("limit", _INFINITY, time.perf_counter() - began)
         if ended == Ended.kUnboundedOrInfeasible:
@@ -163,6 +173,18 @@ class WarmLP:
             raise SolverError(f"HiGHS could not solve a linear program: {words}")
         self._warm = True
         return self._result(ended, most, time.perf_counter() - began)
+
+    def _from_inside(self, until: float) -> Ended:
+        """Run by the simplex method for a moment, and else by an interior point method."""
+        if self._warm or not self._large:
+            ended = self._run(min(until, time.perf_counter() + _MOMENT))
+            if ended != Ended.kTimeLimit or self._left_running or time.perf_counter() >= until:
+                return ended
+        checked(self._highs.clearSolver(), "to forget the basis")
+        set_option(self._highs, "solver", "ipm")
+        ended = self._run(until)
+        set_option(self._highs, "solver", "simplex")
+        return ended
 
     def _result(self, ended: Ended, cutoff: float, seconds: float) -> LPResult:
         if _ENDS[ended] != "optimal":
@@ -233,10 +255,8 @@ class WarmLP:
 
     def _watch(self, *, on: bool) -> None:
         if on != self._watched:
-            if on:
-                self._highs.cbSimplexInterrupt += self._interrupt
-            else:
-                self._highs.cbSimplexInterrupt -= self._interrupt
+            for callback in (self._highs.cbSimplexInterrupt, self._highs.cbIpmInterrupt):
+                (callback.subscribe if on else callback.unsubscribe)(self._interrupt)
             self._watched = on
 
     def _interrupt(self, event: Any) -> None:

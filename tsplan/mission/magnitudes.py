@@ -51,6 +51,8 @@ def number_faults(mission: MissionParts) -> list[Fault]:
     found.append((("horizon",), _STEPS.complaint(mission.horizon)))
     if mission.swarm is not None:
         found += _swarm_numbers(mission.swarm)
+    if mission.expected is not None:
+        found += _margin(mission.expected.margin)
     return faults + [Fault(place, words) for place, words in found if words is not None]
 
 
@@ -59,8 +61,12 @@ def _swarm_numbers(rules: SwarmRules) -> Iterator[tuple[Place, str | None]]:
         yield ("swarms", name, "min_subswarm"), _COUNT.complaint(bounds.least)
         yield ("swarms", name, "max_subswarms"), _given(bounds.most)
     yield ("max_subswarms",), _given(rules.together)
-    margin = _SHARE if isinstance(rules.margin, Fraction) else _ROBOTS
-    yield ("margin",), margin.complaint(rules.margin)
+    yield from _margin(rules.margin)
+
+
+def _margin(margin: Any) -> Iterator[tuple[Place, str | None]]:
+    span = _SHARE if isinstance(margin, Fraction) else _ROBOTS
+    yield ("margin",), span.complaint(margin)
 
 
 def _given(value: Any) -> str | None:

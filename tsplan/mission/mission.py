@@ -26,7 +26,13 @@ from tsplan.mission.name_resolution import with_named_classes, with_named_states
 from tsplan.mission.resources import Resource
 from tsplan.mission.team import Agent, Group
 from tsplan.mission.values import parts_from_values
-from tsplan.mission.vocabulary import Language, TaskInterval, default_language
+from tsplan.mission.vocabulary import (
+    Dynamics,
+    Language,
+    PolicyKind,
+    TaskInterval,
+    default_language,
+)
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
 
@@ -46,6 +52,7 @@ class Mission(MissionParts):
     A name of a class that is nobody's capability is one of its own robots, if a formula or the
     map asks for it. The `swarm` rules say which classes are swarms, whose agents move as
     sub-swarms. `resources` are what tasks may need beside robots.
+    sub-swarms. On a map of actions with uncertain outcomes numbers are `expected` ones.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
 
@@ -88,8 +95,8 @@ class Mission(MissionParts):
     def goal(self) -> Formula:
         """The formula that is encoded: over counts, in positive normal form, with its margin."""
         formula = logic.positive(self.counted)
-        if self.swarm is not None and self.swarm.margin:
-            formula = logic.tighten(formula, self.having, self.swarm.spare)
+        if self.headroom is not None:
+            formula = logic.tighten(formula, self.having, self.headroom.spare)
         return logic.simplify(formula)
 
     @property
@@ -161,6 +168,8 @@ class Mission(MissionParts):
         objective: Sequence[str | Mapping[str, str]] | None = None,
         task_interval: TaskInterval = "closed",
         horizon: int | None = None,
+        dynamics: Dynamics | None = None,
+        policy: PolicyKind | None = None,
         solver: SolverChoice | Mapping[str, Any] | None = None,
         name: str = "",
     ) -> Mission:
@@ -170,6 +179,7 @@ class Mission(MissionParts):
         or a mapping with the keys of a mission file; instead of a team or beside it there may be
         one `swarm` or several `swarms`, mappings with those keys, and for them `max_subswarms`
         and `margin`. Each of the `resources` is a Resource or a mapping.
+        and `margin`. `dynamics` and `policy` are for maps of actions with uncertain outcomes.
         `formula` is a text, several texts (their conjunction) or a parsed formula; `must` is
         another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
         and that of swarms "mtl". In "wmtl" formulas name `weights`, which may be functions (see
@@ -196,6 +206,8 @@ class Mission(MissionParts):
             "objective": None if objective is None else list(objective),
             "task_interval": task_interval,
             "horizon": horizon,
+            "dynamics": dynamics,
+            "policy": policy,
             "solver": solver,
         }
         return cls(**vars(parts_from_values(values)))

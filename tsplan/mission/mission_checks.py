@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from tsplan.errors import nearest
 from tsplan.logic import Formula
 from tsplan.mission.costs import cost_faults
+from tsplan.mission.expectation_checks import chance_faults, expectation_faults
 from tsplan.mission.findings import Fault, Place, moved, preferred
 from tsplan.mission.formula_checks import formula_faults, horizon_faults
 from tsplan.mission.magnitudes import number_faults
@@ -29,6 +30,14 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
     return [
         *objective_faults(mission.objective, mission.swarm),
         *preference_faults(mission.objective, mission.prefer, mission.swarm),
+        *expectation_faults(
+            mission.expected,
+            mission.swarm,
+            mission.objective,
+            mission.prefer,
+            mission.resources,
+        ),
+        *chance_faults(mission.system, mission.expected),
         *team_faults(entries_of(mission.team, mission.swarm), mission.system, mission.swarm),
         *map_faults(mission.system, mission.team),
         *cost_faults(mission.system, mission.team, mission.horizon, mission.objective),

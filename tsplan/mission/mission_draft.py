@@ -17,6 +17,7 @@ from tsplan.logic import Formula, parse_with_places
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.costs import cost_faults
+from tsplan.mission.expectation_checks import chance_faults, expectation_faults
 from tsplan.mission.filing import Filing
 from tsplan.mission.findings import Entry, Fault, Place, moved
 from tsplan.mission.formula_checks import (
@@ -38,7 +39,7 @@ from tsplan.mission.name_resolution import with_named_classes
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resource_checks import Carrying, resource_faults, spending_faults
 from tsplan.mission.resources import Resource
-from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
+from tsplan.mission.team import ONE_SWARM, Expectation, Group, SwarmBounds, SwarmRules
 from tsplan.mission.team_checks import map_faults, team_faults
 from tsplan.mission.vocabulary import ORDERS, Order, default_language
 from tsplan.mission.weight_entries import settled, weights_in
@@ -92,6 +93,7 @@ class _Draft(Filing):
     entries: list[Entry] | None = None  # None where what is said of them is wrong
     swarm: SwarmRules | None = None
     resources: tuple[Resource, ...] | None = None  # as the entries
+    expected: Expectation | None = None
     horizon: int = 0
     weights: Mapping[str, Weight] = field(default_factory=dict)
 
@@ -144,6 +146,8 @@ class _Draft(Filing):
                 name: SwarmBounds(one.max_subswarms, one.min_subswarm) for _, name, one in swarms
             }
             self.swarm = SwarmRules(each, file.max_subswarms, file.margin)
+        if file.dynamics == "expected":
+            self.expected = Expectation(file.policy == "deterministic", file.margin)
 
     @property
     def team(self) -> tuple[Group, ...] | None:
@@ -211,12 +215,17 @@ class _Draft(Filing):
             names, prefer = self.objective(file), self.preferences(file.spec.prefer)
             faults += objective_faults(names, self.swarm)
             faults += preference_faults(names, prefer, self.swarm)
+            faults += expectation_faults(
+                self.expected, self.swarm, names, prefer, self.resources or ()
+            )
             faults += team_faults(self.entries, self.system, self.swarm)
         if self.system is not None and self.team is not None:
             faults += map_faults(self.system, self.team)
         if self.resources is not None:
             team = Carrying(self.resources, self.entries, self.system)
             faults += resource_faults(team, self.objective(file), self.swarm)
+        if self.system is not None and self.entries is not None:
+            faults += chance_faults(self.system, self.expected)
         horizons = []
         for where, formula in self.formulas.all():
             found = [*formula_faults(formula, self.system, self.team, self.swarm)]
@@ -265,6 +274,7 @@ class _Draft(Filing):
             solver=SolverChoice(**solver),
             swarm=self.swarm,
             resources=self.resources or (),
+            expected=self.expected,
             satisfaction=objective_order(file.objective or ()),
             prefer=self.preferences(file.spec.prefer),
             weights=settled(self.weights),
@@ -284,9 +294,13 @@ def misplaced(data: Mapping[str, Any]) -> Iterator[tuple[Place, str, str]]:
         yield (), "'team' is missing", remedy
     if "swarm" in given and "swarms" in given:
         yield ("swarms",), "the mission has 'swarms' beside 'swarm'", "keep one of them"
-    if "margin" in data and given == ["team"]:
+    expected = data.get("dynamics") == "expected"
+    if "margin" in data and given == ["team"] and not expected:
         what = "'margin' is head-room for a swarm, and this mission has a team"
         yield ("margin",), what, "remove it, or describe a swarm"
+    if "policy" in data and not expected:
+        what = "'policy' is about uncertain moves, and those of this mission are certain"
+        yield ("policy",), what, "remove it, or add 'dynamics: expected'"
     if "max_subswarms" in data and given == ["team"]:
         what = "'max_subswarms' bounds swarms, and this mission has a team"
         yield ("max_subswarms",), what, "remove it, or describe a swarm"

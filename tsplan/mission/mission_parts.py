@@ -13,7 +13,7 @@ from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resources import Resource
-from tsplan.mission.team import Group, SwarmBounds, SwarmRules
+from tsplan.mission.team import Expectation, Group, SwarmBounds, SwarmRules
 from tsplan.mission.vocabulary import Language, Order, TaskInterval
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
@@ -57,6 +57,7 @@ class MissionParts:
     solver: SolverChoice = field(default_factory=SolverChoice)
     swarm: SwarmRules | None = None
     resources: tuple[Resource, ...] = ()
+    expected: Expectation | None = None
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()
     weights: Mapping[str, Weight] = field(default_factory=dict, compare=False, repr=False)
@@ -64,6 +65,12 @@ class MissionParts:
     warnings: tuple[Finding, ...] = field(default=(), compare=False)
     parse_seconds: float = field(default=0.0, compare=False, repr=False)
     origin: Document | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def headroom(self) -> SwarmRules | Expectation | None:
+        """What says how far counts are kept away from what the formula needs, if anything does."""
+        rules = self.swarm or self.expected
+        return rules if rules is not None and rules.margin else None
 
     def group_bounds(self, class_name: str) -> SwarmBounds | None:
         """How a class may divide into sub-swarms; None for ordinary robots."""

@@ -22,7 +22,7 @@ from tsplan.limits import (
     Range,
 )
 from tsplan.mission.mission_writer import FORMAT
-from tsplan.mission.vocabulary import ORDERS, Language, TaskInterval
+from tsplan.mission.vocabulary import ORDERS, Dynamics, Language, PolicyKind, TaskInterval
 from tsplan.mission.weight_entries import weights_of_entry
 
 _SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
@@ -175,6 +175,8 @@ class MissionFile(Part):
     objective: list[Annotated[Name, BeforeValidator(_aim)]] | None = None
     task_interval: TaskInterval = "closed"
     horizon: Whole | None = None
+    dynamics: Dynamics = "certain"
+    policy: PolicyKind | None = None
     solver: Solver | None = None
 
 

@@ -69,6 +69,12 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     if mission.task_interval != "closed":
         yield f"task_interval: {mission.task_interval}"
     yield f"horizon: {mission.horizon}"
+    if mission.expected is not None:
+        yield "dynamics: expected"
+        if mission.expected.deterministic:
+            yield "policy: deterministic"
+        if mission.expected.margin:
+            yield f"margin: {margin_text(mission.expected.margin)}"
     if solver := solver_entry(mission.solver):
         yield f"solver: {flow(solver)}"
 

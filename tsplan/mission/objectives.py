@@ -23,7 +23,8 @@ class Objective:
     other is about all agents. One that is `first` says what holds, and no other objective comes
     before it. The value of one that is `whole` is a whole number wherever it is finite; that of
     any other is an exact decimal number or fraction. One `of_amounts` is about resources, and only
-    a mission with some may name it. `words` say what it is.
+    a mission with some may name it. One that is `expected` has an expected value where moves are
+    uncertain. `words` say what it is.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Objective:
     first: bool = False
     whole: bool = True
     of_amounts: bool = False
+    expected: bool = False
 
     def is_better(self, value: Fraction | float, other: Fraction | float) -> bool:
         """Whether one value is better than another.
@@ -56,9 +58,16 @@ def register(objective: Objective) -> None:
     _REGISTER[objective.name] = objective
 
 
-def objectives_for(*, swarms: bool) -> tuple[str, ...]:
-    """The names that a mission may use: with `swarms` all, else those that are not of groups."""
-    return tuple(item.name for item in OBJECTIVES.values() if swarms or not item.of_groups)
+def objectives_for(*, swarms: bool, expected: bool = False) -> tuple[str, ...]:
+    """The names that a mission may use: with `swarms` all, else those that are not of groups.
+
+    Where numbers are `expected` ones, only those that have an expected value.
+    """
+    return tuple(
+        item.name
+        for item in OBJECTIVES.values()
+        if (swarms or not item.of_groups) and (item.expected or not expected)
+    )
 
 
 for _objective in (
@@ -66,9 +75,16 @@ for _objective in (
     Objective(
         "preferences", "maximise", "summed weights of what is preferred", first=True, whole=False
     ),
-    Objective("availability", "maximise", "agents that may fail with the formula still holding"),
-    Objective("travel", "minimise", "steps that all agents together spend on moves"),
-    Objective("cost", "minimise", "summed costs of all edges that are entered", whole=False),
+    Objective(
+        "availability",
+        "maximise",
+        "agents that may fail with the formula still holding",
+        expected=True,
+    ),
+    Objective("travel", "minimise", "steps that all agents together spend on moves", expected=True),
+    Objective(
+        "cost", "minimise", "summed costs of all edges that are entered", whole=False, expected=True
+    ),
     Objective("risk", "minimise", "-log of the chance that no move fails", whole=False),
     Objective(
         "haulage",

@@ -116,4 +116,24 @@ class SwarmRules:
         >>> SwarmRules({}, margin=Fraction(1, 20)).spare(130)
         7
         """
-        return self.margin if isinstance(self.margin, int) else ceil(self.margin * agents)
+        return _spare(self.margin, agents)
+
+
+@dataclass(frozen=True, slots=True)
+class Expectation:
+    """What is asked of policies, where moves are uncertain and expected numbers are planned.
+
+    With a `deterministic` policy all agents of a class take one action at a state and step. The
+    `margin` is head-room of expected numbers, as that of swarms is of numbers.
+    """
+
+    deterministic: bool = False
+    margin: Fraction | int = Fraction(0)
+
+    def spare(self, agents: int) -> int:
+        """The head-room, in agents, of a demand on so many `agents`."""
+        return _spare(self.margin, agents)
+
+
+def _spare(margin: Fraction | int, agents: int) -> int:
+    return margin if isinstance(margin, int) else ceil(margin * agents)

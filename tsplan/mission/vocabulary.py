@@ -6,6 +6,8 @@ from typing import Literal, TypeAlias
 
 Language: TypeAlias = Literal["catl", "mtl", "stl", "wmtl"]
 TaskInterval: TypeAlias = Literal["closed", "half-open"]
+Dynamics: TypeAlias = Literal["certain", "expected"]
+PolicyKind: TypeAlias = Literal["randomised", "deterministic"]
 Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 
 LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl", "wmtl")

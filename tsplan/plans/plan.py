@@ -24,6 +24,7 @@ from tsplan.parameters import known_name, name_list, step_within
 from tsplan.plans.agent_plans import AgentPlan, Bundle, agents_json, bundles
 from tsplan.plans.moves import Moves, shares
 from tsplan.plans.plan_text import PLANS, read_result
+from tsplan.plans.policies import Policy, expected_counts
 from tsplan.plans.presence import Presence, of_bundles, of_groups, state_counts
 from tsplan.plans.records import (
     OPTIONAL,
@@ -43,7 +44,7 @@ from tsplan.stopping import LIMITS, StoppedBy
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from tsplan.milp.model import Ints
+    from tsplan.milp.model import Floats, Ints
     from tsplan.mission import Mission
     from tsplan.plans.moves import Node
 
@@ -208,6 +209,7 @@ class Plan(Record, display.Displayed):
 
     The plan of a mission with resources has the `executions` of tasks, the `cargo` of every agent
     and the `stocks` that follow from both.
+    Where moves are uncertain there are `policies`, and no agents: numbers are expected ones.
 
     Raises PlanError for a status that contradicts `stopped_by` or the presence of paths.
     """
@@ -229,13 +231,14 @@ class Plan(Record, display.Displayed):
     executions: tuple[ExecutedTask, ...] = field(default=(), metadata=OPTIONAL)
     cargo: tuple[Cargo, ...] = field(default=(), metadata=OPTIONAL)
     stocks: tuple[StockHistory, ...] = field(default=(), metadata=OPTIONAL)
+    policies: tuple[Policy, ...] = field(default=(), metadata=OPTIONAL)
     solver: SolverUse = field(default_factory=SolverUse)
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)
     notes: tuple[str, ...] = field(default=(), metadata=OPTIONAL)
 
     def __post_init__(self) -> None:
-        there = bool(self.agents or self.moves)
+        there = bool(self.agents or self.moves or self.policies)
         if findings := contradictions(self, "plan", "the agents' paths", there=there):
             raise PlanError(findings)
 
@@ -255,6 +258,7 @@ class Plan(Record, display.Displayed):
     def _within(self) -> Self:
         """Nothing happens after the horizon; asked of what a file says alone."""
         late = [move.step for moves in self.moves.values() for move in moves]
+        late += [choice.step for policy in self.policies for choice in policy.choices]
         if late and max(late) >= self.horizon:
             raise ValueError(f"a move at step {max(late)} of a plan that ends at {self.horizon}")
         if any(group.last > self.horizon for group in self.groups):
@@ -286,6 +290,7 @@ class Plan(Record, display.Displayed):
     def states(self) -> tuple[str, ...]:
         """Every state at which some agent stays, sorted."""
         stays = {stay[2] for bundle in self.bundles for stay in bundle.stays}
+        stays.update(state for policy in self.policies for state in policy.expected)
         return tuple(sorted(stays.union(presence.state for presence in self.presences)))
 
     @cached_property
@@ -325,8 +330,12 @@ class Plan(Record, display.Displayed):
         """
         return {swarm: shares(moves) for swarm, moves in self.moves.items()}
 
-    def counts(self, capability: str | None = None, *, states: Iterable[str] | None = None) -> Ints:
+    def counts(
+        self, capability: str | None = None, *, states: Iterable[str] | None = None
+    ) -> Ints | Floats:
         """Agents with a capability (all agents for None) at each state and step.
+
+        Of policies they are expected numbers.
 
         The array has one row for each of `states` (by default `Plan.states`) and one column for
         each step 0..horizon. States outside the plan have rows of zeros: a plan does not know its
@@ -342,9 +351,12 @@ class Plan(Record, display.Displayed):
         """
         if capability is not None and self.has_paths:  # without paths nobody is known
             able = {name for presence in self.presences for name in presence.capabilities}
+            able.update(name for policy in self.policies for name in policy.capabilities)
             swarms = {group.swarm for group in self.groups} | set(self.moves)
             known_name(capability, [able | swarms], "swarm" if able <= swarms else "capability")
         rows = self.states if states is None else name_list(states, "state")
+        if self.policies:
+            return expected_counts(self.policies, rows, self.horizon, capability)
         return state_counts(self.presences, rows, self.horizon, capability)
 
     def explain(self, mission: Mission) -> display.WitnessNode:
@@ -412,6 +424,7 @@ class Plan(Record, display.Displayed):
             "cargo": lambda: json_lines(map(as_json, self.cargo)),
             "stocks": lambda: json_lines(map(as_json, self.stocks)),
             "agents": lambda: agents_json(self.agents, self.bundles),
+            "policies": lambda: json_lines(policy.text() for policy in self.policies),
         }
         return json_document({**first, **self.data()}, large)
 

@@ -7,11 +7,13 @@ from typing import TypedDict
 import numpy as np
 
 from tsplan.encode.encoded import Point, Setting
+from tsplan.encode.policy_reading import policies_of
 from tsplan.encode.read_back import carried_at, executions_of, listed, moves_of
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.decomposition import paths_of
 from tsplan.plans.loading import loading
 from tsplan.plans.moves import Move
+from tsplan.plans.policies import Policy
 from tsplan.plans.supplies import Cargo, ExecutedTask
 
 MOST_AGENTS = 1000
@@ -25,14 +27,17 @@ class Ways(TypedDict, total=False):
     moves: dict[str, tuple[Move, ...]]
     executions: tuple[ExecutedTask, ...]
     cargo: tuple[Cargo, ...]
+    policies: tuple[Policy, ...]
 
 
 def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
-    """The moves of every swarm, and one path per agent in the order of the team.
+    """The moves of every swarm, and one path per agent in the order of the team; or policies.
 
     Those of swarms are left out where there are more than `MOST_AGENTS` agents in all.
     """
     mission = setting.mission
+    if mission.expected is not None:
+        return Ways(policies=tuple(policies_of(setting, point)))
     begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
     agents: dict[int, AgentPlan] = {}
     moves: dict[str, tuple[Move, ...]] = {}

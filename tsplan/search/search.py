@@ -329,7 +329,9 @@ class Search:
 
     def _warm(self) -> WarmLP:
         if self._lp is None:
-            self._lp = WarmLP(self._model, self._clock.stop)
+            # programs of expected numbers are degenerate, and slow by the simplex method
+            interior = self._encoded.network.expected
+            self._lp = WarmLP(self._model, self._clock.stop, interior=interior)
         return self._lp
 
     # --- the solver's side -------------------------------------------------------------------

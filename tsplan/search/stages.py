@@ -15,7 +15,7 @@ import numpy as np
 from tsplan.clock import Clock, Halted
 from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.model_objectives import Availability, Splits, Travel
+from tsplan.encode.model_objectives import Availability, ExpectedTravel, Splits, Travel
 from tsplan.encode.objective_kinds import LevelObjective, StageObjective, TargetObjective
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
@@ -83,6 +83,8 @@ class Stages(Lexicographic[Point, StageObjective]):
     @property
     def _guide(self) -> TargetObjective:
         """What leads to a plan where any will do."""
+        if self.setting.mission.expected is not None:
+            return ExpectedTravel()
         return Travel() if self.setting.mission.swarm is None else Splits()
 
     def worth(self, objective: StageObjective, point: Point) -> float:
@@ -197,6 +199,8 @@ class Stages(Lexicographic[Point, StageObjective]):
         A tree on the witnesses leaves open where groups go: that is the solver's part.
         """
         switches = self.effort.switches if self.tight else frozenset()
+        if self.setting.mission.expected is not None:  # the others count whole agents
+            switches &= set() if len(encoded.flows) else {Switch.DIVE, Switch.TREE}
         return replace(
             self.effort, switches=switches - {Switch.TREE} if encoded.swarms else switches
         )
@@ -253,4 +257,4 @@ class Stages(Lexicographic[Point, StageObjective]):
 
     def _reference(self, level: int) -> Encoded:
         most = max(Availability().ideal(self.setting), 0.0)
-        return reference(self.setting, (level, level if np.isinf(most) else int(most)))
+        return reference(self.setting, (level, level if np.isinf(most) else most))

@@ -1,5 +1,6 @@
 """Transition systems: the maps that agents move on.
 
+- `actions`: moves whose outcome is a matter of chance.
 - `edges`, `validity`, `system`: states and edges, what is wrong with them, and the frozen system.
 - `io`: files; each format is one module, and `io.map_files` finds the one that fits.
 - `builders`: grids, and systems from networkx graphs.
@@ -8,7 +9,8 @@
 - `map_lint`: what is allowed but probably not meant.
 """
 
+from tsplan.ts.actions import Action
 from tsplan.ts.edges import ByClass, Edge, State
 from tsplan.ts.system import Extras, TransitionSystem
 
-__all__ = ["ByClass", "Edge", "Extras", "State", "TransitionSystem"]
+__all__ = ["Action", "ByClass", "Edge", "Extras", "State", "TransitionSystem"]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from tsplan import display
 from tsplan.errors import Finding, MapError, Spot, in_order
 from tsplan.exact import common_unit, exact
+from tsplan.ts.actions import Action, ActionFlaw, ActionKey, action_flaws, edges_of
 from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.validity import Problem, problems
 from tsplan.words import nfc
@@ -39,7 +40,8 @@ class TransitionSystem(display.Displayed):
     """States and directed edges, at most one edge for each ordered pair of states.
 
     Build one with `TransitionSystem.build`, which checks it. States and edges keep the order in
-    which they were given. `places` says where a file gives the costs of edges.
+    which they were given. `places` says where a file gives the costs of edges. Where outcomes are
+    uncertain there are `actions`, by state and name, and the edges say what these may lead to.
 
     >>> town = TransitionSystem.build(
     ...     [State("home"), State("shop", frozenset({"open"}))],
@@ -54,9 +56,11 @@ class TransitionSystem(display.Displayed):
     edges: Mapping[Pair, Edge]
     extras: Extras | None = field(default=None, repr=False, compare=False)
     places: Mapping[Pair, Spot] = field(default_factory=dict, repr=False, compare=False)
+    actions: Mapping[ActionKey, Action] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Freeze the mappings."""
+        object.__setattr__(self, "actions", MappingProxyType(dict(self.actions)))
         object.__setattr__(self, "states", MappingProxyType(dict(self.states)))
         object.__setattr__(self, "edges", MappingProxyType(dict(self.edges)))
 
@@ -70,7 +74,7 @@ class TransitionSystem(display.Displayed):
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as plain dicts, so that a system can be sent to another process."""
         parts = (self.name, dict(self.states), dict(self.edges), self.extras, dict(self.places))
-        return TransitionSystem, parts
+        return TransitionSystem, (*parts, dict(self.actions))
 
     @classmethod
     def build(
@@ -80,29 +84,40 @@ class TransitionSystem(display.Displayed):
         name: str = "",
         *,
         extras: Extras | None = None,
+        actions: Iterable[Action] = (),
         locate: Callable[[Problem], Finding] = Problem.finding,
+        locate_action: Callable[[ActionFlaw], Finding] = ActionFlaw.finding,
     ) -> TransitionSystem:
         """A transition system from its parts, in the order given.
 
-        `locate` turns a problem into a finding with its place, for parts that come from a file.
+        With `actions` there are no edges beside those that follow from them. `locate` and
+        `locate_action` turn what is wrong into a finding with its place, for parts that come from
+        a file.
 
         Raises
         ------
         MapError
             No states, names that repeat, edges with unknown ends or that repeat, durations that
-            are not whole numbers from 1 on, wrong capacities and costs; all of them at once.
+            are not whole numbers from 1 on, wrong capacities and costs, probabilities that do not
+            add up to 1; all of them at once.
 
         """
-        states, edges = tuple(states), tuple(edges)
+        states, edges, actions = tuple(states), tuple(edges), tuple(actions)
         faults = [locate(problem) for problem in problems(states, edges)]
+        faults += [locate_action(flaw) for flaw in action_flaws(states, actions)]
+        if actions and edges:
+            what = "the map has edges beside its actions, and edges follow from these"
+            remedy = "write an edge as an action that is sure, such as go: {q2: 1}"
+            faults.append(locate(Problem("system", 0, "edges", what, remedy)))
         if faults:
             raise MapError(in_order(faults))
         return cls(
             nfc(name),
             {state.name: state for state in states},
-            {(edge.source, edge.target): edge for edge in edges},
+            {edge.pair: edge for edge in edges or edges_of(actions)},
             extras,
             {} if locate is Problem.finding else _cost_places(edges, locate),
+            {action.key: action for action in actions},
         )
 
     @cached_property

@@ -36,7 +36,16 @@ if TYPE_CHECKING:
 Exchange: TypeAlias = tuple[int, int, str]
 """Characters from one up to before another become a text."""
 
-_FIELDS = ("team", "horizon", "objective", "swarm", "prefer", "satisfaction", "task_interval")
+_FIELDS = (
+    "team",
+    "horizon",
+    "objective",
+    "swarm",
+    "expected",
+    "prefer",
+    "satisfaction",
+    "task_interval",
+)
 """What two missions must agree on to be the same, beside formula and map."""
 
 

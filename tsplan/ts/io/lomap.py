@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -20,6 +20,7 @@ from tsplan.document.fields import Natural, Number, Positive, Truth, Word, Words
 from tsplan.document.flow_style import flow, given, short, word
 from tsplan.document.yaml_nodes import SET, TUPLE, Node
 from tsplan.errors import MapError
+from tsplan.ts.actions import Action, ActionFlaw, ActionKey
 from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.io.map_draft import MapDraft, written_once
 from tsplan.ts.system import Extras, TransitionSystem
@@ -27,6 +28,7 @@ from tsplan.ts.validity import CORNERS
 
 FORMAT = "lomap"
 _OWN_KEY = "tsplan"
+_GO = "go"  # the name of an action without a control
 _PLACE_KEYS = ("location", "position")
 _USED = ("name", "graph", "directed")
 _POSITIONS: dict[str, Path] = {"source": (0,), "target": (1,), "duration": (2, "weight")}
@@ -85,11 +87,13 @@ class _Draft(MapDraft):
     STATES, EDGES = ("graph", "nodes"), ("graph", "edges")
 
     directed: bool = True
+    uncertain: bool = False  # edges have probabilities
     state_extras: dict[str, dict[str, Any]] = field(default_factory=dict)
     edge_extras: dict[Pair, list[dict[str, Any]]] = field(default_factory=dict)
     ids: dict[str, Any] = field(default_factory=dict)
     place_keys: dict[str, str] = field(default_factory=dict)
     _known: dict[Pair, Edge] = field(default_factory=dict)
+    _drawn: dict[ActionKey, tuple[Path, Action]] = field(default_factory=dict)
 
     def edge_part(self, path: Path, part: str) -> Path:
         return (*path, *_POSITIONS.get(part, ()))
@@ -148,6 +152,9 @@ class _Draft(MapDraft):
             return
         source, target = self._name(parts[0]), self._name(parts[1])
         kept = _native(parts[2]) if parts[2:] else {}
+        if self.uncertain:
+            self._read_outcome((source, target), kept, path)
+            return
         fields = self._more(_EdgeMore, (*path, 2), kept)
         self.findings += self.document.lost_digits((*path, 2, _OWN_KEY, "cost"), fields.get("cost"))
         weight = kept.pop("weight", 1)
@@ -162,6 +169,26 @@ class _Draft(MapDraft):
         for one in [edge, edge.reverse()] if back else [edge]:
             self._known.setdefault(one.pair, one)
             self.edge_extras.setdefault(one.pair, []).append(kept)
+
+    def _read_outcome(self, ends: Pair, kept: dict[str, Any], path: Path) -> None:
+        """Take in an edge of a Markov decision process: an outcome of the action `control`."""
+        key = (ends[0], str(kept.get("control", _GO)))
+        weight = kept.get("weight", 1)
+        duration = int(weight) if isinstance(weight, float) and weight.is_integer() else weight
+        first = (path, Action(*key, (), duration, kept.get("cost")))
+        path, action = self._drawn.setdefault(key, first)
+        if action.duration != duration:
+            what = f"'{key[1]}' at '{key[0]}' has another weight with another outcome"
+            self.refuse((*path, 2, "weight"), what, "an action takes as long wherever it leads")
+        outcome = (ends[1], kept.get("prob", 1))
+        self._drawn[key] = path, replace(action, outcomes=(*action.outcomes, outcome))
+
+    def drawn(self) -> None:
+        """Make actions of the outcomes that were read."""
+        self.actions += [action for _, action in self._drawn.values()]
+
+    def action_path(self, flaw: ActionFlaw) -> Path:
+        return self._drawn[flaw.action.key][0]
 
     def _name(self, node: Node) -> str:
         """The name of a node in an edge; numbers and tuples become their text."""
@@ -223,12 +250,19 @@ def read_lomap(document: Document, path: Path = ()) -> TransitionSystem:
     content, findings = validated(document, _File, path)
     if content is None:
         raise MapError(findings)
-    draft = _Draft(document, path, directed=content.directed)
+    uncertain = any(_has_chance(edge) for edge in content.graph.edges)
+    draft = _Draft(document, path, directed=content.directed, uncertain=uncertain)
     for name in content.graph.nodes:
         draft.read_state(name)
     for index in range(len(content.graph.edges)):
         draft.read_edge(index)
+    draft.drawn()
     return draft.system(content.name, extras=draft.extras())
+
+
+def _has_chance(edge: Any) -> bool:
+    """Whether an edge is one of a Markov decision process."""
+    return isinstance(edge, list) and isinstance(edge[-1], dict) and "prob" in edge[-1]
 
 
 def lomap_to_yaml(system: TransitionSystem) -> str:
@@ -249,6 +283,10 @@ def lomap_to_yaml(system: TransitionSystem) -> str:
     lines += [f"{word(key)}: {flow(value)}" for key, value in attributes.items()]
     lines += ["graph:", "  nodes:"]
     lines += [f"    {_id(s.name, extras)}: {_state(s, extras)}" for s in system.states.values()]
+    if system.actions:
+        lines[2] = "directed: true"
+        lines += ["  edges:", *(f"  - {text}" for text in _outcomes(system, extras))]
+        return "\n".join(lines) + "\n"
     written = system.edges.values() if directed else written_once(system)
     edges = [f"  - {text}" for edge in written for text in _edge(edge, extras, directed)]
     lines += ["  edges:", *edges] if edges else ["  edges: []"]
@@ -275,6 +313,16 @@ def _state(state: State, extras: Extras) -> str:
     )
     own = given(capacity=state.capacity, needs=sorted(state.needs))
     return flow(fields | {**kept} | given(**{_OWN_KEY: own}))
+
+
+def _outcomes(system: TransitionSystem, extras: Extras) -> Iterator[str]:
+    """The lines of all actions: an edge for every outcome."""
+    for action in system.actions.values():
+        for target, chance in action.outcomes:
+            attributes = {"weight": action.duration, "control": action.name, "prob": short(chance)}
+            more = given(cost=short(action.cost))
+            ends = f"{_id(action.state, extras)}, {_id(target, extras)}"
+            yield f"[{ends}, {flow(attributes | more)}]"
 
 
 def _edge(edge: Edge, extras: Extras, directed: bool) -> Iterator[str]:

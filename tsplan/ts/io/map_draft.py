@@ -10,6 +10,7 @@ from typing import ClassVar
 from tsplan.document import Document, Path, validated
 from tsplan.document.validation import SchemaT
 from tsplan.errors import Finding, MapError, in_order
+from tsplan.ts.actions import Action, ActionFlaw, action_flaws
 from tsplan.ts.edges import Edge, State
 from tsplan.ts.system import Extras, TransitionSystem
 from tsplan.ts.validity import Problem, problems
@@ -31,6 +32,7 @@ class MapDraft(ABC):
     path: Path
     states: list[State] = field(default_factory=list)
     edges: list[Edge] = field(default_factory=list)
+    actions: list[Action] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     _origins: list[tuple[Path, bool]] = field(default_factory=list)  # and whether it is the reverse
 
@@ -81,6 +83,14 @@ class MapDraft(ABC):
             path = self.edge_part(path, part)
         return self.document.finding(path, message, remedy)
 
+    def action_path(self, flaw: ActionFlaw) -> Path:
+        """Where what is wrong with an action is written."""
+        return (*self.path, *self.STATES, flaw.action.state)
+
+    def locate_action(self, flaw: ActionFlaw) -> Finding:
+        """What is wrong with an action, with its place in the document."""
+        return self.document.key_finding(self.action_path(flaw), flaw.message, flaw.remedy)
+
     def system(
         self, name: str, more: Iterable[Edge] = (), extras: Extras | None = None
     ) -> TransitionSystem:
@@ -88,9 +98,17 @@ class MapDraft(ABC):
         if self.findings:
             if self.states:  # else there is nothing that edges could fit to
                 self.findings += map(self.locate, problems(self.states, self.edges))
+                self.findings += map(self.locate_action, action_flaws(self.states, self.actions))
             raise MapError(in_order(self.findings))
-        edges = [*self.edges, *more]
-        return TransitionSystem.build(self.states, edges, name, extras=extras, locate=self.locate)
+        return TransitionSystem.build(
+            self.states,
+            [*self.edges, *more],
+            name,
+            extras=extras,
+            actions=self.actions,
+            locate=self.locate,
+            locate_action=self.locate_action,
+        )
 
 
 def written_once(system: TransitionSystem) -> Iterator[Edge]:

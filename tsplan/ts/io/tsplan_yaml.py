@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainValidator, RootModel
@@ -11,6 +12,7 @@ from tsplan.document import Document, Path
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
 from tsplan.document.flow_style import flow, given, short, word
 from tsplan.errors import MapError
+from tsplan.ts.actions import Action, ActionFlaw, missing_stays
 from tsplan.ts.edges import ByClass, Edge, State, missing_waits
 from tsplan.ts.io.map_draft import MapDraft, written_once
 from tsplan.ts.system import TransitionSystem
@@ -18,6 +20,8 @@ from tsplan.ts.validity import CORNERS, steps_fault
 
 _KEYS = {"source": "from", "target": "to"}
 _PLACES = {"source": 0, "target": 1, "duration": 2}
+_OUTCOMES = "to"  # the key of an action's outcomes, where they do not stand beside its fields
+_FIELDS = ("duration", "cost")  # of an action; what else it names is an outcome
 
 
 def _reference(value: Any) -> Any:
@@ -82,6 +86,7 @@ class _Map(_Strict):
     waiting: Truth = False
     states: dict[str, Any]
     edges: list[Any] = []
+    actions: dict[str, dict[str, dict[str, Any]]] = {}
 
 
 class _Draft(MapDraft):
@@ -121,6 +126,24 @@ class _Draft(MapDraft):
         edge = Edge(**fields)
         self.add_edge(edge, path, back=edge.both_ways and not edge.is_wait)
 
+    def read_action(self, state: str, name: str, entry: dict[str, Any]) -> None:
+        """Take in an action: its outcomes, beside its fields or under a key of their own."""
+        apart = isinstance(entry.get(_OUTCOMES), dict)
+        outcomes = entry[_OUTCOMES] if apart else {k: entry[k] for k in entry if k not in _FIELDS}
+        path = (*self.path, "actions", state, name)
+        for key in entry if apart else ():
+            if key not in (_OUTCOMES, *_FIELDS):
+                message = f"an action has no '{key}' beside its outcomes"
+                self.findings.append(self.document.key_finding((*path, key), message, "remove it"))
+        fields = {key: entry[key] for key in _FIELDS if key in entry}
+        self.actions.append(Action(state, name, tuple(outcomes.items()), **fields))
+
+    def action_path(self, flaw: ActionFlaw) -> Path:
+        entry = (*self.path, "actions", *flaw.action.key)
+        outcome = bool(flaw.path) and flaw.path[0] not in _FIELDS
+        apart = outcome and isinstance(self.document.at(entry).get(_OUTCOMES), dict)
+        return (*entry, _OUTCOMES, *flaw.path) if apart else (*entry, *flaw.path)
+
 
 def read_own(document: Document, path: Path = ()) -> TransitionSystem:
     """A map in the package's own format, at `path` of a document.
@@ -139,13 +162,20 @@ def read_own(document: Document, path: Path = ()) -> TransitionSystem:
         # a wrong or unknown key at the top does not hide what is wrong below
         data = document.at(path)
         content = _Map.model_construct(
-            states=_or_empty(data, "states", dict), edges=_or_empty(data, "edges", list)
+            states=_or_empty(data, "states", dict),
+            edges=_or_empty(data, "edges", list),
+            actions={},
         )
     for name in content.states:
         draft.read_state(name)
     for index, entry in enumerate(content.edges):
         draft.read_edge(index, entry)
-    more = missing_waits(draft.states, draft.edges) if content.waiting else ()
+    for state, entries in content.actions.items():
+        for name, action in entries.items():
+            draft.read_action(state, name, action)
+    if content.waiting and draft.actions:
+        draft.actions += missing_stays(draft.states, draft.actions)
+    more = missing_waits(draft.states, draft.edges) if content.waiting and not draft.actions else ()
     return draft.system(content.name or "", more)
 
 
@@ -164,9 +194,30 @@ def map_to_yaml(system: TransitionSystem) -> str:
     lines.append("states:")
     named = {name: word(name) for name in system.states}  # each of them stands in several edges
     lines += [f"  {named[name]}: {flow(_state(state))}" for name, state in system.states.items()]
+    if system.actions:
+        return "\n".join([*lines, "actions:", *_action_lines(system)]) + "\n"
     edges = [f"  - {_edge(edge, named)}" for edge in written_once(system)]
     lines += ["edges:", *edges] if edges else ["edges: []"]
     return "\n".join(lines) + "\n"
+
+
+def _action_lines(system: TransitionSystem) -> Iterator[str]:
+    """The actions of every state, one a line."""
+    by_state: dict[str, list[Action]] = defaultdict(list)
+    for action in system.actions.values():
+        by_state[action.state].append(action)
+    for state, actions in by_state.items():
+        yield f"  {word(state)}:"
+        yield from (f"    {word(action.name)}: {flow(_action(action))}" for action in actions)
+
+
+def _action(action: Action) -> dict[str, Any]:
+    outcomes = {state: short(chance) for state, chance in action.outcomes}
+    fields = given(
+        duration=None if action.duration == 1 else action.duration, cost=short(action.cost)
+    )
+    apart = fields or outcomes.keys() & {_OUTCOMES, *_FIELDS}
+    return {_OUTCOMES: outcomes, **fields} if apart else outcomes
 
 
 def _state(state: State) -> dict[str, Any]:
