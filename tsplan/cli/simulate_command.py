@@ -66,12 +66,14 @@ def _shaken_words(found: DisturbedRuns) -> Iterator[str]:
 
 
 def _words(mission: Mission, found: Simulation, probability: float) -> Iterator[str]:
-    yield f"{found.runs:,} runs (seed {found.seed}): every agent by chance, by the plan's shares"
+    by = "shares" if mission.expected is None else "policies"
+    yield f"{found.runs:,} runs (seed {found.seed}): every agent by chance, by the plan's {by}"
     yield f"the formula held in {_frequency(found.formula)}"
-    yield f"the bounds on sub-swarms held in {_frequency(found.bounds)}"
+    if mission.expected is None:
+        yield f"the bounds on sub-swarms held in {_frequency(found.bounds)}"
     yield (
         f"numbers at a state strayed from the plan by {found.stray_mean:.2f} agents on average, "
-        f"at most by {found.stray_max:,}"
+        f"at most by {number(round(found.stray_max, 2))}"
     )
     margin = margin_for(mission, probability)
     yield (

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from tsplan.limits import is_finite
 from tsplan.plans.agent_plans import Bundle
 from tsplan.plans.plan import ObjectiveValue, Outcome, Plan, Status
+from tsplan.plans.policy_table import policy_table
 from tsplan.plans.split_history import timeline
 from tsplan.stopping import StoppedBy
 from tsplan.words import number, visible
@@ -69,7 +70,8 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
         robots = [*_table(plan), ""] if plan.robots else []
         events = [*_events(plan), ""] if plan.groups else []
-        return [*seen([*lines, ""]), *robots, *events, *_work(plan)]
+        policies = [*policy_table(plan), ""] if plan.policies else []
+        return [*seen([*lines, ""]), *robots, *events, *policies, *_work(plan)]
     return [*seen(lines), *_work(plan)]
 
 
@@ -252,6 +254,7 @@ def _work(plan: Plan) -> list[str]:
     """With what and how long, as far as it is known."""
     agents = sum(len(bundle.agents) for bundle in plan.robots)
     agents += sum(group.size for group in plan.groups_at(0))
+    agents += sum(round(policy.agents) for policy in plan.policies)
     return work_lines(plan, f", {agents:,} agents" if agents else "")
 
 

@@ -1,13 +1,14 @@
 """The margin that makes the distributed protocol succeed with a given probability.
 
 Under the protocol of `tsplan.protocol.simulation` the agents of swarms are independent, and robots
-beside them go as planned. So the number of those at the states of a label at a step is a sum of
-independent 0/1 variables, expected to be the planned number. Among all such sums with one mean the
-binomial has the heaviest tails at a distance of one or more from the mean (W. Hoeffding, "On the
-distribution of the number of successes in independent trials", Annals of Mathematical Statistics
-27, 1956, theorem 4). A demand for m of n agents, planned with a margin of h, therefore fails with
-probability at most P(X < m) for X ~ Binomial(n, (m + h)/n). One for at most m is a demand for n - m
-elsewhere. Where all agents are to be, or none, nothing is left to chance.
+beside them go as planned; agents that follow policies are independent all of them. So the number of
+those at the states of a label at a step is a sum of independent 0/1 variables, expected to be the
+planned number. Among all such sums with one mean the binomial has the heaviest tails at a distance
+of one or more from the mean (W. Hoeffding, "On the distribution of the number of successes in
+independent trials", Annals of Mathematical Statistics 27, 1956, theorem 4). A demand for m of n
+agents, planned with a margin of h, therefore fails with probability at most P(X < m) for X ~
+Binomial(n, (m + h)/n). One for at most m is a demand for n - m elsewhere. Where all agents are to
+be, or none, nothing is left to chance.
 
 A plan meets a formula by some demands at some steps. The probabilities that one of them fails are
 added up (Boole's inequality), because how they depend on each other is not known: at every step of
@@ -36,9 +37,9 @@ def margin_for(mission: Mission, probability: float = 0.95) -> int:
     """
     if not 0 < probability < 1:
         raise ValueError(f"a probability between 0 and 1 is needed, not {clipped(probability)}")
-    if mission.swarm is None:
+    if mission.swarm is None and mission.expected is None:
         what = "only the agents of a swarm go by chance, and the mission has a team"
-        raise MissionError([Finding(what, "describe a swarm")])
+        raise MissionError([Finding(what, "describe a swarm, or uncertain moves")])
     formula = logic.simplify(logic.positive(mission.counted))
     low, high = -1, mission.size  # with all agents to spare nothing is left to chance
     while high - low > 1:

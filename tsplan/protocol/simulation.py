@@ -4,6 +4,9 @@ Nobody tells the agents apart, and they do not communicate. An agent at a state 
 each edge with the probability that is the planned fraction, `Plan.shares`, independently of all
 others. So the agents that enter the edges of one state at one step are a multinomial sample of
 those that are there, and agents are expected to be everywhere in the planned numbers.
+
+Where the outcomes of actions are uncertain, agents follow the policies of the plan likewise
+(`tsplan.protocol.policy_runs`), and the planned numbers are the expected ones.
 """
 
 from __future__ import annotations
@@ -22,7 +25,9 @@ from tsplan.checking.traffic import ClassTraffic, Traffic, read_traffic
 from tsplan.errors import Finding, PlanError
 from tsplan.logic import capabilities, holds
 from tsplan.parameters import refuse_options
+from tsplan.plans.policies import expected_counts
 from tsplan.plans.presence import state_counts
+from tsplan.protocol.policy_runs import sampled_counts
 
 if TYPE_CHECKING:
     from tsplan.checking.path_segments import Segment
@@ -88,7 +93,7 @@ class Simulation:
     seed: int
     formula: Frequency
     bounds: Frequency
-    stray_max: int
+    stray_max: float
     stray_mean: float
 
 
@@ -97,16 +102,19 @@ def simulate(mission: Mission, plan: Plan, *, runs: int = 1000, seed: int = 0) -
 
     The work grows with the moves of the plan and the runs, not with the number of agents. The
     result is the same for equal seeds. Raises PlanError for a plan without moves of swarms, or
-    one that the independent check refuses, and ValueError for fewer runs than one
+    policies, one that the independent check refuses, and ValueError for fewer runs than one
     and other numbers out of range.
     """
     if runs < 1:
         raise ValueError(f"at least one run is needed, not {runs}")
     refuse_options(runs=runs, seed=seed)
-    if mission.swarm is None or not plan.moves:
-        what = "only plans of swarms, with their moves, can be simulated"
-        raise PlanError([Finding(what, "plan a mission with a swarm")])
+    chancy = plan.policies if mission.expected is not None else plan.moves
+    if not chancy or (mission.swarm is None and mission.expected is None):
+        what = "only plans of swarms, with their moves, and policies can be simulated"
+        raise PlanError([Finding(what, "plan a mission with a swarm or with uncertain moves")])
     report = check(mission, plan)
+    if report.ok and mission.expected is not None:
+        return _by_policies(mission, plan, runs, seed)
     traffic, _ = read_traffic(mission, plan)
     if not report.ok or traffic is None:
         raise PlanError(report.findings)
@@ -123,13 +131,50 @@ def simulate(mission: Mission, plan: Plan, *, runs: int = 1000, seed: int = 0) -
     )
 
 
+def _by_policies(mission: Mission, plan: Plan, runs: int, seed: int) -> Simulation:
+    """Let every agent follow the policy of its class, `runs` times."""
+    random = np.random.default_rng(seed)
+    states = tuple(mission.system.states)
+    tallies = [_policy_tally(mission, plan, random, size) for size in _batches(mission, runs)]
+    places = sum(
+        np.count_nonzero(expected_counts([policy], states, plan.horizon))
+        for policy in plan.policies
+    )
+    return Simulation(
+        runs,
+        seed,
+        Frequency(sum(tally.holding for tally in tallies), runs),
+        Frequency(runs, runs),  # there are no sub-swarms
+        max(tally.stray_max for tally in tallies),
+        float(sum(tally.stray_sum for tally in tallies) / (runs * places)),
+    )
+
+
+def _policy_tally(mission: Mission, plan: Plan, random: np.random.Generator, runs: int) -> _Tally:
+    states = tuple(mission.system.states)
+    counts = {}
+    for name in (None, *capabilities(mission.counted)):
+        counts[name] = np.zeros((runs, len(states), mission.horizon + 1), dtype=np.int64)
+    strays = []
+    for policy in plan.policies:
+        drawn = sampled_counts(mission, policy, random, runs)
+        for name in counts:
+            if name is None or name in policy.capabilities:
+                counts[name] += drawn
+        strays.append(np.abs(drawn - expected_counts([policy], states, plan.horizon)))
+    held = holds(mission.counted, count_trace(mission.system, counts))[..., 0]
+    most = max(float(stray.max()) for stray in strays)
+    total_stray = float(sum(stray.sum() for stray in strays))
+    return _Tally(int(np.sum(held)), runs, most, total_stray)
+
+
 @dataclass(frozen=True, slots=True)
 class _Tally:
     """How many runs of a batch held and kept the bounds, and how far their numbers strayed."""
 
     holding: int
     bounded: int
-    stray_max: int
+    stray_max: float
     stray_sum: float
 
 
