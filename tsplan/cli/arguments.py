@@ -174,7 +174,17 @@ def _show(commands: Commands) -> None:
     add("--mission", type=Path, metavar="MISSION", help=what)
     add(
         "--view",
-        choices=("page", "paths", "timeline", "requirements", "flow", "map", "signals", "plane"),
+        choices=(
+            "page",
+            "paths",
+            "timeline",
+            "requirements",
+            "flow",
+            "policy",
+            "map",
+            "signals",
+            "plane",
+        ),
         help="everything on one page (default), or one view; signals, plane: of a trajectory",
     )
     why = "print why the formula holds: where each part does, by whom or by how much"

@@ -122,8 +122,9 @@ def _beside(row: Requirement) -> tuple[str, str, float]:
     if spare is None:
         words = "not used"
     else:
-        words = f"{number(spare)} to spare" if spare >= 0 else f"{number(-spare)} missing"
-    most = f"peak {row.counts.max()}"
+        size = number(round(abs(spare), 2))
+        words = f"{size} to spare" if spare >= 0 else f"{size} missing"
+    most = f"peak {number(round(float(row.counts.max()), 2))}"
     wide = max(canvas.text_size(text, SMALL)[0] for text in (words, most))
     return words, most, wide / POINTS + 0.1
 

@@ -10,6 +10,7 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import Picture, new_figure
 from tsplan.draw.map import height_of as map_height
 from tsplan.draw.path_map import draw_paths
+from tsplan.draw.policy_map import draw_policy
 from tsplan.draw.requirement_chart import draw_requirements
 from tsplan.draw.requirement_chart import height_of as chart_height
 from tsplan.draw.starts import draw_mission
@@ -32,6 +33,7 @@ VIEWS: Mapping[str, View] = MappingProxyType(
         "timeline": draw_timeline,
         "requirements": draw_requirements,
         "flow": draw_swarm,
+        "policy": draw_policy,
         "map": lambda _plan, mission, ax: draw_mission(mission, ax),
     }
 )
@@ -50,7 +52,7 @@ def draw_plan(
     without paths or of another mission.
     """
     if mission is not None:
-        return draw_view(plan, mission, view or "paths", ax)
+        return draw_view(plan, mission, view or ("policy" if plan.policies else "paths"), ax)
     if view not in ("", "timeline"):
         remedy = "give the mission too: plan.plot(mission, ...)"
         raise InputError([Finding(f"the view '{view}' needs the map of the mission", remedy)])
@@ -62,6 +64,10 @@ def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Pictur
     if view not in VIEWS:
         found = Finding(f"there is no view '{view}' of a plan", nearest(view, VIEWS))
         raise InputError([found])
+    if bool(plan.policies) is not (view == "policy") and view not in ("map", "requirements"):
+        what = "a plan of policies has no" if plan.policies else "the plan has no policy, nor a"
+        remedy = f"look at its {'policy' if plan.policies else 'paths'} or requirements"
+        raise InputError([Finding(f"{what} {view}", remedy)])
     return VIEWS[view](plan, mission, ax)
 
 
@@ -88,7 +94,8 @@ def page_size(plan: Plan, mission: Mission) -> tuple[float, float]:
 
 def _heights(plan: Plan, mission: Mission) -> dict[str, float]:
     """The views on the page, each with the inches it takes."""
-    mapped = {"paths" if plan.agents else "map": map_height(mission.system)}
+    first = "paths" if plan.agents else "policy" if plan.policies else "map"
+    mapped = {first: map_height(mission.system)}
     moving = tracks(plan, mission)
     timed = {"timeline": timeline_height(plan, moving) + REST} if plan.agents else {}
     grouped = any(not track.ids for track in moving)

@@ -42,7 +42,7 @@ from tsplan.plans.supplies import Cargo, ExecutedTask, StockHistory
 from tsplan.stopping import LIMITS, StoppedBy
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from tsplan.milp.model import Floats, Ints
     from tsplan.mission import Mission
@@ -355,9 +355,13 @@ class Plan(Record, display.Displayed):
             swarms = {group.swarm for group in self.groups} | set(self.moves)
             known_name(capability, [able | swarms], "swarm" if able <= swarms else "capability")
         rows = self.states if states is None else name_list(states, "state")
+        return self.tallied(rows, capability)
+
+    def tallied(self, states: Sequence[str], capability: str | None) -> Ints | Floats:
+        """The same at `states`, whether anybody in the plan has the capability or not."""
         if self.policies:
-            return expected_counts(self.policies, rows, self.horizon, capability)
-        return state_counts(self.presences, rows, self.horizon, capability)
+            return expected_counts(self.policies, states, self.horizon, capability)
+        return state_counts(self.presences, states, self.horizon, capability)
 
     def explain(self, mission: Mission) -> display.WitnessNode:
         """Why the plan satisfies the formula of its mission, as a tree that prints itself.
@@ -373,9 +377,9 @@ class Plan(Record, display.Displayed):
     ) -> display.Picture:
         """A picture of the plan: its matplotlib figure and axes.
 
-        `view` is one of `paths` (the default with a mission), `timeline` (the default, and all
-        that there is, without one), `requirements`, `flow` and `map`. Without `ax` there is a
-        figure of its own that pyplot does not know. Raises PlotUnavailableError without
+        `view` is one of `paths` (the default with a mission; of policies `policy`), `timeline` (the
+        default, and all that there is, without one), `requirements`, `flow` and `map`. Without `ax`
+        there is a figure of its own that pyplot does not know. Raises PlotUnavailableError without
         matplotlib, InputError for an unknown view, and PlanError for a plan without paths or of
         another mission.
         """

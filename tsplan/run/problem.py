@@ -110,6 +110,7 @@ class Problem:
         if not isinstance(constraint, Constraint):
             remedy = "compare counts: problem.add(problem.count(place, step=5) >= 2)"
             raise MissionError([Finding(f"{clipped(constraint)} is not a constraint", remedy)])
+        self._refuse_expected()
         checked_terms(constraint.terms, self.mission)
         self._constraints.append(within_reach(replace(constraint, name=name), self.mission.size))
         self._setting = None
@@ -144,11 +145,17 @@ class Problem:
         if not isinstance(expression, Expression) or not expression.terms:
             remedy = "give a sum of counts, such as 2 * problem.count(place, step=5)"
             raise MissionError([Finding(f"{clipped(expression)} is not an objective", remedy)])
+        self._refuse_expected()
         checked_terms(expression.terms, self.mission, expression.constant)
         first = not self._objective.terms
         self._maximised = maximised and (first or self._maximised)
         self._objective += -expression if maximised else expression
         self._setting = None
+
+    def _refuse_expected(self) -> None:
+        if self.mission.expected is not None:
+            what = "own constraints and objectives are about counts, and those here are expected"
+            raise MissionError([Finding(what, "say it in the formula")])
 
     @property
     def own(self) -> Own:

@@ -25,7 +25,6 @@ from tsplan.logic.simplification import simplify
 from tsplan.logic.symbols import capabilities
 from tsplan.logic.time_horizon import Span
 from tsplan.logic.traces import SignalTrace
-from tsplan.plans.presence import state_counts
 from tsplan.plans.supplies import execution_tables
 
 if TYPE_CHECKING:
@@ -150,18 +149,18 @@ def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
     """The counts of a plan at all states of its mission's map, as far as a formula needs them."""
     states = tuple(mission.system.states)
     wanted = (None, *sorted(capabilities(formula)))
-    counts = {n: state_counts(plan.presences, states, plan.horizon, n) for n in wanted}
+    counts = {name: plan.tallied(states, name) for name in wanted}
     done = ((item.task, item.state, item.step) for item in plan.executions)
     return count_trace(mission.system, counts, execution_tables(done, states, plan.horizon))
 
 
 def measured(atom: Count | Linear, trace: Trace) -> Any:
-    """What an atom compares with its bound at every step: whole numbers of agents, or a value."""
+    """What an atom compares with its bound at every step: numbers of agents, or a value."""
     if isinstance(trace, SignalTrace):
         return trace.total(cast("Linear", atom).terms)
     atom = cast("Count", atom)
     counts = getattr(trace.at(atom.label, atom.capability), atom.function)(axis=-2)
-    return np.asarray(counts, dtype=np.int64)
+    return np.asarray(counts)
 
 
 def runs(steps: Steps) -> tuple[Span, ...]:

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, get_args
 
 from tsplan.clock import Clock
+from tsplan.errors import Finding, MissionError
 from tsplan.explanation.explanation import Change, Conflict, Cut, Explanation, Fact, Status
 from tsplan.explanation.why.signal_tightness import tight_signals
 from tsplan.explanation.why.tightness import deadline_slacks, slacks, tight_facts
@@ -63,7 +64,7 @@ def explain(
     limit end the search with what is known; `cut` says what they kept from being looked at.
 
     Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails, and
-    InputError for a time limit out of range.
+    InputError for a time limit out of range; MissionError for a mission over expected numbers.
 
     >>> import tsplan
     >>> made = tsplan.explain(tsplan.load_mission("mission.yaml"))
@@ -71,6 +72,9 @@ def explain(
     ('feasible', [])
     """
     refuse_options(time_limit=time_limit)
+    if getattr(mission, "expected", None) is not None:
+        what = "why expected numbers cannot be met is not told"
+        raise MissionError([Finding(what, "ask for fewer agents, or for more of them")])
     limit = mission.solver.time_limit if time_limit is None else time_limit
     hear = (audible(on_stage or (lambda _: None)), audible(on_found or (lambda _: None)))
     run = _Run(mission, limit, solver, *hear)
