@@ -33,7 +33,7 @@ from tsplan.encode.own_constraints import resolve
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.logic import Execution, walk
-from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.milp.model import INFINITY, Draft, Floats, Ints
 from tsplan.milp.target import Target
 from tsplan.mission import Mission
 from tsplan.ts.edges import RISKS
@@ -254,7 +254,21 @@ class OwnSum(TargetObjective):
         return Target.of(terms, count, constant, most=most, maximise=maximise)
 
 
-class ExpectedTravel(Travel):
+_KEPT = 1e-8  # of a value may be lost where others are minimised after it; solvers forgive more
+
+
+class _Expected(TargetObjective):
+    """An objective whose values are real numbers."""
+
+    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
+        """With a row that allows for no more than rounding."""
+        vector = self.target(setting, encoded).vector
+        most = value + _KEPT * max(1.0, abs(value))
+        model = encoded.model.with_row(vector, -INFINITY, most, f"kept {self.name}")
+        return replace(encoded, model=model)
+
+
+class ExpectedTravel(_Expected, Travel):
     """Agent-steps that are expected to be spent in actions that are no waits."""
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
@@ -262,7 +276,7 @@ class ExpectedTravel(Travel):
         return replace(super().target(setting, encoded), step=0.0)
 
 
-class ExpectedCost(Cost):
+class ExpectedCost(_Expected, Cost):
     """Expected costs of all actions."""
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
@@ -270,7 +284,7 @@ class ExpectedCost(Cost):
         return replace(super().target(setting, encoded), step=0.0)
 
 
-class ExpectedAvailability(TargetObjective):
+class ExpectedAvailability(_Expected):
     """By how much expected numbers of agents exceed what the formula asks for."""
 
     name = "availability"

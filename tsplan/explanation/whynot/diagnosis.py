@@ -74,7 +74,7 @@ def explain(
     refuse_options(time_limit=time_limit)
     if getattr(mission, "expected", None) is not None:
         what = "why expected numbers cannot be met is not told"
-        raise MissionError([Finding(what, "ask for fewer agents, or for more of them")])
+        raise MissionError([Finding(what, "ask for less in the formula, or add agents")])
     limit = mission.solver.time_limit if time_limit is None else time_limit
     hear = (audible(on_stage or (lambda _: None)), audible(on_found or (lambda _: None)))
     run = _Run(mission, limit, solver, *hear)
