@@ -8,6 +8,7 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 from itertools import product
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -291,6 +292,15 @@ def test_maps_and_missions_are_written_as_they_are_read():
     assert mission_from_text(firm.to_yaml()) == firm
     grid = slippery_grid(3)
     assert read_map(map_to_yaml(grid)) == grid
+
+
+def test_the_example_of_the_page_is_planned():
+    page = (Path(__file__).parents[1] / "docs" / "uncertain.md").read_text(encoding="utf-8")
+    mission = mission_from_text(page.split("```yaml\n")[1].split("```")[0])
+    plan = tsplan.plan(mission)
+    assert plan.status == "optimal"
+    assert 0 < plan.availability < 6
+    assert mission_from_text(mission.to_yaml()) == mission
 
 
 def test_waits_are_added_where_nobody_can_stay():

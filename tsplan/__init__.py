@@ -57,6 +57,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.signals.trajectory import Trajectory as Trajectory
     from tsplan.signals.trajectory_file import load_trajectory as load_trajectory
     from tsplan.signals.trajectory_file import save_trajectory as save_trajectory
+    from tsplan.ts import Action as Action
     from tsplan.ts import Edge as Edge
     from tsplan.ts import State as State
     from tsplan.ts import TransitionSystem as TransitionSystem
@@ -99,7 +100,7 @@ _HOMES = {
     "signals.trajectory_file": ("load_trajectory", "save_trajectory"),
     "signals.signal_files": ("load_signal_mission",),
     "signals.signal_mission": ("SignalMission",),
-    "ts": ("Edge", "State", "TransitionSystem"),
+    "ts": ("Action", "Edge", "State", "TransitionSystem"),
     "ts.io.map_files": ("load_map",),
 }
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 if TYPE_CHECKING:
     from tsplan.logic.atoms import Count
     from tsplan.logic.traces import CountTrace
@@ -19,10 +17,10 @@ MOST_IDS = 4
 
 @dataclass(frozen=True, slots=True)
 class Presence:
-    """Agents at one state: how many, and the first few of them."""
+    """Agents at one state: how many (or are expected), and the first few of them."""
 
     state: str
-    count: int
+    count: float
     ids: tuple[str, ...]
 
 
@@ -39,7 +37,7 @@ class Staff:
         if step is None:
             return ()
         states = self.mission.system.labels[atom.label]
-        counts = self.trace.at(atom.label, atom.capability)[:, step].astype(np.int64).tolist()
+        counts = self.trace.at(atom.label, atom.capability)[:, step].tolist()
         ids: dict[str | None, list[str]] = {state: [] for state in states}
         for bundle in self.plan.bundles:
             if atom.capability is None or atom.capability in bundle.capabilities:

@@ -373,8 +373,8 @@ def _who(node: WitnessNode) -> list[str]:
 
 def _presence(presence: Presence) -> str:
     if not presence.ids:
-        who = f"{presence.count:,} agents" if presence.count else "nobody"
+        who = f"{number(round(presence.count, 2))} agents" if presence.count else "nobody"
         return f"{who} at {presence.state}"
     more = presence.count - len(presence.ids)
-    rest = f" and {more:,} more" if more else ""
+    rest = f" and {number(more)} more" if more else ""
     return f"{names(presence.ids)}{rest} at {presence.state}"
