@@ -34,7 +34,7 @@ from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.logic import Execution, walk
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints
-from tsplan.milp.target import Target
+from tsplan.milp.target import CLOSED, Target
 from tsplan.mission import Mission
 from tsplan.ts.edges import RISKS
 
@@ -259,6 +259,10 @@ _KEPT = 1e-8  # of a value may be lost where others are minimised after it; solv
 
 class _Expected(TargetObjective):
     """An objective whose values are real numbers."""
+
+    def matched(self, value: float, bound: float) -> float:
+        """The value, if solvers tell it not apart from the bound."""
+        return value if abs(value - bound) <= CLOSED * max(1.0, abs(value)) else bound
 
     def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
         """With a row that allows for no more than rounding."""
