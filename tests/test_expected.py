@@ -51,6 +51,23 @@ def test_chance_serves_two_places_better_than_one_choice_for_all():
     assert {choice.probability for policy in plan.policies for choice in policy.choices} == {1.0}
 
 
+def test_where_nothing_is_asked_for_there_is_no_end_of_it():
+    mission = grid_mission(3, 2, "true", horizon=2)
+    plan = tsplan.plan(mission)
+    assert (plan.status, plan.availability) == ("optimal", None)
+    assert Plan.from_json(plan.to_json()).objective[0].value is None
+    assert tsplan.plan(grid_mission(3, 2, "G[0,1] sum(goal) >= 1")).status == "infeasible"
+    here = tsplan.plan(grid_mission(3, 2, "sum(goal) >= 0"))
+    assert here.counts(states=["r0c0"]).tolist() == [[2.0]]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("formula", ["G[40,40] (sum(goal) >= 4)", "F[30,40] (sum(goal) >= 4)"])
+def test_a_grid_of_a_hundred_and_forty_four_cells(formula):
+    mission = grid_mission(12, 10, f"{formula} && G[18,20] (sum(side) >= 2)")
+    assert availability(mission) == pytest.approx(5.9787951, abs=1e-5)
+
+
 # --- judges ------------------------------------------------------------------------------------
 
 

@@ -53,6 +53,8 @@ def same(mission: Mission, claimed: float | None, actual: float | None) -> bool:
 
 def near_enough(claimed: float, actual: float) -> bool:
     """Whether two floats are not told apart."""
+    if not (math.isfinite(claimed) and math.isfinite(actual)):
+        return claimed == actual
     return abs(claimed - actual) <= _NEAR * max(1.0, abs(actual))
 
 
