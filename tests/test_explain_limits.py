@@ -139,7 +139,9 @@ def test_questions_without_an_answer_say_why(monkeypatch, why: StoppedBy, words:
     assert not any(item.minimal for item in made.conflicts)
 
 
-def test_what_is_found_is_heard_on_the_way() -> None:
+def test_what_is_found_is_heard_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    # however slow saying it is beside finding it
+    monkeypatch.setattr("tsplan.explanation.whynot.diagnosis._FOR_HANDING", 1e9)
     heard: list[Explanation] = []
     made = explain(MISSION, on_found=heard.append)
     assert heard[0].facts == made.facts
