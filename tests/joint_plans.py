@@ -21,6 +21,7 @@ from tsplan.mission import Agent
 MOST_JOINT_PLANS = 3000
 SENSE = {
     "availability": -1,
+    "delay": -1,
     "travel": 1,
     "cost": 1,
     "makespan": 1,
@@ -59,8 +60,9 @@ class JointPlan:
     paths: tuple[Path, ...]
     swarms: dict[str, Groups]
 
-    def trace(self) -> CountTrace:
-        return trace(self.mission, self.paths)
+    def trace(self, delay: int | None = None) -> CountTrace:
+        delay = self.mission.delay if delay is None else delay
+        return trace(self.mission, self.paths, delay)
 
     def worth(self, name: str) -> float:
         """The value of one objective, but for those that a formula has to be judged for."""
@@ -128,20 +130,63 @@ def within_capacity(mission: Mission, joint: tuple[Path, ...]) -> bool:
     return True
 
 
-def trace(mission: Mission, joint: tuple[Path, ...]) -> CountTrace:
-    names = list(mission.system.states)
-    counts = {None: np.zeros((len(names), mission.horizon + 1))}
+class Counts:
+    """Who is where for certain, and who may be, by capability, state and step."""
+
+    def __init__(self, mission: Mission) -> None:
+        self.mission = mission
+        self.names = list(mission.system.states)
+        self.steps = mission.horizon + 1
+        able = {name for agent in mission.agents for name in agent.capabilities}
+        shape = len(self.names), self.steps
+        self.sure, self.most = ({n: np.zeros(shape) for n in (None, *able)} for _ in range(2))
+
+    def add(self, agent: Agent, state: str | None, step: int, sure: int = 1, most: int = 1) -> None:
+        if state is None or step >= self.steps:
+            return
+        for name in (None, *agent.capabilities):
+            self.sure[name][self.names.index(state), step] += sure
+            self.most[name][self.names.index(state), step] += most
+
+    def add_robot(self, agent: Agent, path: Path, delay: int) -> None:
+        """By its own places in every window."""
+        for step in range(self.steps):
+            window = set(path.states[max(0, step - delay) : step + 1])
+            for state in window:
+                self.add(agent, state, step, sure=len(window) == 1)
+
+    def add_swarm(self, agent: Agent, joint: tuple[Path, ...], delay: int) -> None:
+        """By the moves of all: who came last leaves first, and nobody is taken to come back."""
+        waits: Counter[tuple[str, int]] = Counter()
+        for path in joint:
+            for step, state in enumerate(path.states):
+                self.add(agent, state, step, sure=step == 0 or not delay)
+            for source, target, step, duration in path.entered:
+                if source == target and duration == 1:
+                    waits[source, step] += 1
+                    continue
+                for ago in range(1, delay + 1):
+                    self.add(agent, source, step + ago, sure=0)
+        for state, step in product(self.names, range(1, self.steps if delay else 0)):
+            stood = [waits[state, before] for before in range(max(0, step - delay), step)]
+            self.add(agent, state, step, sure=min(stood), most=0)
+
+
+def trace(mission: Mission, joint: tuple[Path, ...], delay: int = 0) -> CountTrace:
+    """Who is where; of agents that may be late, who is there for certain and who may be."""
+    found = Counts(mission)
     for agent, path in zip(mission.agents, joint, strict=True):
-        for step, state in enumerate(path.states):
-            for capability in (None, *agent.capabilities):
-                table = counts.setdefault(capability, np.zeros_like(counts[None]))
-                if state is not None:
-                    table[names.index(state), step] += 1
+        if mission.group_bounds(agent.class_name) is None:
+            found.add_robot(agent, path, delay)
+    for name in () if mission.swarm is None else mission.swarm.each:
+        (agent, *_) = mission.members({name})
+        found.add_swarm(agent, _of_class(mission, joint, name), delay)
+    names = found.names
     labels = {
         label: np.array([names.index(name) for name in carriers])
         for label, carriers in mission.system.labels.items()
     }
-    return CountTrace(counts, labels)
+    return CountTrace(found.sure, labels, most=found.most if delay else {})
 
 
 def groups(mission: Mission, joint: tuple[Path, ...]) -> Groups:
@@ -227,21 +272,23 @@ def _of_class(mission: Mission, joint: tuple[Path, ...], name: str) -> tuple[Pat
 def best(mission: Mission) -> tuple[float, ...] | None:
     """The best objective values, signed to be minimised; None if there is no plan."""
     found = None
-    for plan in joint_plans(mission):
-        judged = "availability" in mission.objective
-        spare = float(robustness(mission.counted, plan.trace())[0]) if judged else 0.0
+    longest = mission.horizon if "delay" in mission.objective else mission.delay
+    for plan, delay in product(joint_plans(mission), range(mission.delay, longest + 1)):
+        own = {"delay": delay}
+        if "availability" in mission.objective:
+            own["availability"] = float(robustness(mission.counted, plan.trace(delay))[0])
         value = tuple(
-            float(SENSE[name] * (spare if name == "availability" else plan.worth(name)))
+            float(SENSE[name] * (own[name] if name in own else plan.worth(name)))
             for name in mission.objective
         )
-        if (found is None or value < found) and holds(mission, plan):
+        if (found is None or value < found) and holds(mission, plan, delay):
             found = value
     return found
 
 
-def holds(mission: Mission, plan: JointPlan) -> bool:
+def holds(mission: Mission, plan: JointPlan, delay: int | None = None) -> bool:
     """Whether the formula holds, as it was written and with its margin."""
-    counts = plan.trace()
+    counts = plan.trace(delay)
     if float(robustness(mission.counted, counts)[0]) < 0:
         return False
     return mission.swarm is None or float(robustness(mission.goal, counts)[0]) >= 0

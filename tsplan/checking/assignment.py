@@ -36,7 +36,7 @@ def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
         members.setdefault(agent.class_name, []).append(agent)
     agents = [*others]
     for name, listed in members.items():
-        agents += paths_of(mission, listed, plan.moves[name], seed)
+        agents += paths_of(mission, listed, plan.moves[name], seed, late=bool(plan.delay))
     place = {group.class_name: number for number, group in enumerate(mission.team)}
     agents.sort(key=lambda agent: place.get(agent.class_name, -1))
     return certify(mission, replace(plan, agents=tuple(agents)))

@@ -18,14 +18,15 @@ def count_trace(
     system: TransitionSystem,
     counts: Mapping[str | None, Any],
     executions: Mapping[str, Any] = MappingProxyType({}),
+    most: Mapping[str | None, Any] = MappingProxyType({}),
 ) -> CountTrace:
     """Counts by capability, arrays (..., states of the map, steps), as a trace of the map.
 
-    So are `executions`, by the texts of tasks.
+    So are `executions`, by the texts of tasks, and `most`, what bounds from above are held against.
     """
     row = {state: number for number, state in enumerate(system.states)}
     labels = {
         label: np.array([row[state] for state in members], dtype=np.int64)
         for label, members in system.labels.items()
     }
-    return CountTrace(counts, labels, executions)
+    return CountTrace(counts, labels, executions, most)

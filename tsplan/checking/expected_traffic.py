@@ -68,7 +68,9 @@ def read_policies(mission: Mission, plan: Plan) -> tuple[ExpectedTraffic | None,
         followed.append(policy)
     if problems:
         return None, problems
-    made = ExpectedTraffic(mission, plan.horizon, tuple(classes), Ledger(), tuple(followed))
+    made = ExpectedTraffic(
+        mission, plan.horizon, tuple(classes), Ledger(), policies=tuple(followed)
+    )
     return made, [*_misjudged(plan, made)]
 
 

@@ -41,6 +41,12 @@ def preferences(traffic: Traffic) -> Fraction | None:
     return sum((item.worth for item in traffic.preferences), Fraction(0))
 
 
+def delay(traffic: Traffic) -> int | None:
+    """How many steps late every agent may be."""
+    mission = traffic.mission
+    return traffic.delay if mission.delay or "delay" in mission.objective else None
+
+
 def travel(traffic: Traffic) -> int:
     """Steps that all agents together spend on moves."""
     return sum(item.agents * (item.left - item.entered) for item in traffic.away)
@@ -101,6 +107,7 @@ _REGISTER: dict[str, Measure] = {
     "satisfaction": satisfaction,
     "preferences": preferences,
     "availability": availability,
+    "delay": delay,
     "travel": travel,
     "cost": cost,
     "risk": risk,

@@ -12,6 +12,8 @@ from dataclasses import replace
 from operator import eq
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from tsplan.checking.check_report import Report, findings_of, refuse
 from tsplan.checking.claimed_values import (
     false_objectives,
@@ -23,6 +25,7 @@ from tsplan.checking.claimed_values import (
 from tsplan.checking.crowding import crowded
 from tsplan.checking.expected_traffic import TOLERANCE, ExpectedTraffic, read_policies
 from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
+from tsplan.checking.lateness import late
 from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
 from tsplan.checking.satisfaction_check import completed, false_claims
@@ -30,6 +33,7 @@ from tsplan.checking.supplied import unsupplied
 from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import SolverError
 from tsplan.plans.plan import ObjectiveValue, Plan
+from tsplan.plans.presence import state_counts
 from tsplan.words import known
 
 if TYPE_CHECKING:
@@ -104,6 +108,8 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
         *crowded(traffic),
         *broken_bounds(traffic),
         *unsupplied(traffic),
+        *_short_delay(traffic),
+        *_disorderly(traffic),
         *_broken_formula(traffic),
         *misnamed(plan.groups, traffic),
     ]
@@ -145,6 +151,33 @@ def _strangers(mission: Mission, plan: Plan) -> Iterator[str]:
     yield from (f"agent {name} has no path" for name in team if name not in seen)
 
 
+def _short_delay(traffic: Traffic) -> Iterator[str]:
+    """Whether agents may be as late in the plan as the mission asks for."""
+    delay, asked = traffic.delay, traffic.mission.delay
+    aim = "delay" in traffic.mission.objective
+    if delay < asked or (delay > asked and not aim):
+        wanted = f"at least {asked}" if aim else str(asked)
+        yield f"the plan is for agents up to {delay} steps late, and the mission asks for {wanted}"
+
+
+def _disorderly(traffic: Traffic) -> Iterator[str]:
+    """Paths of swarms by which fewer agents stand somewhere than by the rule for their moves."""
+    states = tuple(traffic.mission.system.states)
+    for swarm in traffic.swarms if traffic.delay else ():
+        if not swarm.bundles:
+            continue
+        own, rule = (
+            state_counts(where.sure, states, traffic.horizon)
+            for where in (late(swarm.bundles, traffic.delay), traffic.late(swarm, traffic.delay))
+        )
+        for row, step in np.argwhere(own < rule)[:1].tolist():
+            yield (
+                f"by the agents' paths {own[row, step]} of {swarm.class_name} have been at "
+                f"{states[row]} long enough at step {step}, and {rule[row, step]} if who came last "
+                "leaves first"
+            )
+
+
 def _broken_formula(traffic: Traffic) -> Iterator[str]:
     """Whether the formula holds, with the mission's margin, where it must hold as a whole."""
     mission = traffic.mission
@@ -172,6 +205,7 @@ def _completed(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> Pl
         with_moves(plan, traffic),
         stocks=plan.stocks or traffic.ledger.histories,
         availability=actual if plan.availability is None else plan.availability,
+        delay=traffic.delay if "delay" in values else plan.delay,
         satisfaction=completed(plan.satisfaction, traffic.satisfaction),
         preferences=plan.preferences or traffic.preferences,
         objective=tuple(
@@ -200,6 +234,8 @@ def _false_claims(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) ->
     actual = known(traffic.availability)
     if not same(traffic.mission, plan.availability, actual):
         problems.append(f"the plan claims availability {plan.availability} and has {actual}")
+    if plan.delay not in (None, traffic.delay):
+        problems.append(f"the plan claims delay {plan.delay} and has {traffic.delay}")
     if plan.stocks != traffic.ledger.histories:
         problems.append("the plan's account of stocks is not what its cargo and executions make")
     return [*problems, *false_objectives(traffic.mission, plan, values)]

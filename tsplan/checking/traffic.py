@@ -10,9 +10,11 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.count_traces import count_trace
+from tsplan.checking.lateness import Late, late, late_swarm
 from tsplan.checking.ledger import Ledger, read_ledger
 from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
 from tsplan.checking.satisfaction_check import preferences_of, satisfaction_of
@@ -40,6 +42,7 @@ class ClassTraffic:
     `segments` are their times on edges, `present` their stays at states up to the horizon, and
     `moving` is how many of them ever make a move that is no wait: by their paths, or as few as can
     be where there are only moves. A swarm has `moves`, the segments as a plan writes them.
+    `bundles` are the agents with their paths.
     """
 
     class_name: str
@@ -47,16 +50,21 @@ class ClassTraffic:
     present: tuple[Presence, ...]
     moving: int
     moves: tuple[Move, ...] = ()
+    bundles: tuple[Bundle, ...] = ()
 
 
 @dataclass(frozen=True)
 class Traffic:
-    """What all agents of a mission do in a plan up to its horizon, and what follows from it."""
+    """What all agents of a mission do in a plan up to its horizon, and what follows from it.
+
+    `promised` is how late a plan says that every agent may be, None where it says nothing.
+    """
 
     mission: Mission
     horizon: int
     classes: tuple[ClassTraffic, ...]
     ledger: Ledger
+    promised: int | None = None
 
     @property
     def segments(self) -> Iterator[Segment]:
@@ -100,16 +108,59 @@ class Traffic:
         return state_counts(present, states, self.horizon, capability)
 
     @cached_property
+    def delay(self) -> int:
+        """How many steps late every agent may be, by which all is told.
+
+        As many as the plan says; otherwise as the mission asks for, or at most, if that is what it
+        wants.
+        """
+        if self.promised is not None:
+            return self.promised
+        delay, mission = self.mission.delay, self.mission
+        if "delay" not in mission.objective:
+            return delay
+        later = range(self.horizon, delay, -1)
+        return next((n for n in later if self._slack(mission.counted, n) >= 0), delay)
+
+    @cached_property
     def trace(self) -> CountTrace:
         """Who is at which label when, of every capability that the mission's formulas name."""
+        return self._trace(self.delay)
+
+    def _trace(self, delay: int) -> CountTrace:
+        """The counts where every agent is up to `delay` steps late."""
         mission = self.mission
         formulas = (mission.formula, *(preference.formula for preference in mission.prefer))
         named = sorted({name for formula in formulas for name in capabilities(formula)})
         states = tuple(mission.system.states)
+        if delay:
+            return self.late_trace(named, delay)
+        counts = {name: self.counts(states, name) for name in (None, *named)}
+        if delay:
+            return self.late_trace(named, delay)
         counts = {name: self.counts(states, name) for name in (None, *named)}
         uses = ((str(use.task), use.state, use.first) for use in self.ledger.uses)
         executed = execution_tables(uses, states, self.horizon)
         return count_trace(mission.system, counts, executed)
+
+    def late_trace(self, named: Iterable[str], delay: int) -> CountTrace:
+        """Agents with each capability where each is up to `delay` steps late."""
+        states = tuple(self.mission.system.states)
+        places = [self.late(item, delay) for item in self.classes]
+        sure, possible = (
+            {
+                name: state_counts(chain(*where), states, self.horizon, name)
+                for name in (None, *named)
+            }
+            for where in zip(*places, strict=True)
+        )
+        return count_trace(self.mission.system, sure, most=possible)
+
+    def late(self, item: ClassTraffic, delay: int) -> Late:
+        """Where the agents of a class are for certain and may be; of swarms by their moves."""
+        if self.mission.group_bounds(item.class_name) is None:
+            return late(item.bundles, delay)
+        return late_swarm(item.present, item.segments, delay, self.horizon)
 
     @cached_property
     def availability(self) -> float:
@@ -119,6 +170,9 @@ class Traffic:
     def robustness(self, formula: Formula) -> float:
         """Counting robustness at step 0 of a formula."""
         return float(robustness(formula, self.trace)[0])
+
+    def _slack(self, formula: Formula, delay: int) -> float:
+        return float(robustness(formula, self._trace(delay))[0])
 
     @cached_property
     def satisfaction(self) -> Satisfaction | None:
@@ -168,10 +222,15 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
             continue
         moved, wrong = _read_moves(mission.system, swarms[name], moves, plan.horizon)
         problems += [f"{name} {words}" for words in wrong]
-        classes.append(replace(moved, moving=_moving(walks[name])) if name in walks else moved)
+        if name in walks:
+            own = tuple(bundle for bundle, _ in walks[name])
+            moved = replace(moved, moving=_moving(walks[name]), bundles=own)
+        classes.append(moved)
     ledger, wrong = read_ledger(mission, plan)
     problems += wrong
-    traffic = None if problems else Traffic(mission, plan.horizon, tuple(classes), ledger)
+    traffic = (
+        None if problems else Traffic(mission, plan.horizon, tuple(classes), ledger, plan.delay)
+    )
     return traffic, problems
 
 
@@ -193,8 +252,9 @@ def _who(plan: Plan, bundle: Bundle) -> str:
 def _walked(class_name: str, walks: Sequence[_Walk]) -> ClassTraffic:
     """What the agents of a class do by their paths."""
     segments = tuple(segment for _, path in walks for segment in path)
-    present = tuple(of_bundles(bundle for bundle, _ in walks))
-    return ClassTraffic(class_name, segments, present, _moving(walks))
+    own = tuple(bundle for bundle, _ in walks)
+    present = tuple(of_bundles(own))
+    return ClassTraffic(class_name, segments, present, _moving(walks), bundles=own)
 
 
 def _moving(walks: Iterable[_Walk]) -> int:

@@ -14,7 +14,7 @@ from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.executions import Executions
 from tsplan.encode.expected_rows import expected_rows, policy_rows
-from tsplan.encode.flow_network import ClassColumns, Network, flow
+from tsplan.encode.flow_network import ClassColumns, Network, flow, stood
 from tsplan.encode.groups.group_rows import (
     counted,
     occupied_rows,
@@ -25,7 +25,7 @@ from tsplan.encode.groups.group_rows import (
 from tsplan.encode.memory import Watch
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import constraint_rows
-from tsplan.encode.precedence import legs_of, route_rows
+from tsplan.encode.precedence import direct, legs_of, route_rows
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.stocks import PART as STOCKS
@@ -104,11 +104,13 @@ class _Assembly:
         network = self._network(self._laid)
         if swarms:
             self._shared_rows(network)
-        elif Switch.TOGETHER in setting.switches:
+        elif Switch.TOGETHER in setting.switches and direct(network):
             legs = legs_of(witnesses, network)
-            if "travel" in setting.mission.objective:
+            if "travel" in setting.mission.objective and not setting.delay:
                 route_rows(legs, network, draft)
-        needs = counted(self._swarms, robots, witnesses) if swarms else witnesses
+        needs = witnesses
+        if swarms and not setting.delay:  # of a sub-swarm some may stand and others come and go
+            needs = counted(self._swarms, robots, witnesses)
         families += self._demand_rows(network, needs)
         self._swarms = tuple(
             replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms
@@ -155,6 +157,7 @@ class _Assembly:
             expected_rows(asked[-1], network, draft)
         made = [each.choices for each in asked]
         return Encoded(
+            setting,
             draft.build(),
             network,
             indicators=np.array([c for each in made for c in each.columns], dtype=np.int64),
@@ -186,7 +189,7 @@ class _Assembly:
         flows = np.concatenate(self._flows)
         loads = own.get("loads", flows[:0])
         others = np.setdiff1d(np.flatnonzero(model.integer), np.concatenate([flows, loads]))
-        return Encoded(model, network, others, flows, swarms=swarms, rho=rho, **own)
+        return Encoded(setting, model, network, others, flows, swarms=swarms, rho=rho, **own)
 
     def _flow(self, numbers: Iterable[int], *, reduced: bool = True) -> None:
         """Flow columns and conservation of some classes."""
@@ -196,8 +199,9 @@ class _Assembly:
             robots = setting.classes[number].bounds is None
             finish = ~graph.wait if reduced and setting.monotone and robots else None
             before = self._draft.column_count
-            self._laid[number] = flow(graph, finish, setting.horizon, self._draft)
+            laid = flow(graph, finish, setting.horizon, self._draft)
             self._flows.append(np.arange(before, self._draft.column_count))
+            self._laid[number] = stood(laid, setting.horizon, self._draft)
 
     def _network(self, laid: Mapping[int, ClassColumns]) -> Network:
         return Network(tuple(laid[number] for number in sorted(laid)), self._setting.horizon)
@@ -221,7 +225,10 @@ class _Assembly:
         return ask(WitnessEncoder(self._draft, optimistic, rules), self._draft, network)
 
     def _demand_rows(self, network: Network, witnesses: Witnesses) -> list[Sited]:
-        rows = DemandRows(network, self._draft, self._setting.switches)
+        switches = self._setting.switches
+        if self._swarms and self._setting.delay:  # who comes does not stand there for certain
+            switches -= {Switch.VISITS, Switch.LAZY}
+        rows = DemandRows(network, self._draft, switches)
         rows.write(witnesses)
         return rows.families
 
@@ -251,6 +258,7 @@ class _Assembly:
         steps = np.concatenate([steps, *(step for _, step, _ in unrolled)])
         order = np.argsort(columns) if unrolled else slice(None)
         return Encoded(
+            setting=self._setting,
             model=self._draft.build(),
             network=network,
             indicators=columns[order],

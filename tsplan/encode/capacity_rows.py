@@ -15,7 +15,7 @@ def capacity_rows(network: Network, arrays: MapArrays, draft: Draft) -> None:
     if not len(steps):
         return
     for state, capacity in arrays.capacity:
-        index, columns, _ = network.present_at(np.array([state]), None, steps)
+        index, columns, _ = network.present_at(np.array([state]), None, steps, settled=False)
         most = np.full(len(steps), capacity)
         draft.sums((index, columns, 1.0), lower=-INFINITY, upper=most, kind="state capacity")
     for group, capacity in enumerate(arrays.group_capacity):

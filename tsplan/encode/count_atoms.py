@@ -31,6 +31,7 @@ class CountEncoder:
     system: TransitionSystem
     arrays: MapArrays
     level: int = 0
+    later: int = 0  # steps that agents may be later than the network says
     _most: dict[tuple[Site, str | None], Floats] = field(default_factory=dict)
 
     @property
@@ -56,7 +57,7 @@ class CountEncoder:
         site = bound.states, bound.capability
         if site not in self._most:
             states = np.array(bound.states, dtype=np.int64)
-            self._most[site] = self.network.best(states, bound.capability)
+            self._most[site] = self.network.best(states, bound.capability, later=self.later)
         return self._most[site] - bound.amount
 
     def worst(self, bound: Bound) -> None:
@@ -65,11 +66,15 @@ class CountEncoder:
     def slack(self, bound: Bound, step: int) -> Slack:
         """The agents there beyond a bound, or those that it leaves room for."""
         states = np.array(bound.states, dtype=np.int64)
+        if bound.upper:
+            at = np.array([step])
+            _, columns, factors, present = self.network.possible_at(states, bound.capability, at)
+            most = self.network.most(states, bound.capability, upper=True)[step]
+            high = float(bound.amount - present)
+            return Slack(columns, -factors, high, bound.amount - float(max(most, present)), high)
         columns, present = self.network.present(states, bound.capability, step)
-        factor = -1.0 if bound.upper else 1.0
-        constant = factor * (present - bound.amount)
-        ends = constant, constant + factor * self.network.agents(bound.capability)
-        return Slack(columns, factor, constant, min(ends), max(ends))
+        low = float(present - bound.amount)
+        return Slack(columns, 1.0, low, low, low + self.network.agents(bound.capability))
 
 
 ENCODERS: Mapping[type[Formula], Callable[..., AtomEncoder]] = MappingProxyType(
@@ -84,9 +89,14 @@ def atoms_over(
     arrays: MapArrays,
     level: int = 0,
     resources: Sequence[Resource] = (),
+    *,
+    later: int = 0,
 ) -> Atoms:
-    """The encoders of all classes of atoms over the flows of a network."""
-    made = {kind: make(network, system, arrays, level) for kind, make in ENCODERS.items()}
+    """The encoders of all classes of atoms over the flows of a network.
+
+    With `later` they tell what can hold at best where agents are later than they may be there.
+    """
+    made = {kind: make(network, system, arrays, level, later) for kind, make in ENCODERS.items()}
     made[Execution] = ExecutionEncoder(network, system, arrays, tuple(resources))
     return Atoms(made, network.horizon)
 

@@ -219,11 +219,11 @@ class DemandRows:
         self, site: Ints, capability: str | None, needs: Sequence[Demand], witnesses: Witnesses
     ) -> None:
         """`n(tau) <= N - sum of (N - m_s) * s`, N the most agents that can be there."""
-        most = self._network.most(site, capability)
+        most = self._network.most(site, capability, upper=True)
         for made in self._families(_runs_of(needs, most), witnesses):
-            index, here, constant = self._network.present_at(site, capability, made.steps)
+            index, here, factors, constant = self._network.possible_at(site, capability, made.steps)
             upper = most[made.steps] - made.base - constant
-            terms = (index, here, 1.0), made.surplus(self._draft)
+            terms = (index, here, factors), made.surplus(self._draft)
             self._draft.sums(*terms, lower=-np.inf, upper=upper, kind="limit")
 
     def _families(self, asked: Mapping[int, Sequence[Run]], witnesses: Witnesses) -> list[Family]:

@@ -46,11 +46,13 @@ class Setting:
     plain: Formula | None = None  # what of the goal a margin tightens, without that
     beside: Formula | None = None  # what is in the goal beside that, as it is written
     level: int = 0  # the availability that is asked for beside that
+    delay: int = 0  # how many steps late agents may be
 
-    def atoms(self, network: Network) -> Atoms:
-        """How atoms are encoded over a network."""
+    def atoms(self, network: Network, later: int = 0) -> Atoms:
+        """How atoms are encoded over a network; with `later`, what can hold if agents are so."""
         mission = self.mission
-        return atoms_over(network, mission.system, self.arrays, self.level, mission.resources)
+        given = self.arrays, self.level, mission.resources
+        return atoms_over(network, mission.system, *given, later=later)
 
     @cached_property
     def judged(self) -> Formula:
@@ -82,17 +84,19 @@ class Setting:
 class Encoded:
     """A model and what its columns mean.
 
-    `flows` are the columns of agents that enter edges, `indicators` the 0/1 columns of what is
-    decided besides, and `steps` when what they stand for begins (tight encoding only); `choices`
-    are those of them of which at most one is 1, in the order of their steps. `swarms` has the
-    columns of the classes that move in groups; `occupied` is the relaxation in which only the
-    places of groups are known, whose columns are the first of this model. `shared` says that some
-    eventuality lies under an always, `level` which availability was asked for. `rho` is the
-    availability's column in the reference encoding; `own_columns` are those that an objective
-    needs for itself, by its name, and what the columns of other parts mean by theirs. `loads` are
-    the columns of whole pieces that are carried, which are repaired as flows are.
+    It is of the plans of a `setting`. `flows` are the columns of agents that enter edges,
+    `indicators` the 0/1 columns of what is decided besides, and `steps` when what they stand for
+    begins (tight encoding only); `choices` are those of them of which at most one is 1, in the
+    order of their steps. `swarms` has the columns of the classes that move in groups; `occupied` is
+    the relaxation in which only the places of groups are known, whose columns are the first of this
+    model. `shared` says that some eventuality lies under an always, `level` which availability was
+    asked for. `rho` is the availability's column in the reference encoding; `own_columns` are those
+    that an objective needs for itself, by its name, and what the columns of other parts mean by
+    theirs. `loads` are the columns of whole pieces that are carried, which are repaired as flows
+    are.
     """
 
+    setting: Setting
     model: Model
     network: Network
     indicators: Ints

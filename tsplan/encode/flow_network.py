@@ -10,8 +10,8 @@ built without a Python loop over columns.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -19,7 +19,7 @@ import numpy as np
 
 from tsplan.encode.capability_mask import counted_nodes
 from tsplan.encode.running_sums import unfolded
-from tsplan.milp.model import Bools, Draft, Floats, Ints
+from tsplan.milp.model import Bools, Draft, Floats, Ints, Terms, joined_terms
 from tsplan.mission.resources import Carries
 from tsplan.ts.reachability import Lengths
 
@@ -38,11 +38,45 @@ class Outcomes:
 
 
 @dataclass(frozen=True, eq=False)
+class Modes:
+    """What the nodes of a map are that are states in a mode; the first of them are the states.
+
+    Of nodes: `place` is the state of each, and agents at `settled` ones are there for certain
+    though they may be up to `delay` steps late. Of edges: `travel` is for how many steps agents
+    move, `arrives` after how many they stop; for `lingers` steps after its end agents count at its
+    head from before, as they do for `delay` steps after they leave; -1 if they do not. `plain`
+    says that no node tells what agents left before.
+
+    Where groups of a swarm move together the nodes are the states, and `standing` says that those
+    count from below, at the settled states, who wait there for `delay` steps.
+    """
+
+    delay: int
+    place: Ints
+    settled: Bools
+    lingers: Ints
+    travel: Ints
+    arrives: Ints
+    plain: bool = True
+    standing: bool = False
+
+    def along(self, paths: Sequence[Ints], duration: Ints) -> Modes:
+        """The modes with edges that are paths of these, whose durations are given."""
+        late = [np.cumsum(duration[path]) * (self.travel[path] > 0) for path in paths]
+        return replace(
+            self,
+            lingers=np.array([self.lingers[path[-1]] for path in paths], dtype=np.int64),
+            travel=np.array([self.travel[path].sum() for path in paths], dtype=np.int64),
+            arrives=np.array([ends.max() for ends in late], dtype=np.int64),
+        )
+
+
+@dataclass(frozen=True, eq=False)
 class ClassGraph:
     """What one class of interchangeable agents can do on the map.
 
-    Arrays run over the edges this class may use; states are numbers of the whole map. `group`
-    is the number of an edge's capacity group, or -1.
+    Arrays run over the edges this class may use; states are numbers of the whole map, or nodes
+    where the class has `modes`. `group` is the number of an edge's capacity group, or -1.
     """
 
     capabilities: frozenset[str]
@@ -55,6 +89,7 @@ class ClassGraph:
     group: Ints
     carries: Carries = ()  # what each of them carries at most
     outcomes: Outcomes | None = None  # where edges are actions; `head` is some other state then
+    modes: Modes | None = None
 
     @property
     def wait(self) -> Bools:
@@ -62,9 +97,38 @@ class ClassGraph:
         return np.equal(self.tail, self.head)
 
     @property
+    def travel(self) -> Ints:
+        """For how many steps agents move along each edge."""
+        return self.duration * ~self.wait if self.modes is None else self.modes.travel
+
+    @property
+    def arrives(self) -> Ints:
+        """After how many steps agents on each edge move no more."""
+        return self.travel if self.modes is None else self.modes.arrives
+
+    def nodes(self, states: Ints, *, settled: bool = True) -> Ints:
+        """The nodes of states; if `settled` those at which agents count from below."""
+        if self.modes is None:
+            return states
+        mine = np.isin(self.modes.place, states)
+        return np.flatnonzero(mine & self.modes.settled if settled else mine)
+
+    @property
     def agents(self) -> int:
         """How many agents the class has."""
         return int(self.start.sum())
+
+    def waits(self, state: int, horizon: int) -> tuple[Ints, Ints] | None:
+        """Edges and steps by which an agent waits at a state all the time; None if it cannot."""
+        edges, steps, node, step = [], [], state, 0
+        while step < horizon:
+            stays = np.flatnonzero((self.tail == node) & (self.travel == 0))
+            if not len(stays):
+                return None
+            edges.append(int(stays[0]))
+            steps.append(step)
+            node, step = int(self.head[stays[0]]), step + int(self.duration[stays[0]])
+        return np.array(edges, dtype=np.int64), np.array(steps, dtype=np.int64)
 
     @cached_property
     def lengths(self) -> Lengths:
@@ -99,6 +163,18 @@ class ClassColumns:
     offset: Ints
     by_tail: tuple[Ints, Ints]
     by_head: tuple[Ints, Ints]
+    stood: Mapping[int, tuple[int, Ints]] | None = None
+
+    def standing(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Columns of those who have waited long enough at `states`: positions in `steps`, columns.
+
+        `stood` has them for each state, from a first step on.
+        """
+        found = []
+        for first, columns in ((self.stood or {})[state] for state in states.tolist()):
+            inside = np.flatnonzero((steps >= first) & (steps < first + len(columns)))
+            found.append((inside, columns[steps[inside] - first]))
+        return _joined(found)
 
     def leaving(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
         """Edges that leave `states`: positions in `steps`, and the column entered then."""
@@ -143,7 +219,31 @@ class ClassColumns:
     def late(self, makespan: int) -> Ints:
         """Columns of the moves that end after step `makespan`."""
         edge, step, column = self.unrolled()
-        return column[~self.graph.wait[edge] & (step + self.graph.duration[edge] > makespan)]
+        arrives = self.graph.arrives[edge]
+        return column[(arrives > 0) & (step + arrives > makespan)]
+
+    def lingering(self, states: Ints, steps: Ints) -> list[Terms]:
+        """Who counts at limited `states` without being there: positions in `steps`, columns, signs.
+
+        That are those who left not long ago, less those who have come back since.
+        """
+        modes, graph = self.graph.modes, self.graph
+        if modes is None:
+            return []
+        head = np.isin(modes.place[graph.head], states)
+        same = modes.place[graph.tail] == modes.place[graph.head]
+        left = np.isin(modes.place[graph.tail], states) & ~(same & (graph.duration == 1))
+        found: list[Terms] = []
+        for ago in range(modes.delay + 1):
+            edges = np.flatnonzero(left if ago else left[:0])
+            found.append((*self._at(edges, self._before(edges, steps, ago)), 1.0))
+            edges = np.flatnonzero(head & (modes.lingers >= ago))
+            begun = self._before(edges, steps, ago) - graph.duration[edges][:, None]
+            found.append((*self._at(edges, begun), -1.0))
+        return found
+
+    def _before(self, edges: Ints, steps: Ints, ago: int) -> Ints:
+        return np.broadcast_to(steps - ago, (len(edges), len(steps)))
 
     def price(self, vector: Floats, prices: Floats | Ints | Bools) -> None:
         """Set the coefficients of all columns in a vector, given one for each edge."""
@@ -177,36 +277,54 @@ class Network:
         """How many agents have a capability."""
         return sum(item.graph.agents for item in self.having(capability))
 
-    def present(self, states: Ints, capability: str | None, step: int) -> tuple[Ints, int]:
+    def present(
+        self, states: Ints, capability: str | None, step: int, *, settled: bool = True
+    ) -> tuple[Ints, int]:
         """Columns whose sum, with the returned constant, is n(states, capability, step)."""
-        _, columns, constant = self.present_at(states, capability, np.array([step]))
+        steps = np.array([step])
+        _, columns, constant = self.present_at(states, capability, steps, settled=settled)
         return columns, constant
 
     def present_at(
-        self, states: Ints, capability: str | None, steps: Ints
+        self, states: Ints, capability: str | None, steps: Ints, *, settled: bool = True
     ) -> tuple[Ints, Ints, int]:
         """Positions in `steps` and columns: summed, with a constant, they are the count there.
 
         Agents at a state leave it by some edge (a wait is one), or have arrived at the horizon.
+        Where agents may be late, those alone are counted that are there for certain (`settled`), or
+        those that the plan has there.
         """
-        able = self.having(capability)
         if self.expected:
-            return *_joined([c.leaving(states, steps) for c in able]), 0
+            return *_joined([c.leaving(states, steps) for c in self.having(capability)]), 0
+        able = [(c, c.graph.nodes(states, settled=settled)) for c in self.having(capability)]
         if self.horizon == 0:
-            return *_joined([]), sum(int(c.graph.start[states].sum()) for c in able)
-        begun = [c.leaving(states, steps) for c in able]
+            return *_joined([]), sum(int(c.graph.start[nodes].sum()) for c, nodes in able)
+        stood = [c.standing(nodes, steps) for c, nodes in able if settled and c.stood is not None]
+        able = [(c, nodes) for c, nodes in able if not settled or c.stood is None]
+        begun = [*stood, *(c.leaving(nodes, steps) for c, nodes in able)]
         ended = []
         if steps[-1] == self.horizon:
             # nobody leaves at the horizon: count who has arrived
             last = len(steps) - 1
-            for item in able:
-                position, column = item.arriving(states, steps[-1:])
+            for item, nodes in able:
+                position, column = item.arriving(nodes, steps[-1:])
                 ended.append((position + last, column))
         return *_joined([*begun, *ended]), 0
 
+    def possible_at(
+        self, states: Ints, capability: str | None, steps: Ints
+    ) -> tuple[Ints, Ints, Floats, int]:
+        """As `present_at`, with factors: who is there, and who may be there though late.
+
+        Whoever may be at several of the states counts at each of them.
+        """
+        here, columns, constant = self.present_at(states, capability, steps, settled=False)
+        late = [terms for c in self.having(capability) for terms in c.lingering(states, steps)]
+        return *joined_terms([(here, columns, 1.0), *late]), constant
+
     def entering(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
         """Positions in `steps` and columns of the arrivals at `states` from elsewhere."""
-        return _joined([item.entering(states, steps) for item in self.having(capability)])
+        return self._each(ClassColumns.entering, states, capability, steps)
 
     def coming(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
         """Positions in `steps` and columns of those who come to a state otherwise than by waiting.
@@ -214,24 +332,45 @@ class Network:
         Whoever is at one of the states at some step of a window was there at its beginning or is
         among those who come in it.
         """
-        return _joined([item.coming(states, steps) for item in self.having(capability)])
+        return self._each(ClassColumns.coming, states, capability, steps)
 
     def between(self, states: Ints, capability: str | None, steps: Ints) -> tuple[Ints, Ints]:
         """Positions in `steps` and columns of the agents on their way inside `states`."""
-        return _joined([item.between(states, steps) for item in self.having(capability)])
+        return self._each(ClassColumns.between, states, capability, steps)
 
-    def most(self, states: Ints, capability: str | None) -> Ints:
-        """How many agents with a capability can be at `states` at most, for every step."""
+    def _each(
+        self,
+        columns: Callable[[ClassColumns, Ints, Ints], tuple[Ints, Ints]],
+        states: Ints,
+        capability: str | None,
+        steps: Ints,
+    ) -> tuple[Ints, Ints]:
+        """The columns of all classes with a capability, at the nodes that count from below."""
+        able = self.having(capability)
+        return _joined([columns(item, item.graph.nodes(states), steps) for item in able])
+
+    def most(
+        self, states: Ints, capability: str | None, *, upper: bool = False, later: int = 0
+    ) -> Ints:
+        """How many agents with a capability can count at `states` at most, for every step.
+
+        With `upper` as bounds from above count them; `later` is by how many steps they may be later
+        than they may be anyway.
+        """
         most = np.zeros(self.horizon + 1, dtype=np.int64)
         for item in self.having(capability):
-            earliest = int(item.arrival[states].min(initial=self.horizon + 1))
-            most[earliest:] += item.graph.agents
+            modes = item.graph.modes
+            arrival = item.arrival[item.graph.nodes(states, settled=not upper)]
+            standing = modes.delay if modes is not None and modes.standing and not upper else 0
+            arrival = np.where(arrival > 0, arrival + later + standing, 0)
+            times = min(len(states), modes.delay + 1) if modes is not None and upper else 1
+            most[int(arrival.min(initial=self.horizon + 1)) :] += times * item.graph.agents
         return most
 
-    def best(self, states: Ints, capability: str | None) -> Floats:
+    def best(self, states: Ints, capability: str | None, *, later: int = 0) -> Floats:
         """The same, of expected numbers where outcomes are uncertain."""
         if not self.expected:
-            return self.most(states, capability).astype(np.float64)
+            return self.most(states, capability, later=later).astype(np.float64)
         able = self.having(capability)
         parts = [most_expected(item.graph, states, self.horizon) for item in able]
         return np.asarray(sum(parts, np.zeros(self.horizon + 1)))
@@ -259,6 +398,35 @@ def flow(graph: ClassGraph, finish: Bools | None, horizon: int, draft: Draft) ->
     columns = laid_out(graph, horizon, draft, upper=float(graph.agents), finish=finish)
     _conserve(columns, horizon, draft)
     return columns
+
+
+def stood(columns: ClassColumns, horizon: int, draft: Draft) -> ClassColumns:
+    """The columns with those of agents that stand long enough at each settled state.
+
+    As many as wait there at each step of a window have been there throughout, if whoever came last
+    leaves first.
+    """
+    graph, modes = columns.graph, columns.graph.modes
+    if modes is None or not modes.standing:
+        return columns
+    found: dict[int, tuple[int, Ints]] = {}
+    for state in np.flatnonzero(modes.settled).tolist():
+        begun = int(graph.start[state])
+        loops = np.flatnonzero((graph.tail == state) & graph.wait & (graph.duration == 1))
+        first = 0 if begun else int(columns.arrival[state]) + modes.delay
+        last = horizon if len(loops) else 0
+        made = draft.columns(max(last - first + 1, 0), upper=float(graph.agents))
+        found[state] = first, made
+        steps = np.arange(first, last + 1)
+        if begun:
+            draft.sums((0, made[:1], 1.0), lower=-np.inf, upper=float(begun), kind="stand")
+        for ago in range(1, modes.delay + 1):
+            place = np.flatnonzero(steps >= ago)
+            waits = columns.offset[loops] + steps[place] - ago - columns.first[loops]
+            every = np.arange(len(place))
+            terms = (every, waits, 1.0), (every, made[place], -1.0)
+            draft.sums(*terms, count=len(place), kind="stand")
+    return replace(columns, stood=found)
 
 
 def laid_out(

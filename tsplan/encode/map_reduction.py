@@ -16,7 +16,7 @@ Where a condition fails, `reduce` answers None and the full graph is used.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -55,7 +55,7 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) ->
     Where the states that matter lie around a hub there may be far more pairs of them than edges;
     then the full graph is its own reduction. Raises Halted when the clock is over.
     """
-    unit_wait = graph.wait & (graph.duration == 1)
+    unit_wait = (graph.travel == 0) & (graph.duration == 1)
     waiting = np.zeros(len(graph.start), dtype=np.bool_)
     waiting[graph.tail[unit_wait]] = True
     relevant = interest.relevant.copy()
@@ -98,4 +98,7 @@ def _assemble(
         risk=np.concatenate([graph.risk[own], risk]),
         group=np.concatenate([graph.group[own], np.full(len(tail), -1)]),
     )
-    return Reduced(joined, (*own.reshape(-1, 1), *paths))
+    every = (*own.reshape(-1, 1), *paths)
+    if graph.modes is not None:
+        joined = replace(joined, modes=graph.modes.along(every, graph.duration))
+    return Reduced(joined, every)

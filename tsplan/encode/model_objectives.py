@@ -47,7 +47,7 @@ class Travel(ModelObjective):
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """The duration of every move."""
-        return _priced(encoded, lambda item: item.graph.duration * ~item.graph.wait)
+        return _priced(encoded, lambda item: item.graph.travel)
 
 
 class Cost(ModelObjective):
@@ -62,7 +62,7 @@ class Cost(ModelObjective):
         return all(
             np.array_equal(
                 item.graph.cost * unit.numerator,
-                np.where(item.graph.wait, 0, item.graph.duration) * unit.denominator,
+                item.graph.travel * unit.denominator,
             )
             for item in setting.classes
         )
@@ -147,6 +147,31 @@ class Availability(LevelObjective, TargetObjective):
     def worth(self, setting: Setting, point: Point) -> float:
         """Robustness of the goal under the counts of the moves."""
         return availability(setting, point)
+
+
+class Delay(LevelObjective):
+    """How many steps late every agent may be at any time, and the formula holds."""
+
+    name = "delay"
+    built = True
+
+    def ideal(self, setting: Setting) -> float:
+        """Every atom on its own, by team and travel times and the steps that agents may be late."""
+        network, low, high = setting.unrolled(), setting.delay, setting.horizon
+        while low < high:
+            later = (low + high + 1) // 2
+            atoms = setting.atoms(network, later - setting.delay)
+            possible = OptimisticBound(setting.goal, atoms).best(setting.goal, 0) >= 0
+            low, high = (later, high) if possible else (low, later - 1)
+        return float(low)
+
+    def worth(self, setting: Setting, point: Point) -> float:
+        """What the model of the point was made for."""
+        return float(point.encoded.setting.delay)
+
+    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
+        """As it is: a model is made for that."""
+        return encoded
 
 
 class Makespan(LevelObjective):
@@ -317,6 +342,7 @@ for _each in (
     Risk(),
     MovingAgents(),
     Availability(),
+    Delay(),
     Haulage(),
     Reserve(),
     Makespan(),
@@ -356,9 +382,11 @@ def stayers(network: Network, draft: Draft) -> Ints:
     made = []
     for item in network.classes:
         for state in np.flatnonzero(item.graph.start).tolist():
-            waits = _waits_for_ever(item, state, network.horizon)
-            if waits is None:
+            stays = item.graph.waits(state, network.horizon)
+            if stays is None:
                 continue
+            edge, step = stays
+            waits = item.offset[edge] + step - item.first[edge]
             staying = draft.columns(1, upper=float(item.graph.start[state]), integer=True)
             every = np.arange(len(waits))
             draft.sums(
@@ -366,15 +394,3 @@ def stayers(network: Network, draft: Draft) -> Ints:
             )
             made.append(staying)
     return np.concatenate([*made, np.empty(0, dtype=np.int64)])
-
-
-def _waits_for_ever(item: ClassColumns, state: int, horizon: int) -> Ints | None:
-    """Columns of the waits that fill all steps at a state, or None where it has no self-loop."""
-    loops = np.flatnonzero((item.graph.tail == state) & (item.graph.head == state))
-    if horizon > 0 and not len(loops):
-        return None
-    if horizon == 0:
-        return np.empty(0, dtype=np.int64)
-    loop = int(loops[0])
-    steps = np.arange(0, horizon, int(item.graph.duration[loop]))
-    return np.asarray(item.offset[loop] + steps - item.first[loop], dtype=np.int64)

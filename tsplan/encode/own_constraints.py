@@ -96,4 +96,5 @@ def resolve(
     term: CountTerm, system: TransitionSystem, arrays: MapArrays, network: Network
 ) -> tuple[Ints, int]:
     """Flow columns whose sum, with the returned constant, is a count."""
-    return network.present(states_of(term, system, arrays), term.capability, term.step)
+    states = states_of(term, system, arrays)
+    return network.present(states, term.capability, term.step, settled=False)

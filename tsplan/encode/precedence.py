@@ -66,6 +66,11 @@ class TravelGaps:
         return int(min(way, self._never)) if lacking <= 0 else self._never
 
 
+def direct(network: Network) -> bool:
+    """Whether a state where somebody is needed is one node of every class's map."""
+    return all(c.graph.modes is None or c.graph.modes.plain for c in network.classes)
+
+
 def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:
     """The ways that lie between the witnesses of relays, as far as they are sure."""
     needs: dict[int, list[Demand]] = defaultdict(list)
@@ -118,7 +123,7 @@ def route_rows(legs: Sequence[Leg], network: Network, draft: Draft) -> None:
     travel = []
     for item in network.classes:
         edge, _, column = item.unrolled()
-        travel.append((0, column, (item.graph.duration * ~item.graph.wait)[edge]))
+        travel.append((0, column, item.graph.travel[edge]))
     for last in legs:
         if id(last) in followed:
             continue

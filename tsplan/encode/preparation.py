@@ -13,6 +13,8 @@ from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.count_atoms import watched_states
 from tsplan.encode.encoded import Setting
 from tsplan.encode.expressions import Constraint
+from tsplan.encode.flow_network import ClassGraph
+from tsplan.encode.late_modes import with_modes, with_standing
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import states_of, terms_of
@@ -46,14 +48,39 @@ def prepare(
         classes=classes,
         reduced=tuple(whole(item.graph) for item in classes),
         arrays=map_arrays(mission.system),
+        delay=mission.delay,
         constraints=tuple(constraints),
         switches=switches,
         clock=clock or Clock(),
         plain=plain,
     )
+    setting = _on_late_maps(setting) if setting.delay else setting
     # quickest ways say nothing of uncertain moves
     reducible = Switch.REDUCTION in switches and mission.expected is None
     return _on_reduced_maps(setting) if reducible else setting
+
+
+def delayed(setting: Setting, delay: int) -> Setting:
+    """The setting of plans that hold though agents are so many steps late."""
+    mission = replace(setting.mission, delay=delay)
+    where = setting.constraints, setting.switches
+    made = prepare(mission, *where, clock=setting.clock)
+    return replace(made, mission=setting.mission, delay=made.delay)
+
+
+def _on_late_maps(setting: Setting) -> Setting:
+    """The setting on maps that tell how long agents have been where the goal counts them."""
+    classes = []
+    for item in setting.classes:
+        able = item.graph.capabilities
+        watched = watched_states(setting.goal, able, setting.mission.system, setting.arrays)
+        if item.bounds is None:
+            graph = with_modes(item.graph, *watched, setting.delay)
+        else:
+            graph = with_standing(item.graph, watched[0], setting.delay)
+        classes.append(replace(item, graph=graph))
+    reduced = tuple(whole(item.graph) for item in classes)
+    return replace(setting, classes=tuple(classes), reduced=reduced)
 
 
 def _classes(
@@ -76,7 +103,11 @@ def _on_reduced_maps(setting: Setting) -> Setting:
     """The setting on reduced maps, or as it is where these would not be exact."""
     if not all(objective.reducible(setting) for objective in objectives_of(setting.mission)):
         return setting
-    interests = [_interest(setting, item.graph.capabilities) for item in setting.classes]
+    interests = [_interest(setting, item.graph) for item in setting.classes]
+    limited = any(interest.limited.any() for interest in interests)
+    # nodes that tell how long somebody has been there, or away, are no places to wait at
+    if setting.delay and (limited or setting.arrays.group_capacity):
+        return setting
     reduced: list[Reduced] = []
     for item, interest in zip(setting.classes, interests, strict=True):
         # where groups split and merge, and where cargo is handed over, is seen on the whole map
@@ -87,18 +118,19 @@ def _on_reduced_maps(setting: Setting) -> Setting:
         if short is None:
             return setting
         reduced.append(short)
-    limited = any(interest.limited.any() for interest in interests)
     monotone = not limited and not setting.arrays.group_capacity
     return replace(setting, reduced=tuple(reduced), monotone=monotone)
 
 
-def _interest(setting: Setting, ability: frozenset[str]) -> Interest:
-    """Which states the problem counts agents with these capabilities at, and which it limits."""
-    system, arrays = setting.mission.system, setting.arrays
+def _interest(setting: Setting, graph: ClassGraph) -> Interest:
+    """Which states the problem counts agents of a class at, and which it limits."""
+    system, arrays, ability = setting.mission.system, setting.arrays, graph.capabilities
     wanted, limited = watched_states(setting.goal, ability, system, arrays)
     for state, _ in arrays.capacity:
         limited[state] = True
     for term in terms_of(setting.constraints):
         if is_counted(term.capability, ability):
             limited[states_of(term, system, arrays)] = True
+    modes = np.zeros(len(graph.start) - len(wanted), dtype=np.bool_)
+    wanted, limited = (np.append(states, modes) for states in (wanted, limited))
     return Interest(np.logical_or(wanted, limited), limited)

@@ -9,6 +9,7 @@ import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.encoded import Point, Setting
+from tsplan.encode.flow_network import ClassGraph
 from tsplan.encode.map_reduction import Reduced, whole
 from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import Stocks
@@ -25,9 +26,10 @@ Moves: TypeAlias = tuple[Ints, Ints, Ints]
 ClassMoves: TypeAlias = Sequence[tuple[AgentClass, Moves]]
 
 
-def moves_of(setting: Setting, point: Point) -> list[tuple[AgentClass, Moves]]:
+def moves_of(point: Point) -> list[tuple[AgentClass, Moves]]:
     """For every class the edges of its full graph that agents enter, when, and how many do."""
     found = []
+    setting = point.encoded.setting
     for number, (item, columns) in enumerate(
         zip(setting.classes, point.encoded.network.classes, strict=True)
     ):
@@ -41,9 +43,16 @@ def moves_of(setting: Setting, point: Point) -> list[tuple[AgentClass, Moves]]:
     return found
 
 
+def node_names(setting: Setting, item: AgentClass) -> tuple[str, ...]:
+    """The names of the nodes of a class's map: those of the states first, then their own."""
+    states = setting.arrays.names
+    own = range(len(states), len(item.graph.start))
+    return (*states, *(f"node {number}\0" for number in own))
+
+
 def listed(setting: Setting, item: AgentClass, moves: Moves) -> tuple[Move, ...]:
-    """The moves of one class with the names of their states, in the order of time."""
-    names = setting.arrays.names
+    """The moves of one class with the names of their nodes, in the order of time."""
+    names = node_names(setting, item)
     edge, step, count = moves
     ends = item.graph.tail[edge].tolist(), item.graph.head[edge].tolist()
     found = zip(step.tolist(), *ends, count.tolist(), strict=True)
@@ -84,25 +93,77 @@ def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
     site = {label: setting.arrays.states_with(system, label) for label in named}
     watched = np.unique(np.concatenate([*site.values(), np.empty(0, dtype=np.int64)]))
     shape = (len(watched), setting.horizon + 1)
-    everybody = np.zeros(shape)
-    counts: dict[str | None, Floats] = {None: everybody}
+    counts: dict[str | None, Floats] = {None: np.zeros(shape)}
+    possible: dict[str | None, Floats] = {None: np.zeros(shape)}
     executions: dict[str, Bools] = {}
     for task, state, when in executions_of(point):
-        here = executions.setdefault(task.task, np.zeros(shape, dtype=np.bool_))
-        here[np.searchsorted(watched, state), when] = True
-    for item, (edge, step, count) in moves_of(setting, point):
+        done = executions.setdefault(task.task, np.zeros(shape, dtype=np.bool_))
+        done[np.searchsorted(watched, state), when] = True
+    delay = point.encoded.setting.delay
+    for item, moves in moves_of(point):
         present = np.zeros(shape)
         present[:, 0] = item.graph.start[watched]
-        ends = step + item.graph.duration[edge]
-        heads = item.graph.head[edge]
-        inside = (ends <= setting.horizon) & np.isin(heads, watched)
-        np.add.at(present, (np.searchsorted(watched, heads[inside]), ends[inside]), count[inside])
-        everybody += present
-        for capability in item.graph.capabilities:
-            counts.setdefault(capability, np.zeros(shape))
-            counts[capability] += present
+        if item.graph.modes is not None and item.graph.modes.standing:
+            present[:, 1:] = _stood(item.graph, moves, watched, setting.horizon)
+        else:
+            _add(present, watched, _arrivals(item.graph, moves, settled=True))
+        late = np.zeros(shape)
+        if delay:
+            late[:, 0] = item.graph.start[watched]
+            _add(late, watched, _arrivals(item.graph, moves, settled=False))
+            for part in _lingering(item.graph, moves):
+                _add(late, watched, part)
+        for capability in (None, *item.graph.capabilities):
+            for table, here in ((counts, present), (possible, late)):
+                table[capability] = table.get(capability, np.zeros(shape)) + here
     labels = {label: np.searchsorted(watched, states) for label, states in site.items()}
-    return CountTrace(counts, labels, executions)
+    return CountTrace(counts, labels, executions, possible if delay else {})
+
+
+def _add(table: Floats, watched: Ints, events: Moves) -> None:
+    """Add agents at states and steps to a table of the watched states."""
+    state, step, count = events
+    inside = (step < table.shape[1]) & np.isin(state, watched)
+    np.add.at(table, (np.searchsorted(watched, state[inside]), step[inside]), count[inside])
+
+
+def _arrivals(graph: ClassGraph, moves: Moves, *, settled: bool) -> Moves:
+    """State, step and number of agents of every arrival; if `settled` where they count for sure."""
+    edge, step, count = moves
+    head, ends = graph.head[edge], step + graph.duration[edge]
+    if graph.modes is None:
+        return head, ends, count
+    here = graph.modes.settled[head] if settled else np.ones(len(head), dtype=np.bool_)
+    return graph.modes.place[head[here]], ends[here], count[here]
+
+
+def _stood(graph: ClassGraph, moves: Moves, watched: Ints, horizon: int) -> Floats:
+    """How many agents have waited long enough at the watched states, from step 1 on."""
+    edge, step, count = moves
+    modes = graph.modes
+    assert modes is not None
+    waits = graph.wait[edge] & (graph.duration[edge] == 1)
+    waiting = np.zeros((len(watched), horizon))
+    _add(waiting, watched, (graph.tail[edge[waits]], step[waits], count[waits]))
+    found = np.array(waiting)
+    for ago in range(1, min(modes.delay, horizon)):
+        found[:, ago:] = np.minimum(found[:, ago:], waiting[:, : horizon - ago])
+    return found
+
+
+def _lingering(graph: ClassGraph, moves: Moves) -> Iterator[Moves]:
+    """Agents that may be at a state still, by their number, less those that are back there."""
+    edge, step, count = moves
+    modes = graph.modes
+    assert modes is not None
+    tail, head = modes.place[graph.tail[edge]], modes.place[graph.head[edge]]
+    left = np.flatnonzero((tail != head) | (graph.duration[edge] > 1))
+    ends = step + graph.duration[edge]
+    for ago in range(modes.delay + 1):
+        if ago:
+            yield tail[left], step[left] + ago, count[left]
+        back = np.flatnonzero(modes.lingers[edge] >= ago)
+        yield head[back], ends[back] + ago, -count[back]
 
 
 def executions_of(point: Point) -> list[tuple[Execution, int, int]]:
@@ -127,8 +188,8 @@ def carried_at(setting: Setting, point: Point) -> Iterator[Carried]:
 def last_arrival(setting: Setting, point: Point) -> int:
     """Last step at which an agent arrives by a move that is not a wait; 0 without any."""
     last = 0
-    for item, (edge, step, _count) in moves_of(setting, point):
-        move = ~item.graph.wait[edge]
+    for item, (edge, step, _count) in moves_of(point):
+        move = item.graph.travel[edge] > 0
         ends = (step + item.graph.duration[edge])[move]
         last = max(last, int(ends.max(initial=0)))
     return last
@@ -137,16 +198,16 @@ def last_arrival(setting: Setting, point: Point) -> int:
 def moving(setting: Setting, point: Point) -> int:
     """Agents that ever move: all but those that can wait at their start to the end."""
     staying = 0
-    for item, (edge, step, count) in moves_of(setting, point):
+    for item, (edge, step, count) in moves_of(point):
         graph = item.graph
         for state in np.flatnonzero(graph.start).tolist():
-            loop = np.flatnonzero((graph.tail == state) & (graph.head == state))
-            here = graph.start[state]
-            if setting.horizon and not len(loop):
+            stays = graph.waits(state, setting.horizon)
+            if stays is None:
                 continue
-            waits = range(0, setting.horizon, int(graph.duration[loop[0]]) if len(loop) else 1)
-            entered = np.zeros(setting.horizon, dtype=np.int64)
-            mine = np.isin(edge, loop)
-            np.add.at(entered, step[mine], count[mine])
-            staying += min([here, *entered[list(waits)].tolist()])
+            pairs = zip(*(part.tolist() for part in stays), strict=True)
+            taken = dict.fromkeys(pairs, 0)
+            for entry in zip(edge.tolist(), step.tolist(), count.tolist(), strict=True):
+                if entry[:2] in taken:
+                    taken[entry[:2]] += entry[2]
+            staying += min([int(graph.start[state]), *taken.values()])
     return setting.mission.size - int(staying)

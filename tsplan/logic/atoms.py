@@ -98,6 +98,11 @@ class Count(Formula):
         if not isinstance(self.bound, Percent):
             _whole(self.bound)
 
+    @property
+    def upper(self) -> bool:
+        """Whether it bounds the number from above alone."""
+        return self.relation in ("<=", "<")
+
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Linear(Formula):

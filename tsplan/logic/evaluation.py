@@ -30,7 +30,7 @@ from tsplan.logic.normal_form import positive
 from tsplan.logic.predicate_ranges import Bounds, predicate_ranges
 from tsplan.logic.time_horizon import horizon
 from tsplan.logic.traces import CountTrace, SignalTrace, Trace, Values
-from tsplan.logic.traversal import fold, fold_all
+from tsplan.logic.traversal import fold, fold_all, walk, walk_all
 
 __all__ = ["KINDS", "CountTrace", "Kind", "SignalTrace", "Trace", "holds", "margins", "robustness"]
 
@@ -116,6 +116,13 @@ def margins(
 
 def values_of(formula: Formula, reading: Reading) -> Mapping[Formula, Values]:
     """The values of a formula and of each of its sub-formulas, in one reading."""
+    negated = (nodes.Not, nodes.Implies, nodes.Iff)
+    if _two_counts(reading.trace) and any(isinstance(node, negated) for node in walk(formula)):
+        alone = {node: positive(node) for node in walk(formula)}
+        values: dict[Formula, Values] = {}
+        for node in walk_all(alone.values()):
+            values[node] = value(node, tuple(values[child] for child in node.children), reading)
+        return MappingProxyType({node: values[plain] for node, plain in alone.items()})
     return MappingProxyType(fold_all(formula, lambda node, below: value(node, below, reading)))
 
 
@@ -166,9 +173,16 @@ def holds(formula: Formula, trace: Trace) -> Values:
 
 def _judged(formula: Formula, reading: Reading) -> Values:
     plain = translate(formula)
+    if _two_counts(reading.trace):
+        plain = positive(plain)  # which counts an atom is about is told by its own relation
     length = _refuse_short(plain, reading.trace)
     values = fold(plain, lambda node, below: value(node, below, reading))
     return np.broadcast_to(values[..., :length], (*reading.trace.batch, length)).copy()
+
+
+def _two_counts(trace: Trace) -> bool:
+    """Whether bounds from above are held against counts of their own."""
+    return isinstance(trace, CountTrace) and bool(trace.most)
 
 
 def _refuse_short(plain: Formula, trace: Trace) -> int:
@@ -269,9 +283,20 @@ def _(node: Count, _below: tuple[Values, ...], reading: Reading) -> Values:
         raise ValueError(f"'{node}' counts agents, but the trace holds signals")  # noqa: TRY004  (the trace is the value)
     if isinstance(node.bound, Percent):
         raise ValueError(f"'{node}' is a percentage; resolve_percent() makes it a number")  # noqa: TRY004  (as above)
-    counts = reading.trace.at(node.label, node.capability)
-    measured: Values = getattr(counts, node.function)(axis=-2)
-    return reading.compare[node.relation](measured, float(node.bound))
+    bound = float(node.bound)
+    if node.relation not in ("=", "!=") or not _two_counts(reading.trace):
+        counts = reading.trace.at(node.label, node.capability, upper=node.upper)
+        measured: Values = getattr(counts, node.function)(axis=-2)
+        return reading.compare[node.relation](measured, bound)
+    least, most = (
+        getattr(reading.trace.at(node.label, node.capability, upper=upper), node.function)(axis=-2)
+        for upper in (False, True)
+    )
+    if node.relation == "=":  # both ways
+        sides = reading.compare[">="](least, bound), reading.compare["<="](most, bound)
+        return np.asarray(np.minimum(*sides))
+    sides = reading.compare[">"](least, bound), reading.compare["<"](most, bound)
+    return np.asarray(np.maximum(*sides))  # one of them
 
 
 @value.register

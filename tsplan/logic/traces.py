@@ -26,18 +26,22 @@ class CountTrace:
     all agents; a capability that is absent counts 0 everywhere. `labels[label]` holds the places of
     the label's states along the states axis. Axes before these two are a batch. `executions` has,
     by the text of a task with resources, where and when it is executed: Booleans of that shape.
+    `most` are the counts that bounds from above are held against, where these are others, as where
+    agents may be late: then `counts` are those that are sure and `most` those that are possible.
     """
 
     counts: Mapping[str | None, Values]
     labels: Mapping[str, Values]
     executions: Mapping[str, Values] = field(default_factory=dict)
+    most: Mapping[str | None, Values] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        counts = {name and nfc(name): array for name, array in self.counts.items()}
-        object.__setattr__(self, "counts", counts)
+        for part in ("counts", "most"):
+            named = {name and nfc(name): array for name, array in getattr(self, part).items()}
+            object.__setattr__(self, part, named)
         object.__setattr__(self, "labels", {nfc(name): at for name, at in self.labels.items()})
-        shapes = {np.shape(array) for array in self.counts.values()}
-        if not shapes:
+        shapes = {np.shape(array) for array in (*self.counts.values(), *self.most.values())}
+        if not self.counts:
             raise ValueError("a trace of counts needs the counts of all agents, under the key None")
         if len(shapes) > 1 or len(min(shapes)) < _STATES_AND_STEPS:
             raise ValueError(
@@ -54,14 +58,18 @@ class CountTrace:
         """Number of steps, the first and the last included."""
         return int(np.shape(next(iter(self.counts.values())))[-1])
 
-    def at(self, label: str, capability: str | None) -> Floats:
-        """Counts (..., states with the label, steps) as floats; ValueError if that is unknown."""
+    def at(self, label: str, capability: str | None, *, upper: bool = False) -> Floats:
+        """Counts (..., states with the label, steps) as floats; ValueError if that is unknown.
+
+        With `upper` those that a bound from above is held against.
+        """
         places = self._places(label)
-        if capability not in self.counts:
+        counts = self.most if upper and self.most else self.counts
+        if capability not in counts:
             if capability is None:
                 raise ValueError("the trace does not count all agents (the key None)")
             return np.zeros((*self.batch, places.size, self.steps))
-        array = np.asarray(self.counts[capability])
+        array = np.asarray(counts[capability])
         return _floats(array[..., places, :])
 
     def executed(self, task: str, label: str) -> Values:

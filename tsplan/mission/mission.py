@@ -51,8 +51,9 @@ class Mission(MissionParts):
     mission's own map, so that everything made from the mission counts there alike.
     A name of a class that is nobody's capability is one of its own robots, if a formula or the
     map asks for it. The `swarm` rules say which classes are swarms, whose agents move as
-    sub-swarms. `resources` are what tasks may need beside robots.
-    sub-swarms. On a map of actions with uncertain outcomes numbers are `expected` ones.
+    sub-swarms. `resources` are what tasks may need beside robots. The formula holds even where
+    every agent is up to `delay` steps late at any time. On a map of actions with uncertain outcomes
+    numbers are `expected` ones.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
 
@@ -160,6 +161,7 @@ class Mission(MissionParts):
         swarms: Iterable[Mapping[str, Any]] | None = None,
         max_subswarms: int | None = None,
         margin: str | int | None = None,
+        delay: int | None = None,
         formula: str | bool | Formula | Sequence[str | bool] | None = None,
         must: str | bool | Formula | Sequence[str | bool] | None = None,
         prefer: Iterable[Preference | Mapping[str, Any]] = (),
@@ -202,6 +204,7 @@ class Mission(MissionParts):
             "swarms": None if swarms is None else list(swarms),
             "max_subswarms": max_subswarms,
             "margin": margin,
+            "delay": delay,
             "spec": {key: value for key, value in spec.items() if value is not None},
             "objective": None if objective is None else list(objective),
             "task_interval": task_interval,

@@ -42,6 +42,13 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
         *map_faults(mission.system, mission.team),
         *cost_faults(mission.system, mission.team, mission.horizon, mission.objective),
         *resource_faults(_carrying(mission), mission.objective, mission.swarm),
+        *delay_faults(
+            mission.delay,
+            mission.objective,
+            resources=bool(mission.resources),
+            expected=mission.expected is not None,
+        ),
+        *late_faults(mission.delay, mission.horizon),
         *_formula_faults(mission, mission.formula, whole="satisfaction" not in mission.objective),
         *(
             fault
@@ -89,6 +96,31 @@ def preference_faults(
         if name in names[:number]:
             what = f"two preferences are called '{name}'"
             yield Fault(preferred(number, "name"), what, "rename one")
+
+
+def delay_faults(
+    delay: int, objective: Sequence[str], *, resources: bool, expected: bool
+) -> Iterator[Fault]:
+    """What cannot be asked for together with agents that may be late."""
+    aims = [("objective", place) for place, name in enumerate(objective) if name == "delay"]
+    path: Place = ("delay",) if delay else next(iter(aims), ())
+    if path and resources:
+        what = "cargo moves with the robots that are on time, and these may be late"
+        yield Fault(path, what, "remove the resources, or plan without delay")
+    if delay and expected:
+        what = "of uncertain moves expected numbers are planned, and these say nothing of delays"
+        yield Fault(path, what, "remove 'delay'")
+    for place in aims:
+        if {"satisfaction", "preferences"}.intersection(objective):
+            what = "how late agents may be is told of what must hold alone"
+            yield Fault(place, what, "write 'delay: 2' for the steps that all is to stand")
+
+
+def late_faults(delay: int, horizon: int) -> Iterator[Fault]:
+    """A delay beyond the end of a mission."""
+    if delay > horizon:
+        what = f"agents may be {delay} steps late, and the mission ends at step {horizon}"
+        yield Fault(("delay",), what, f"write at most {horizon}")
 
 
 def objective_faults(objective: Sequence[str], swarm: SwarmRules | None) -> Iterator[Fault]:

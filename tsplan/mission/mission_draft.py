@@ -27,7 +27,12 @@ from tsplan.mission.formula_checks import (
     weight_faults,
 )
 from tsplan.mission.formulas import spelled_out
-from tsplan.mission.mission_checks import objective_faults, preference_faults
+from tsplan.mission.mission_checks import (
+    delay_faults,
+    late_faults,
+    objective_faults,
+    preference_faults,
+)
 from tsplan.mission.mission_parts import MissionParts
 from tsplan.mission.mission_schema import (
     STAND_INS,
@@ -226,6 +231,12 @@ class _Draft(Filing):
             faults += resource_faults(team, self.objective(file), self.swarm)
         if self.system is not None and self.entries is not None:
             faults += chance_faults(self.system, self.expected)
+        faults += delay_faults(
+            file.delay,
+            self.objective(file),
+            resources=bool(self.resources),
+            expected=self.expected is not None,
+        )
         horizons = []
         for where, formula in self.formulas.all():
             found = [*formula_faults(formula, self.system, self.team, self.swarm)]
@@ -240,6 +251,7 @@ class _Draft(Filing):
             self.file(fault)
         if not self.serious and self.system is not None and self.team is not None:
             late = [*cost_faults(self.system, self.team, self.horizon, self.objective(file))]
+            late += late_faults(file.delay, self.horizon)
             for where, formula in self.formulas.all():
                 late += moved(weight_faults(formula, self.order(file, where)), where)
             for fault in late:
@@ -275,6 +287,7 @@ class _Draft(Filing):
             swarm=self.swarm,
             resources=self.resources or (),
             expected=self.expected,
+            delay=file.delay,
             satisfaction=objective_order(file.objective or ()),
             prefer=self.preferences(file.spec.prefer),
             weights=settled(self.weights),

@@ -58,6 +58,7 @@ class MissionParts:
     swarm: SwarmRules | None = None
     resources: tuple[Resource, ...] = ()
     expected: Expectation | None = None
+    delay: int = 0
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()
     weights: Mapping[str, Weight] = field(default_factory=dict, compare=False, repr=False)

@@ -171,6 +171,7 @@ class MissionFile(Part):
     max_subswarms: Count | None = None
     min_subswarm: Any = None  # belongs into a swarm, which the reader says
     margin: Annotated[Any, BeforeValidator(_margin)] = 0
+    delay: Whole = 0
     spec: Spec
     objective: list[Annotated[Name, BeforeValidator(_aim)]] | None = None
     task_interval: TaskInterval = "closed"

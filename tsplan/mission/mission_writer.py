@@ -66,17 +66,25 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
         for name in mission.objective
     ]
     yield f"objective: {flow(aims)}"
+    if mission.delay:
+        yield f"delay: {mission.delay}"
     if mission.task_interval != "closed":
         yield f"task_interval: {mission.task_interval}"
     yield f"horizon: {mission.horizon}"
-    if mission.expected is not None:
-        yield "dynamics: expected"
-        if mission.expected.deterministic:
-            yield "policy: deterministic"
-        if mission.expected.margin:
-            yield f"margin: {margin_text(mission.expected.margin)}"
+    yield from _expected_lines(mission)
     if solver := solver_entry(mission.solver):
         yield f"solver: {flow(solver)}"
+
+
+def _expected_lines(mission: MissionParts) -> Iterator[str]:
+    """What is asked of policies."""
+    if mission.expected is None:
+        return
+    yield "dynamics: expected"
+    if mission.expected.deterministic:
+        yield "policy: deterministic"
+    if mission.expected.margin:
+        yield f"margin: {margin_text(mission.expected.margin)}"
 
 
 def read_formula(text: str, language: Language, weights: Mapping[str, Weight]) -> Formula:

@@ -81,6 +81,7 @@ for _objective in (
         "agents that may fail with the formula still holding",
         expected=True,
     ),
+    Objective("delay", "maximise", "steps that every agent may be late, the formula still holding"),
     Objective("travel", "minimise", "steps that all agents together spend on moves", expected=True),
     Objective(
         "cost", "minimise", "summed costs of all edges that are entered", whole=False, expected=True

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, TypeAlias
 
@@ -95,3 +95,17 @@ def agents_json(agents: Sequence[AgentPlan], grouped: Sequence[Bundle]) -> str:
         for place in bundle.agents:
             lines[place] = f'{{"id": {as_json(agents[place].id)}{tail}'
     return json_lines(lines)
+
+
+def joined(stays: Iterable[Stay]) -> Iterator[Stay]:
+    """Stays in order, those at one state that follow each other as one."""
+    open_: Stay | None = None
+    for first, last, state in stays:
+        if open_ is not None and open_[2] == state and open_[1] + 1 == first:
+            open_ = open_[0], last, state
+            continue
+        if open_ is not None:
+            yield open_
+        open_ = first, last, state
+    if open_ is not None:
+        yield open_

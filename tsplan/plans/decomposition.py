@@ -8,7 +8,7 @@ moves and not on the number of agents.
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Sequence
 from itertools import islice
 from random import Random
@@ -25,16 +25,25 @@ if TYPE_CHECKING:
 
 
 def paths_of(
-    mission: Mission, members: Sequence[Agent], moves: Sequence[Move], seed: int | None = None
+    mission: Mission,
+    members: Sequence[Agent],
+    moves: Sequence[Move],
+    seed: int | None = None,
+    *,
+    late: bool = False,
 ) -> tuple[AgentPlan, ...]:
-    """One path per member of one class, which together make its `moves` on the mission's map."""
+    """One path per member of one class, which together make its `moves` on the mission's map.
+
+    Where agents may be `late`, whoever came last to a state leaves it first.
+    """
     used = {(move.source, move.target) for move in moves}
     durations = {
         pair: edge.duration_for(members[0].class_name) or 0
         for pair, edge in mission.system.edges.items()
         if pair in used
     }
-    return decompose(members, moves, durations, mission.horizon, seed)
+    make = last_first if late else decompose
+    return make(members, moves, durations, mission.horizon, seed)
 
 
 class _Path(NamedTuple):
@@ -77,6 +86,67 @@ def decompose(
             for place in islice(line, agents):
                 paths[place] = AgentPlan(*members[place][:3], stays, heading)
     return tuple(agent for agent in paths if agent is not None)
+
+
+def last_first(
+    members: Sequence[tuple[str, str, frozenset[str], str]],
+    moves: Sequence[Move],
+    durations: Durations,
+    horizon: int,
+    seed: int | None = None,
+) -> tuple[AgentPlan, ...]:
+    """As `decompose`, with paths by which whoever came last to a state leaves it first.
+
+    Then at every state and step as many agents as can be have been there for any number of steps.
+    """
+    order = list(range(len(members)))
+    if seed is not None:
+        Random(seed).shuffle(order)  # noqa: S311  (reproducible choice, not a secret)
+    _Unrolled(moves, durations, horizon, None).refuse_unless_conserved(
+        Counter(start for *_, start in members)
+    )
+    stacks = _Stacks(moves, durations, horizon)
+    for number in order:
+        stacks.coming[0][members[number][3]].append(number)
+    stays, heading = stacks.paths()
+    return tuple(
+        AgentPlan(*member[:3], tuple(stays[number]), heading.get(number))
+        for number, member in enumerate(members)
+    )
+
+
+class _Stacks:
+    """Who is at each state in the order of arrival; `coming` has who will come there at a step."""
+
+    def __init__(self, moves: Sequence[Move], durations: Durations, horizon: int) -> None:
+        self._durations = durations
+        self._horizon = horizon
+        self._going: dict[int, list[Move]] = defaultdict(list)
+        for move in moves:
+            if durations[move.source, move.target] > 1 or not move.is_wait:
+                self._going[move.step].append(move)
+        self.coming: dict[int, dict[str, list[int]]] = defaultdict(lambda: defaultdict(list))
+        self._there: dict[str, list[tuple[int, int]]] = defaultdict(list)  # who, and since when
+
+    def paths(self) -> tuple[dict[int, list[Stay]], dict[int, str]]:
+        """The stays of everybody, and where those are going that are still on their way."""
+        stays: dict[int, list[Stay]] = defaultdict(list)
+        heading: dict[int, str] = {}
+        for step in range(self._horizon + 1):
+            for state, numbers in self.coming[step].items():
+                self._there[state] += [(number, step) for number in numbers]
+            for move in self._going[step]:
+                arrival = step + self._durations[move.source, move.target]
+                for _ in range(move.count):
+                    number, since = self._there[move.source].pop()
+                    stays[number].append((since, step, move.source))
+                    self.coming[arrival][move.target].append(number)
+                    if arrival > self._horizon:
+                        heading[number] = move.target
+        for state, people in self._there.items():
+            for number, since in people:
+                stays[number].append((since, self._horizon, state))
+        return stays, heading
 
 
 class _Unrolled:

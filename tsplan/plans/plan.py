@@ -201,7 +201,8 @@ class Plan(Record, display.Displayed):
 
     `agents` is empty unless `status` is optimal or feasible. `availability` is the counting
     robustness of the formula at step 0, None where it is infinite. `verified` says that the
-    independent check accepted the paths. `notes` are sentences for the reader of the plan.
+    independent check accepted the paths. The formula holds, and all that is told of it is told,
+    with every agent up to `delay` steps late. `notes` are sentences for the reader of the plan.
     `satisfaction` and `preferences` tell what holds where the mission does not demand it all.
 
     The plan of a mission with swarms has the `moves` of every swarm, by its name, and `groups`, the
@@ -220,6 +221,7 @@ class Plan(Record, display.Displayed):
     stopped_by: StoppedBy | None = None
     objective: tuple[ObjectiveValue, ...] = ()
     availability: Finite | None = None
+    delay: Whole | None = field(default=None, metadata=OPTIONAL)
     satisfaction: Satisfaction | None = field(default=None, metadata=OPTIONAL)
     preferences: tuple[PreferenceSatisfaction, ...] = field(default=(), metadata=OPTIONAL)
     verified: Annotated[bool, Field(strict=True)] = False

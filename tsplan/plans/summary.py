@@ -67,6 +67,7 @@ def summary(plan: Plan) -> list[RenderableType]:
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, endless)}")
         lines += supply_lines(plan)
+        lines += [late_line(plan.delay)] if plan.delay else []
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
         robots = [*_table(plan), ""] if plan.robots else []
         events = [*_events(plan), ""] if plan.groups else []
@@ -136,6 +137,11 @@ def supply_lines(plan: Plan) -> list[str]:
         told = ", ".join(f"{name} {number(amount)}" for name, amount in loads.items())
         lines.append(f"  carried along edges, summed up: {told}")
     return lines
+
+
+def late_line(delay: int) -> str:
+    """How late agents may be."""
+    return f"  holds with every agent up to {delay} step{'' if delay == 1 else 's'} late"
 
 
 def satisfaction_lines(plan: Plan) -> list[str]:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import TypedDict
 
 import numpy as np
 
+from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.policy_reading import policies_of
-from tsplan.encode.read_back import carried_at, executions_of, listed, moves_of
-from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.decomposition import paths_of
+from tsplan.encode.read_back import carried_at, executions_of, listed, moves_of, node_names
+from tsplan.mission import Agent
+from tsplan.plans.agent_plans import AgentPlan, joined
+from tsplan.plans.decomposition import decompose, paths_of
 from tsplan.plans.loading import loading
 from tsplan.plans.moves import Move
 from tsplan.plans.policies import Policy
@@ -21,13 +25,47 @@ MOST_AGENTS = 1000
 
 
 class Ways(TypedDict, total=False):
-    """Where everybody goes, as fields of a plan."""
+    """Where everybody goes, and how late that may be, as fields of a plan."""
 
     agents: tuple[AgentPlan, ...]
     moves: dict[str, tuple[Move, ...]]
     executions: tuple[ExecutedTask, ...]
     cargo: tuple[Cargo, ...]
     policies: tuple[Policy, ...]
+    delay: int | None
+
+
+def _promised(setting: Setting, point: Point) -> int | None:
+    """How late agents may be, where the mission says anything of that."""
+    mission = setting.mission
+    if not mission.delay and "delay" not in mission.objective:
+        return None
+    return point.encoded.setting.delay
+
+
+def _by_nodes(
+    setting: Setting,
+    item: AgentClass,
+    members: Sequence[Agent],
+    moves: Sequence[Move],
+    seed: int | None,
+) -> tuple[AgentPlan, ...]:
+    """The paths of a class whose map has modes, so that its agents count as its flow does."""
+    graph, names = item.graph, node_names(setting, item)
+    assert graph.modes is not None
+    ends = (graph.tail.tolist(), graph.head.tolist(), graph.duration.tolist())
+    durations = {(names[tail], names[head]): d for tail, head, d in zip(*ends, strict=True)}
+    states = (setting.arrays.names[place] for place in graph.modes.place.tolist())
+    state = dict(zip(names, states, strict=True))
+    made = decompose(members, moves, durations, setting.horizon, seed)
+    return tuple(
+        replace(
+            agent,
+            stays=tuple(joined((*span, state[node]) for *span, node in agent.stays)),
+            heading=None if agent.heading is None else state[agent.heading],
+        )
+        for agent in made
+    )
 
 
 def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
@@ -41,7 +79,7 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
     begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
     agents: dict[int, AgentPlan] = {}
     moves: dict[str, tuple[Move, ...]] = {}
-    for item, entered in moves_of(setting, point):
+    for item, entered in moves_of(point):
         made = listed(setting, item, entered)
         if item.bounds is not None:
             moves[mission.team[item.groups[0]].class_name] = made
@@ -50,7 +88,12 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
         spans = (range(begins[group], begins[group + 1]) for group in item.groups)
         numbers = [number for span in spans for number in span]
         members = [mission.agents[number] for number in numbers]
-        agents.update(zip(numbers, paths_of(mission, members, made, seed), strict=True))
+        if item.graph.modes is None or item.bounds is not None:
+            late = item.graph.modes is not None
+            walked = paths_of(mission, members, made, seed, late=late)
+        else:
+            walked = _by_nodes(setting, item, members, made, seed)
+        agents.update(zip(numbers, walked, strict=True))
     paths = tuple(agents[number] for number in sorted(agents))
     names = setting.arrays.names
     done = [(step, names[state], task.task) for task, state, step in executions_of(point)]
@@ -58,5 +101,6 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
         moves=moves,
         agents=paths,
         executions=tuple(ExecutedTask(task, state, step) for step, state, task in sorted(done)),
+        delay=_promised(setting, point),
         cargo=loading(mission, paths, carried_at(setting, point)),
     )

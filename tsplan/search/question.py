@@ -26,10 +26,10 @@ class Kept:
         """With one more value."""
         return Kept((*self.values, (objective, value)))
 
-    @property
-    def level(self) -> int:
-        """What models are made for, by the objective that is a part of their making."""
-        return max((int(value) for objective, value in self.values if objective.built), default=0)
+    def built(self, name: str) -> int:
+        """The value of an objective that models are made for, 0 where none is kept."""
+        built = (int(v) for kept, v in self.values if kept.built and kept.name == name)
+        return max(built, default=0)
 
     @property
     def by_places(self) -> bool:

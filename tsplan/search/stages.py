@@ -15,8 +15,9 @@ import numpy as np
 from tsplan.clock import Clock, Halted
 from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.model_objectives import Availability, ExpectedTravel, Splits, Travel
+from tsplan.encode.model_objectives import Availability, Delay, ExpectedTravel, Splits, Travel
 from tsplan.encode.objective_kinds import LevelObjective, StageObjective, TargetObjective
+from tsplan.encode.preparation import delayed
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
 from tsplan.milp.target import CLOSED
@@ -104,7 +105,9 @@ class Stages(Lexicographic[Point, StageObjective]):
             if np.isinf(ideal):  # whatever the agents do
                 return ideal
             if objective.by_levels(tight=self.tight):
-                return self._by_levels(objective, ideal)
+                bound = self._by_levels(objective, ideal)
+                self.setting = self._late(max(self._kept.built(Delay.name), self.setting.delay))
+                return bound
         assert isinstance(objective, TargetObjective)
         found = done or self._ask(Question(objective, self._kept, objective))
         assert self.point is not None
@@ -146,7 +149,7 @@ class Stages(Lexicographic[Point, StageObjective]):
     def _ask(self, question: Question) -> Found:
         """The answer to one question: by the places of groups alone if these settle it."""
         self.tell(question.stage, None, None, None)
-        encoded = self._encoded(question.kept.level if self.tight else 0)
+        encoded = self._encoded(question.kept)
         bound = -np.inf
         if encoded.occupied is not None:
             found = self._groups(encoded).answer(question)
@@ -207,7 +210,7 @@ class Stages(Lexicographic[Point, StageObjective]):
 
     def _groups(self, encoded: Encoded) -> GroupSearch:
         return GroupSearch(
-            self.setting, encoded, self.effort, self.clock, self._hear, lambda: self.point
+            encoded.setting, encoded, self.effort, self.clock, self._hear, lambda: self.point
         )
 
     def finished(self, point: Point) -> Point:
@@ -217,7 +220,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         """
         if not point.encoded.swarms:
             return tidied(self.setting, point, self.effort, self.clock)
-        whole = self._encoded(self._kept.level if self.tight else 0)
+        whole = self._encoded(self._kept)
         if whole is not point.encoded:
             target = Travel().target(self.setting, whole)
             search = Search(whole, target, self.effort, self.clock, lambda *_: None)
@@ -231,7 +234,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         """Flows of a plan found by way of the chained restriction, in a part of the time."""
         try:
             with self.clock.timed("build"):
-                restricted = chain_model(self.setting, encoded.level)
+                restricted = chain_model(encoded.setting, encoded.level)
         except Halted:  # the search hears of that by itself
             return None
         upper = restricted.model.upper.copy()
@@ -245,16 +248,26 @@ class Stages(Lexicographic[Point, StageObjective]):
 
     # --- models --------------------------------------------------------------------------------
 
-    def _encoded(self, level: int) -> Encoded:
-        """The model of all plans at an availability; the last one is kept."""
-        if self._made is None or self._made.level != level:
-            self._made = None
+    def _encoded(self, kept: Kept) -> Encoded:
+        """The model of all plans at an availability and a delay; the last one is kept."""
+        level = kept.built(Availability.name) if self.tight else 0
+        delay = max(kept.built(Delay.name), self.setting.delay)
+        made = self._made
+        if made is None or (made.level, made.setting.delay) != (level, delay):
+            made = self._made = None
             with self.clock.timed("build"):
-                self._made = tight(self.setting, level) if self.tight else self._reference(level)
-            made = self._made.model.size
-            self.size = made.columns, made.integers, made.rows, made.nonzeros
-        return self._made
+                setting = self._late(delay)
+                made = tight(setting, level) if self.tight else _reference(setting, level)
+            size = made.model.size
+            self.size = size.columns, size.integers, size.rows, size.nonzeros
+            self._made = made
+        return made
 
-    def _reference(self, level: int) -> Encoded:
-        most = max(Availability().ideal(self.setting), 0.0)
-        return reference(self.setting, (level, level if np.isinf(most) else most))
+    def _late(self, delay: int) -> Setting:
+        """The setting in which agents are so late."""
+        return self.setting if delay == self.setting.delay else delayed(self.setting, delay)
+
+
+def _reference(setting: Setting, level: int) -> Encoded:
+    most = max(Availability().ideal(setting), 0.0)
+    return reference(setting, (level, level if np.isinf(most) else most))

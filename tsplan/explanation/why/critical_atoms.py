@@ -86,7 +86,8 @@ def _places(
     if atom is None:
         yield "", 0
         return
-    present = trace.at(atom.label, atom.capability)[:, step].astype(int).tolist()
+    there = trace.at(atom.label, atom.capability, upper=atom.upper)
+    present = there[:, step].astype(int).tolist()
     if atom.function == "sum":
         yield f"'{atom.label}'", sum(present)
         return

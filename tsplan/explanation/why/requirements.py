@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
+from tsplan.checking.traffic import read_traffic
 from tsplan.logic.atoms import Count, Linear
 from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import Steps
@@ -146,9 +147,15 @@ def _demands(mission: Mission) -> Iterator[tuple[str | None, Formula]]:
 
 
 def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
-    """The counts of a plan at all states of its mission's map, as far as a formula needs them."""
+    """The counts of a plan at all states of its mission's map, as far as a formula needs them.
+
+    Of agents that may be late, those that are there for certain, and those that may be.
+    """
     states = tuple(mission.system.states)
     wanted = (None, *sorted(capabilities(formula)))
+    traffic, _ = read_traffic(mission, plan) if plan.delay else (None, [])
+    if traffic is not None:
+        return traffic.late_trace(sorted(capabilities(formula)), traffic.delay)
     counts = {name: plan.tallied(states, name) for name in wanted}
     done = ((item.task, item.state, item.step) for item in plan.executions)
     return count_trace(mission.system, counts, execution_tables(done, states, plan.horizon))
@@ -159,8 +166,8 @@ def measured(atom: Count | Linear, trace: Trace) -> Any:
     if isinstance(trace, SignalTrace):
         return trace.total(cast("Linear", atom).terms)
     atom = cast("Count", atom)
-    counts = getattr(trace.at(atom.label, atom.capability), atom.function)(axis=-2)
-    return np.asarray(counts)
+    there = trace.at(atom.label, atom.capability, upper=atom.upper)
+    return np.asarray(getattr(there, atom.function)(axis=-2))
 
 
 def runs(steps: Steps) -> tuple[Span, ...]:

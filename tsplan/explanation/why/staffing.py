@@ -37,7 +37,8 @@ class Staff:
         if step is None:
             return ()
         states = self.mission.system.labels[atom.label]
-        counts = self.trace.at(atom.label, atom.capability)[:, step].tolist()
+        there = self.trace.at(atom.label, atom.capability, upper=atom.upper)
+        counts = there[:, step].tolist()
         ids: dict[str | None, list[str]] = {state: [] for state in states}
         for bundle in self.plan.bundles:
             if atom.capability is None or atom.capability in bundle.capabilities:
