@@ -142,7 +142,7 @@ def test_an_agent_that_is_back_counts_once() -> None:
     # whoever steps out may be back in two steps, and is away for longer after that
     assert len(near.start) == 5 + 2
     assert near.modes is not None
-    assert not near.modes.plain
+    assert near.modes.recent.sum() == 2
     assert sorted(near.modes.lingers[near.modes.lingers >= 0].tolist()) == [0, 0]
     assert len(with_modes(item.graph, none, gate, 1).start) == 5
     assert len(with_modes(item.graph, gate, none, 3).start) == 5 + 3

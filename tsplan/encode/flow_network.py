@@ -44,8 +44,8 @@ class Modes:
     Of nodes: `place` is the state of each, and agents at `settled` ones are there for certain
     though they may be up to `delay` steps late. Of edges: `travel` is for how many steps agents
     move, `arrives` after how many they stop; for `lingers` steps after its end agents count at its
-    head from before, as they do for `delay` steps after they leave; -1 if they do not. `plain`
-    says that no node tells what agents left before.
+    head from before, as they do for `delay` steps after they leave; -1 if they do not. Of nodes
+    again, those that are `recent` tell what agents left before.
 
     Where groups of a swarm move together the nodes are the states, and `standing` says that those
     count from below, at the settled states, who wait there for `delay` steps.
@@ -57,7 +57,7 @@ class Modes:
     lingers: Ints
     travel: Ints
     arrives: Ints
-    plain: bool = True
+    recent: Bools
     standing: bool = False
 
     def along(self, paths: Sequence[Ints], duration: Ints) -> Modes:

@@ -63,6 +63,7 @@ def with_standing(graph: ClassGraph, wanted: Bools, delay: int) -> ClassGraph:
         lingers=np.full(len(travel), -1),
         travel=travel,
         arrives=travel,
+        recent=np.zeros(len(graph.start), dtype=np.bool_),
         standing=True,
     )
     return replace(graph, modes=modes)
@@ -147,7 +148,7 @@ class _Expansion:
                 lingers=np.array(self._lingers, dtype=np.int64),
                 travel=travel,
                 arrives=travel,
-                plain=not any(node.left for node in self._nodes),
+                recent=np.array([bool(node.left) for node in self._nodes]),
             ),
         )
 

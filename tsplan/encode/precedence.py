@@ -68,7 +68,7 @@ class TravelGaps:
 
 def direct(network: Network) -> bool:
     """Whether a state where somebody is needed is one node of every class's map."""
-    return all(c.graph.modes is None or c.graph.modes.plain for c in network.classes)
+    return all(c.graph.modes is None or not c.graph.modes.recent.any() for c in network.classes)
 
 
 def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:

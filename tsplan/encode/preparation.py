@@ -13,13 +13,14 @@ from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.count_atoms import watched_states
 from tsplan.encode.encoded import Setting
 from tsplan.encode.expressions import Constraint
-from tsplan.encode.flow_network import ClassGraph
+from tsplan.encode.flow_network import ClassGraph, Modes
 from tsplan.encode.late_modes import with_modes, with_standing
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import states_of, terms_of
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Execution, Formula, capabilities, positive, simplify, walk
+from tsplan.milp.model import Bools
 from tsplan.mission import Mission
 
 
@@ -105,8 +106,7 @@ def _on_reduced_maps(setting: Setting) -> Setting:
         return setting
     interests = [_interest(setting, item.graph) for item in setting.classes]
     limited = any(interest.limited.any() for interest in interests)
-    # nodes that tell how long somebody has been there, or away, are no places to wait at
-    if setting.delay and (limited or setting.arrays.group_capacity):
+    if setting.delay and setting.arrays.group_capacity:
         return setting
     reduced: list[Reduced] = []
     for item, interest in zip(setting.classes, interests, strict=True):
@@ -131,6 +131,22 @@ def _interest(setting: Setting, graph: ClassGraph) -> Interest:
     for term in terms_of(setting.constraints):
         if is_counted(term.capability, ability):
             limited[states_of(term, system, arrays)] = True
-    modes = np.zeros(len(graph.start) - len(wanted), dtype=np.bool_)
-    wanted, limited = (np.append(states, modes) for states in (wanted, limited))
-    return Interest(np.logical_or(wanted, limited), limited)
+    if graph.modes is None:
+        return Interest(np.logical_or(wanted, limited), limited)
+    return _late_interest(graph, graph.modes, wanted, limited)
+
+
+def _late_interest(graph: ClassGraph, modes: Modes, wanted: Bools, limited: Bools) -> Interest:
+    """The nodes that matter where agents may be late.
+
+    Who has left a limited state may wait next to it, where waiting may lead from node to node; and
+    while it is told what an agent left, every edge is kept.
+    """
+    limited = limited[modes.place]
+    relevant = np.append(wanted, np.zeros(len(limited) - len(wanted), dtype=np.bool_)) | limited
+    relevant[modes.recent] = True
+    relevant[graph.head[limited[graph.tail] | modes.recent[graph.tail]]] = True
+    stays = (graph.travel == 0) & (graph.duration == 1)
+    for _ in range(modes.delay):
+        relevant[graph.head[stays & relevant[graph.tail]]] = True
+    return Interest(relevant, limited)
