@@ -13,8 +13,8 @@ from tsplan.clock import Clock, Halted
 from tsplan.encode import memory as ceiling
 from tsplan.encode import shortcuts
 from tsplan.encode.assemble import reference, tight
+from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Setting
-from tsplan.encode.flow_network import ClassGraph
 from tsplan.encode.memory import Watch, free_memory
 from tsplan.encode.preparation import prepare
 from tsplan.encode.shortcuts import Kept

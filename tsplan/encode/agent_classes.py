@@ -14,7 +14,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from tsplan.encode.flow_network import ClassGraph, Outcomes
+from tsplan.encode.class_graph import ClassGraph, Outcomes
 from tsplan.exact import exact
 from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.mission import Group, SwarmBounds

@@ -14,7 +14,7 @@ from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.executions import Executions
 from tsplan.encode.expected_rows import expected_rows, policy_rows
-from tsplan.encode.flow_network import ClassColumns, Network, flow, stood
+from tsplan.encode.flow_network import ClassColumns, Network, flow
 from tsplan.encode.groups.group_rows import (
     counted,
     occupied_rows,
@@ -22,6 +22,7 @@ from tsplan.encode.groups.group_rows import (
     size_rows,
     swarms_of,
 )
+from tsplan.encode.late_modes import stood
 from tsplan.encode.memory import Watch
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import constraint_rows

@@ -11,141 +11,15 @@ built without a Python loop over columns.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from tsplan.encode.capability_mask import counted_nodes
+from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.running_sums import unfolded
 from tsplan.milp.model import Bools, Draft, Floats, Ints, Terms, joined_terms
-from tsplan.mission.resources import Carries
-from tsplan.ts.reachability import Lengths
-
-
-@dataclass(frozen=True, eq=False)
-class Outcomes:
-    """Where the agents of actions end: a part `chance` of those of `edge` at `head`.
-
-    An edge that is `ending` is entered at the last step alone: agents that are at its state then.
-    """
-
-    edge: Ints
-    head: Ints
-    chance: Floats
-    ending: Bools
-
-
-@dataclass(frozen=True, eq=False)
-class Modes:
-    """What the nodes of a map are that are states in a mode; the first of them are the states.
-
-    Of nodes: `place` is the state of each, and agents at `settled` ones are there for certain
-    though they may be up to `delay` steps late. Of edges: `travel` is for how many steps agents
-    move, `arrives` after how many they stop; for `lingers` steps after its end agents count at its
-    head from before, as they do for `delay` steps after they leave; -1 if they do not. Of nodes
-    again, those that are `recent` tell what agents left before.
-
-    Where groups of a swarm move together the nodes are the states, and `standing` says that those
-    count from below, at the settled states, who wait there for `delay` steps.
-    """
-
-    delay: int
-    place: Ints
-    settled: Bools
-    lingers: Ints
-    travel: Ints
-    arrives: Ints
-    recent: Bools
-    standing: bool = False
-
-    def along(self, paths: Sequence[Ints], duration: Ints) -> Modes:
-        """The modes with edges that are paths of these, whose durations are given."""
-        late = [np.cumsum(duration[path]) * (self.travel[path] > 0) for path in paths]
-        return replace(
-            self,
-            lingers=np.array([self.lingers[path[-1]] for path in paths], dtype=np.int64),
-            travel=np.array([self.travel[path].sum() for path in paths], dtype=np.int64),
-            arrives=np.array([ends.max() for ends in late], dtype=np.int64),
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class ClassGraph:
-    """What one class of interchangeable agents can do on the map.
-
-    Arrays run over the edges this class may use; states are numbers of the whole map, or nodes
-    where the class has `modes`. `group` is the number of an edge's capacity group, or -1.
-    """
-
-    capabilities: frozenset[str]
-    start: Ints  # agents of this class at each state at step 0
-    tail: Ints
-    head: Ints
-    duration: Ints
-    cost: Floats
-    risk: Floats  # in millionths
-    group: Ints
-    carries: Carries = ()  # what each of them carries at most
-    outcomes: Outcomes | None = None  # where edges are actions; `head` is some other state then
-    modes: Modes | None = None
-
-    @property
-    def wait(self) -> Bools:
-        """Which edges are waits (self-loops)."""
-        return np.equal(self.tail, self.head)
-
-    @property
-    def travel(self) -> Ints:
-        """For how many steps agents move along each edge."""
-        return self.duration * ~self.wait if self.modes is None else self.modes.travel
-
-    @property
-    def arrives(self) -> Ints:
-        """After how many steps agents on each edge move no more."""
-        return self.travel if self.modes is None else self.modes.arrives
-
-    def nodes(self, states: Ints, *, settled: bool = True) -> Ints:
-        """The nodes of states; if `settled` those at which agents count from below."""
-        if self.modes is None:
-            return states
-        mine = np.isin(self.modes.place, states)
-        return np.flatnonzero(mine & self.modes.settled if settled else mine)
-
-    @property
-    def agents(self) -> int:
-        """How many agents the class has."""
-        return int(self.start.sum())
-
-    def waits(self, state: int, horizon: int) -> tuple[Ints, Ints] | None:
-        """Edges and steps by which an agent waits at a state all the time; None if it cannot."""
-        edges, steps, node, step = [], [], state, 0
-        while step < horizon:
-            stays = np.flatnonzero((self.tail == node) & (self.travel == 0))
-            if not len(stays):
-                return None
-            edges.append(int(stays[0]))
-            steps.append(step)
-            node, step = int(self.head[stays[0]]), step + int(self.duration[stays[0]])
-        return np.array(edges, dtype=np.int64), np.array(steps, dtype=np.int64)
-
-    @cached_property
-    def lengths(self) -> Lengths:
-        """The durations of the edges, for shortest ways."""
-        if self.outcomes is not None:
-            edge = self.outcomes.edge
-            tail, head, duration = self.tail[edge], self.outcomes.head, self.duration[edge]
-            return Lengths(len(self.start), tail, head, duration)
-        return Lengths(len(self.start), self.tail, self.head, self.duration)
-
-    def earliest(self, horizon: int) -> Ints:
-        """First step at which an agent of the class can be at each state; horizon + 1 if never."""
-        sources = np.flatnonzero(self.start)
-        if not len(sources):
-            return np.full(len(self.start), horizon + 1)
-        distance = self.lengths.nearest(sources, limit=float(horizon))
-        return np.where(np.isfinite(distance), distance, horizon + 1).astype(np.int64)
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,9 +97,9 @@ class ClassColumns:
         return column[(arrives > 0) & (step + arrives > makespan)]
 
     def lingering(self, states: Ints, steps: Ints) -> list[Terms]:
-        """Who counts at limited `states` without being there: positions in `steps`, columns, signs.
+        """Who counts at `states` without being there: positions in `steps`, columns, signs.
 
-        That are those who left not long ago, less those who have come back since.
+        Those who left not long ago, less those who have come back since.
         """
         modes, graph = self.graph.modes, self.graph
         if modes is None:
@@ -235,15 +109,13 @@ class ClassColumns:
         left = np.isin(modes.place[graph.tail], states) & ~(same & (graph.duration == 1))
         found: list[Terms] = []
         for ago in range(modes.delay + 1):
-            edges = np.flatnonzero(left if ago else left[:0])
-            found.append((*self._at(edges, self._before(edges, steps, ago)), 1.0))
-            edges = np.flatnonzero(head & (modes.lingers >= ago))
-            begun = self._before(edges, steps, ago) - graph.duration[edges][:, None]
-            found.append((*self._at(edges, begun), -1.0))
+            back = np.flatnonzero(head & (modes.lingers >= ago))
+            begun = steps - ago - graph.duration[back][:, None]
+            found.append((*self._at(back, begun), -1.0))
+            gone = np.flatnonzero(left if ago else left[:0])
+            begun = np.broadcast_to(steps - ago, (len(gone), len(steps)))
+            found.append((*self._at(gone, begun), 1.0))
         return found
-
-    def _before(self, edges: Ints, steps: Ints, ago: int) -> Ints:
-        return np.broadcast_to(steps - ago, (len(edges), len(steps)))
 
     def price(self, vector: Floats, prices: Floats | Ints | Bools) -> None:
         """Set the coefficients of all columns in a vector, given one for each edge."""
@@ -398,35 +270,6 @@ def flow(graph: ClassGraph, finish: Bools | None, horizon: int, draft: Draft) ->
     columns = laid_out(graph, horizon, draft, upper=float(graph.agents), finish=finish)
     _conserve(columns, horizon, draft)
     return columns
-
-
-def stood(columns: ClassColumns, horizon: int, draft: Draft) -> ClassColumns:
-    """The columns with those of agents that stand long enough at each settled state.
-
-    As many as wait there at each step of a window have been there throughout, if whoever came last
-    leaves first.
-    """
-    graph, modes = columns.graph, columns.graph.modes
-    if modes is None or not modes.standing:
-        return columns
-    found: dict[int, tuple[int, Ints]] = {}
-    for state in np.flatnonzero(modes.settled).tolist():
-        begun = int(graph.start[state])
-        loops = np.flatnonzero((graph.tail == state) & graph.wait & (graph.duration == 1))
-        first = 0 if begun else int(columns.arrival[state]) + modes.delay
-        last = horizon if len(loops) else 0
-        made = draft.columns(max(last - first + 1, 0), upper=float(graph.agents))
-        found[state] = first, made
-        steps = np.arange(first, last + 1)
-        if begun:
-            draft.sums((0, made[:1], 1.0), lower=-np.inf, upper=float(begun), kind="stand")
-        for ago in range(1, modes.delay + 1):
-            place = np.flatnonzero(steps >= ago)
-            waits = columns.offset[loops] + steps[place] - ago - columns.first[loops]
-            every = np.arange(len(place))
-            terms = (every, waits, 1.0), (every, made[place], -1.0)
-            draft.sums(*terms, count=len(place), kind="stand")
-    return replace(columns, stood=found)
 
 
 def laid_out(

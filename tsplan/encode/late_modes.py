@@ -21,9 +21,10 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from tsplan.encode.flow_network import ClassGraph, Modes
+from tsplan.encode.class_graph import ClassGraph, Modes
+from tsplan.encode.flow_network import ClassColumns
 from tsplan.errors import Finding, MissionError
-from tsplan.milp.model import Bools, Ints
+from tsplan.milp.model import Bools, Draft, Ints
 from tsplan.ts.reachability import Lengths
 
 MOST_NODES = 300_000
@@ -162,3 +163,32 @@ def _ways_back(graph: ClassGraph, limited: Ints, delay: int) -> Mapping[int, dic
         near = np.flatnonzero(distance <= delay)
         found[state] = dict(zip(near.tolist(), distance[near].astype(int).tolist(), strict=True))
     return found
+
+
+def stood(columns: ClassColumns, horizon: int, draft: Draft) -> ClassColumns:
+    """The columns with those of agents that stand long enough at each settled state.
+
+    As many as wait there at each step of a window have been there throughout, if whoever came last
+    leaves first.
+    """
+    graph, modes = columns.graph, columns.graph.modes
+    if modes is None or not modes.standing:
+        return columns
+    found: dict[int, tuple[int, Ints]] = {}
+    for state in np.flatnonzero(modes.settled).tolist():
+        begun = int(graph.start[state])
+        loops = np.flatnonzero((graph.tail == state) & graph.wait & (graph.duration == 1))
+        first = 0 if begun else int(columns.arrival[state]) + modes.delay
+        last = horizon if len(loops) else 0
+        made = draft.columns(max(last - first + 1, 0), upper=float(graph.agents))
+        found[state] = first, made
+        steps = np.arange(first, last + 1)
+        if begun:
+            draft.sums((0, made[:1], 1.0), lower=-np.inf, upper=float(begun), kind="stand")
+        for ago in range(1, modes.delay + 1):
+            place = np.flatnonzero(steps >= ago)
+            waits = columns.offset[loops] + steps[place] - ago - columns.first[loops]
+            every = np.arange(len(place))
+            terms = (every, waits, 1.0), (every, made[place], -1.0)
+            draft.sums(*terms, count=len(place), kind="stand")
+    return replace(columns, stood=found)

@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tsplan.clock import Clock
-from tsplan.encode.flow_network import ClassGraph
+from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.shortcuts import Kept, shortcuts
 from tsplan.milp.model import Bools, Ints
 

@@ -10,10 +10,10 @@ import numpy as np
 from tsplan.clock import Clock
 from tsplan.encode.agent_classes import AgentClass, agent_classes, map_arrays
 from tsplan.encode.capability_mask import is_counted
+from tsplan.encode.class_graph import ClassGraph, Modes
 from tsplan.encode.count_atoms import watched_states
 from tsplan.encode.encoded import Setting
 from tsplan.encode.expressions import Constraint
-from tsplan.encode.flow_network import ClassGraph, Modes
 from tsplan.encode.late_modes import with_modes, with_standing
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.model_objectives import objectives_of
@@ -144,7 +144,6 @@ def _late_interest(graph: ClassGraph, modes: Modes, wanted: Bools, limited: Bool
     """
     limited = limited[modes.place]
     relevant = np.append(wanted, np.zeros(len(limited) - len(wanted), dtype=np.bool_)) | limited
-    relevant[modes.recent] = True
     relevant[graph.head[limited[graph.tail] | modes.recent[graph.tail]]] = True
     stays = (graph.travel == 0) & (graph.duration == 1)
     for _ in range(modes.delay):

@@ -8,8 +8,8 @@ from typing import TypeAlias
 import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
+from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Point, Setting
-from tsplan.encode.flow_network import ClassGraph
 from tsplan.encode.map_reduction import Reduced, whole
 from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import Stocks

@@ -22,7 +22,7 @@ from typing import TypeAlias
 import numpy as np
 
 from tsplan.clock import Clock
-from tsplan.encode.flow_network import ClassGraph
+from tsplan.encode.class_graph import ClassGraph
 from tsplan.milp.model import Bools, Ints
 from tsplan.ts.reachability import Lengths, quickest
 

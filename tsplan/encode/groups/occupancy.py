@@ -17,7 +17,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tsplan.encode.flow_network import ClassColumns, ClassGraph, laid_out
+from tsplan.encode.class_graph import ClassGraph
+from tsplan.encode.flow_network import ClassColumns, laid_out
 from tsplan.encode.running_sums import unfolded
 from tsplan.milp.model import Draft, Floats, Ints
 

@@ -1,0 +1,137 @@
+"""What one class of agents can do on the map, as arrays over edges and nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from tsplan.milp.model import Bools, Floats, Ints
+from tsplan.mission.resources import Carries
+from tsplan.ts.reachability import Lengths
+
+
+@dataclass(frozen=True, eq=False)
+class Outcomes:
+    """Where the agents of actions end: a part `chance` of those of `edge` at `head`.
+
+    An edge that is `ending` is entered at the last step alone: agents that are at its state then.
+    """
+
+    edge: Ints
+    head: Ints
+    chance: Floats
+    ending: Bools
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """What the nodes of a map are that are states in a mode; the first of them are the states.
+
+    Of nodes: `place` is the state of each, and agents at `settled` ones are there for certain
+    though they may be up to `delay` steps late. Of edges: `travel` is for how many steps agents
+    move, `arrives` after how many they stop; for `lingers` steps after its end agents count at its
+    head from before, as they do for `delay` steps after they leave; -1 if they do not. Of nodes
+    again, those that are `recent` tell what agents left before.
+
+    Where groups of a swarm move together the nodes are the states, and `standing` says that those
+    count from below, at the settled states, who wait there for `delay` steps.
+    """
+
+    delay: int
+    place: Ints
+    settled: Bools
+    lingers: Ints
+    travel: Ints
+    arrives: Ints
+    recent: Bools
+    standing: bool = False
+
+    def along(self, paths: Sequence[Ints], duration: Ints) -> Modes:
+        """The modes with edges that are paths of these, whose durations are given."""
+        late = [np.cumsum(duration[path]) * (self.travel[path] > 0) for path in paths]
+        return replace(
+            self,
+            lingers=np.array([self.lingers[path[-1]] for path in paths], dtype=np.int64),
+            travel=np.array([self.travel[path].sum() for path in paths], dtype=np.int64),
+            arrives=np.array([ends.max() for ends in late], dtype=np.int64),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class ClassGraph:
+    """What one class of interchangeable agents can do on the map.
+
+    Arrays run over the edges this class may use; states are numbers of the whole map, or nodes
+    where the class has `modes`. `group` is the number of an edge's capacity group, or -1.
+    """
+
+    capabilities: frozenset[str]
+    start: Ints  # agents of this class at each state at step 0
+    tail: Ints
+    head: Ints
+    duration: Ints
+    cost: Floats
+    risk: Floats  # in millionths
+    group: Ints
+    carries: Carries = ()  # what each of them carries at most
+    outcomes: Outcomes | None = None  # where edges are actions; `head` is some other state then
+    modes: Modes | None = None
+
+    @property
+    def wait(self) -> Bools:
+        """Which edges are waits (self-loops)."""
+        return np.equal(self.tail, self.head)
+
+    @property
+    def travel(self) -> Ints:
+        """For how many steps agents move along each edge."""
+        return self.duration * ~self.wait if self.modes is None else self.modes.travel
+
+    @property
+    def arrives(self) -> Ints:
+        """After how many steps agents on each edge move no more."""
+        return self.travel if self.modes is None else self.modes.arrives
+
+    def nodes(self, states: Ints, *, settled: bool = True) -> Ints:
+        """The nodes of states; if `settled` those at which agents count from below."""
+        if self.modes is None:
+            return states
+        mine = np.isin(self.modes.place, states)
+        return np.flatnonzero(mine & self.modes.settled if settled else mine)
+
+    @property
+    def agents(self) -> int:
+        """How many agents the class has."""
+        return int(self.start.sum())
+
+    def waits(self, state: int, horizon: int) -> tuple[Ints, Ints] | None:
+        """Edges and steps by which an agent waits at a state all the time; None if it cannot."""
+        edges, steps, node, step = [], [], state, 0
+        while step < horizon:
+            stays = np.flatnonzero((self.tail == node) & (self.travel == 0))
+            if not len(stays):
+                return None
+            edges.append(int(stays[0]))
+            steps.append(step)
+            node, step = int(self.head[stays[0]]), step + int(self.duration[stays[0]])
+        return np.array(edges, dtype=np.int64), np.array(steps, dtype=np.int64)
+
+    @cached_property
+    def lengths(self) -> Lengths:
+        """The durations of the edges, for shortest ways."""
+        if self.outcomes is not None:
+            edge = self.outcomes.edge
+            tail, head, duration = self.tail[edge], self.outcomes.head, self.duration[edge]
+            return Lengths(len(self.start), tail, head, duration)
+        return Lengths(len(self.start), self.tail, self.head, self.duration)
+
+    def earliest(self, horizon: int) -> Ints:
+        """First step at which an agent of the class can be at each state; horizon + 1 if never."""
+        sources = np.flatnonzero(self.start)
+        if not len(sources):
+            return np.full(len(self.start), horizon + 1)
+        distance = self.lengths.nearest(sources, limit=float(horizon))
+        return np.where(np.isfinite(distance), distance, horizon + 1).astype(np.int64)
