@@ -127,7 +127,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
 
         Predicates hold by more than solvers forgive.
         """
-        return replace(self.problem.setting(max(self.margin, _MARGINS[-1])), clock=self.clock)
+        return replace(self.problem.setting(max(self.margin, MARGIN)), clock=self.clock)
 
     def _begun(self) -> None:
         """Take in where the search is to begin."""
@@ -315,7 +315,7 @@ class SignalStages(Lexicographic[SignalPoint, SignalObjective]):
 
     def _firmed(self, point: SignalPoint) -> SignalPoint | None:
         """A trajectory of the same choices that truly holds; by as little as it takes."""
-        for margin in (0.0, *_MARGINS):  # a corner may lie right on the border
+        for margin in _MARGINS:  # a corner may lie right on the border
             firm = self._best_of(point, self._leading, self.problem.setting(margin))
             if firm is not None and self.problem.holds(firm):
                 return firm

@@ -122,9 +122,6 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
             for depth, item in enumerate(levels)
         )
 
-    def _open(self) -> tuple[ObjectiveValue, ...]:
-        return tuple(ObjectiveValue(aim.name, None) for aim in self.mission.objective)
-
 
 def synthesise_mission(
     mission: SignalMission | Synthesis,
