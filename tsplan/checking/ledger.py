@@ -17,12 +17,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.exact import digits, exact
 from tsplan.logic import Task, walk
+from tsplan.plans.structures import Structure
 from tsplan.plans.supplies import StockHistory
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission, Resource
-    from tsplan.plans.agent_plans import AgentPlan
+    from tsplan.plans.loading import Walker
     from tsplan.plans.plan import Plan
+    from tsplan.ts import Edge
 
 FORGIVEN = Fraction(1, 10**5)
 """Of all there is of a resource: solvers forgive 1e-6 in each of the steps that add up."""
@@ -183,7 +185,8 @@ def read_ledger(mission: Mission, plan: Plan) -> tuple[Ledger, list[str]]:
 
 def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
     resources = {item.name: item for item in mission.resources}
-    agents = {agent.id: agent for agent in plan.agents} if plan.cargo else {}
+    walkers: tuple[Walker, ...] = (*plan.agents, *plan.structures)
+    agents = {agent.id: agent for agent in walkers} if plan.cargo else {}
     hauls, problems = [], []
     loaded: dict[tuple[str, int], dict[str, Fraction]] = defaultdict(dict)
     for item in plan.cargo:
@@ -203,10 +206,10 @@ def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
             amount = exact(item.amount)
             loaded[item.agent, item.step][item.resource] = amount
             hauls.append(Haul(item.resource, *ride, amount))
-    return hauls, [*problems, *_overloaded(mission, loaded)]
+    return hauls, [*problems, *_overloaded(mission, plan, loaded)]
 
 
-def _ride(mission: Mission, agent: AgentPlan, step: int) -> tuple[str, str, int, int] | None:
+def _ride(mission: Mission, agent: Walker, step: int) -> tuple[str, str, int, int] | None:
     """The edge that an agent enters at a step, which is no wait: its ends and its two steps."""
     for place, (_, left, source) in enumerate(agent.stays):
         if left != step:
@@ -215,22 +218,28 @@ def _ride(mission: Mission, agent: AgentPlan, step: int) -> tuple[str, str, int,
             come, _, target = agent.stays[place + 1]
             return (source, target, left, come) if target != source else None
         edge = mission.system.edges.get((source, agent.heading or ""))
-        duration = None if edge is None else edge.duration_for(agent.class_name)
+        duration = None if edge is None else _duration(mission, agent, edge)
         if edge is not None and duration is not None and not edge.is_wait:
             return source, edge.target, left, left + duration
     return None
 
 
+def _duration(mission: Mission, agent: Walker, edge: Edge) -> int | None:
+    """How long an agent or a structure needs for an edge."""
+    if isinstance(agent, Structure):
+        return mission.modular.of[agent.configuration].steps(edge, agent.class_name)
+    return edge.duration_for(agent.class_name)
+
+
 def _overloaded(
-    mission: Mission, loaded: Mapping[tuple[str, int], Mapping[str, Fraction]]
+    mission: Mission, plan: Plan, loaded: Mapping[tuple[str, int], Mapping[str, Fraction]]
 ) -> Iterator[str]:
     """Agents that carry more than they can."""
     if not loaded:
         return
-    groups = (group for group in mission.team for _ in range(group.count))
-    carries = dict(
-        zip((agent.id for agent in mission.agents), (g.carries for g in groups), strict=True)
-    )
+    shapes = mission.modular.of
+    carries = dict(mission.loads)
+    carries |= {each.id: shapes[each.configuration].carries for each in plan.structures}
     for (name, step), loads in loaded.items():
         limit = carries.get(name, ())
         if isinstance(limit, tuple):

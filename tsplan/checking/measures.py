@@ -48,18 +48,29 @@ def delay(traffic: Traffic) -> int | None:
 
 
 def travel(traffic: Traffic) -> int:
-    """Steps that all agents together spend on moves."""
-    return sum(item.agents * (item.left - item.entered) for item in traffic.away)
+    """Steps that all agents together spend on moves, and structures on being rebuilt."""
+    rebuilt = sum(item.parts * (item.done - item.begun) for item in traffic.rebuilds)
+    return rebuilt + sum(item.agents * (item.left - item.entered) for item in traffic.away)
 
 
 def cost(traffic: Traffic) -> Fraction:
     """Summed costs of every edge that every agent enters, waits included."""
     costs = (
-        item.agents * item.times * exact(item.edge.cost_for(class_traffic.class_name))
+        class_traffic.factor
+        * item.agents
+        * item.times
+        * exact(item.edge.cost_for(class_traffic.class_name))
         for class_traffic in traffic.classes
         for item in class_traffic.segments
     )
     return sum(costs, Fraction(0))
+
+
+def energy(traffic: Traffic) -> Fraction | None:
+    """Costs of every edge that is entered, and of everything that is rebuilt."""
+    if not traffic.mission.modular.configurations:
+        return None
+    return cost(traffic) + sum(exact(item.rule.cost) for item in traffic.rebuilds)
 
 
 def risk(traffic: Traffic) -> Fraction:
@@ -79,8 +90,9 @@ def reserve(traffic: Traffic) -> Fraction | float | None:
 
 
 def makespan(traffic: Traffic) -> int:
-    """The step at which the last move arrives, perhaps beyond the horizon; 0 without one."""
-    return max((item.left for item in traffic.away), default=0)
+    """The step at which the last move or reconfiguration ends, perhaps beyond the horizon."""
+    ends = (item.done for item in traffic.rebuilds)
+    return max((*ends, *(item.left for item in traffic.away)), default=0)
 
 
 def agents(traffic: Traffic) -> int:
@@ -110,6 +122,7 @@ _REGISTER: dict[str, Measure] = {
     "delay": delay,
     "travel": travel,
     "cost": cost,
+    "energy": energy,
     "risk": risk,
     "haulage": haulage,
     "reserve": reserve,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from tsplan.mission import Group
     from tsplan.plans.agent_plans import Bundle, Stay
@@ -35,10 +35,23 @@ class Path(NamedTuple):
 Travellers: TypeAlias = "Bundle | Group"
 """Agents of one class with the same capabilities."""
 
+Pace: TypeAlias = "Callable[[Edge], int | None]"
+"""How many steps each edge takes, None where it cannot be used."""
 
-def read_path(system: TransitionSystem, bundle: Bundle, horizon: int) -> Path:
-    """The segments of a bundle's path, with everything the map does not allow about it."""
-    problems = _out_of_order(bundle.stays, horizon)
+
+def read_path(
+    system: TransitionSystem,
+    bundle: Bundle,
+    horizon: int,
+    begin: int = 0,
+    pace: Pace | None = None,
+) -> Path:
+    """The segments of a bundle's path, with everything the map does not allow about it.
+
+    It begins at step `begin`. With a `pace`, that says how many steps each edge takes.
+    """
+    pace = pace or (lambda edge: edge.duration_for(bundle.class_name))
+    problems = _out_of_order(bundle.stays, horizon, begin)
     if problems:
         return Path((), tuple(problems))
     agents = len(bundle.agents)
@@ -53,22 +66,22 @@ def read_path(system: TransitionSystem, bundle: Bundle, horizon: int) -> Path:
             edge = usable_edge(system, bundle, (state, target), step, problems)
             if edge is None:
                 continue
-            if edge.duration_for(bundle.class_name) != spent:
+            if pace(edge) != spent:
                 problems.append(
                     f"takes the edge from {state} to {target} at step {step} in {spent} steps "
-                    f"instead of {edge.duration_for(bundle.class_name)}"
+                    f"instead of {pace(edge)}"
                 )
             segments.append(Segment(edge, step, step + spent * times, agents, times))
-    segments += _unfinished(system, bundle, horizon, problems)
+    segments += _unfinished(system, bundle, horizon, pace, problems)
     return Path(tuple(segments), tuple(dict.fromkeys(problems)))
 
 
-def _out_of_order(stays: Sequence[Stay], horizon: int) -> list[str]:
+def _out_of_order(stays: Sequence[Stay], horizon: int, begin: int) -> list[str]:
     if not stays:
         return ["has no stays: the agent is lost"]
     problems = []
-    if stays[0][0] != 0:
-        problems.append(f"is first seen at step {stays[0][0]} instead of 0")
+    if stays[0][0] != begin:
+        problems.append(f"is first seen at step {stays[0][0]} instead of {begin}")
     before = -1
     for first, last, state in stays:
         if last < first:
@@ -112,7 +125,7 @@ def usable_edge(
 
 
 def _unfinished(
-    system: TransitionSystem, bundle: Bundle, horizon: int, problems: list[str]
+    system: TransitionSystem, bundle: Bundle, horizon: int, pace: Pace, problems: list[str]
 ) -> list[Segment]:
     """The segment an agent is on at the horizon, if its last stay ends before it."""
     _, last, state = bundle.stays[-1]
@@ -125,7 +138,7 @@ def _unfinished(
         edge = usable_edge(system, bundle, (state, bundle.heading), last, problems)
         if edge is None:
             return []
-        arrival = last + (edge.duration_for(bundle.class_name) or 0)
+        arrival = last + (pace(edge) or 0)
         if arrival <= horizon:
             what = f"left {state} for {bundle.heading} at step {last}"
             problems.append(f"{what} and does not arrive at step {arrival}")
@@ -134,7 +147,7 @@ def _unfinished(
         Segment(edge, last, last + duration, agents)
         for edge in system.leaving(state)
         if edge.needs <= bundle.capabilities
-        and (duration := edge.duration_for(bundle.class_name)) is not None
+        and (duration := pace(edge)) is not None
         and last + duration > horizon
     ]
     if len(options) != 1:

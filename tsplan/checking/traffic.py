@@ -13,11 +13,13 @@ from functools import cached_property
 from itertools import chain
 from typing import TYPE_CHECKING, TypeAlias
 
+from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.lateness import Late, late, late_swarm
 from tsplan.checking.ledger import Ledger, read_ledger
 from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
 from tsplan.checking.satisfaction_check import preferences_of, satisfaction_of
+from tsplan.checking.structure_check import Rebuild, read_structures
 from tsplan.logic import Formula, capabilities
 from tsplan.logic.evaluation import robustness
 from tsplan.logic.traces import CountTrace
@@ -36,28 +38,11 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class ClassTraffic:
-    """What the agents of one class do.
-
-    `segments` are their times on edges, `present` their stays at states up to the horizon, and
-    `moving` is how many of them ever make a move that is no wait: by their paths, or as few as can
-    be where there are only moves. A swarm has `moves`, the segments as a plan writes them.
-    `bundles` are the agents with their paths.
-    """
-
-    class_name: str
-    segments: tuple[Segment, ...]
-    present: tuple[Presence, ...]
-    moving: int
-    moves: tuple[Move, ...] = ()
-    bundles: tuple[Bundle, ...] = ()
-
-
-@dataclass(frozen=True)
 class Traffic:
     """What all agents of a mission do in a plan up to its horizon, and what follows from it.
 
-    `promised` is how late a plan says that every agent may be, None where it says nothing.
+    `promised` is how late a plan says that every agent may be, None where it says nothing;
+    `rebuilds` are the reconfigurations of modular robots.
     """
 
     mission: Mission
@@ -65,6 +50,7 @@ class Traffic:
     classes: tuple[ClassTraffic, ...]
     ledger: Ledger
     promised: int | None = None
+    rebuilds: tuple[Rebuild, ...] = ()
 
     @property
     def segments(self) -> Iterator[Segment]:
@@ -136,9 +122,6 @@ class Traffic:
         if delay:
             return self.late_trace(named, delay)
         counts = {name: self.counts(states, name) for name in (None, *named)}
-        if delay:
-            return self.late_trace(named, delay)
-        counts = {name: self.counts(states, name) for name in (None, *named)}
         uses = ((str(use.task), use.state, use.first) for use in self.ledger.uses)
         executed = execution_tables(uses, states, self.horizon)
         return count_trace(mission.system, counts, executed)
@@ -194,12 +177,7 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
 
     A swarm whose agents have paths is read by these; where it has moves, too, they must agree.
     """
-    walks: dict[str, list[_Walk]] = defaultdict(list)
-    problems = []
-    for bundle in plan.bundles:
-        path = read_path(mission.system, bundle, plan.horizon)
-        walks[bundle.class_name].append((bundle, path.segments))
-        problems += [f"{_who(plan, bundle)} {problem}" for problem in path.problems]
+    walks, problems = _walks(mission, plan)
     if problems:
         return None, problems
     swarms = _swarms(mission)
@@ -208,8 +186,11 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
         for name in plan.moves
         if name not in swarms
     ]
-    classes = []
-    for name in dict.fromkeys(group.class_name for group in mission.team):
+    shaped, rebuilds, wrong = read_structures(mission, plan)
+    problems += wrong
+    classes = list(shaped)
+    robots = (group.class_name for group in mission.team if not group.configuration)
+    for name in dict.fromkeys(robots):
         moves = plan.moves.get(name, ())
         if name not in swarms:
             classes.append(_walked(name, walks[name]))
@@ -228,10 +209,25 @@ def read_traffic(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str
         classes.append(moved)
     ledger, wrong = read_ledger(mission, plan)
     problems += wrong
-    traffic = (
-        None if problems else Traffic(mission, plan.horizon, tuple(classes), ledger, plan.delay)
-    )
-    return traffic, problems
+    if problems:
+        return None, problems
+    made = Traffic(mission, plan.horizon, tuple(classes), ledger, plan.delay, rebuilds)
+    return made, []
+
+
+def _walks(mission: Mission, plan: Plan) -> tuple[dict[str, list[_Walk]], list[str]]:
+    """The paths of the robots by class, and what the map does not allow about them.
+
+    Those of modules are told by the structures that they are part of.
+    """
+    walks: dict[str, list[_Walk]] = defaultdict(list)
+    problems = []
+    modular = {group.class_name for group in mission.team if group.configuration}
+    for bundle in (b for b in plan.bundles if b.class_name not in modular):
+        path = read_path(mission.system, bundle, plan.horizon)
+        walks[bundle.class_name].append((bundle, path.segments))
+        problems += [f"{_who(plan, bundle)} {problem}" for problem in path.problems]
+    return walks, problems
 
 
 def _swarms(mission: Mission) -> dict[str, Group]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -46,11 +47,13 @@ class AgentClass:
     """Interchangeable agents: their graph, and which groups of the team they are.
 
     A swarm has `bounds` on the sub-swarms in which its agents move; other agents move one by one.
+    Structures of modules are of a `shape`, the name of their configuration.
     """
 
     graph: ClassGraph
     groups: tuple[int, ...]  # positions in the mission's team
     bounds: SwarmBounds | None = None
+    shape: str | None = None
 
     def joined(self, start: Ints, group: int) -> AgentClass:
         """The class with the agents of one more group."""
@@ -96,9 +99,8 @@ def _durations(system: TransitionSystem, class_name: str) -> Ints:
 
 
 @lru_cache(maxsize=64)
-def _costs(system: TransitionSystem, class_name: str) -> Floats:
-    """Cost of every edge for one class name, as a whole number of the system's cost units."""
-    unit = system.cost_unit
+def _costs(system: TransitionSystem, class_name: str, unit: Fraction) -> Floats:
+    """Cost of every edge for one class name, as a whole number of units."""
     able = (edge.duration_for(class_name) is not None for edge in system.edges.values())
     return np.array(
         [
@@ -110,7 +112,7 @@ def _costs(system: TransitionSystem, class_name: str) -> Floats:
 
 
 @lru_cache(maxsize=64)
-def _allowed(system: TransitionSystem, capabilities: frozenset[str]) -> Bools:
+def allowed_edges(system: TransitionSystem, capabilities: frozenset[str]) -> Bools:
     """Which edges agents with these capabilities may use, by the needs of edges and states."""
     closed = {s.name for s in system.states.values() if s.needs and not s.needs <= capabilities}
     return np.array(
@@ -129,14 +131,14 @@ def agent_classes(
     named: Iterable[str],
     *,
     bounds: Mapping[str, SwarmBounds] = _NONE,
-    priced: bool = False,
+    unit: Fraction | None = None,
     carrying: bool = False,
     apart: bool = False,
 ) -> tuple[AgentClass, ...]:
-    """The classes of a team, given the capabilities that the problem names.
+    """The classes of the robots of a team, given the capabilities that the problem names.
 
-    `bounds` are those of the swarms by their class names. The graphs have costs where these matter
-    (`priced`), and zeros otherwise; what robots carry tells them apart where there is anything to
+    `bounds` are those of the swarms by their class names. The graphs have costs in a `unit` where
+    these matter, and zeros otherwise; what robots carry tells them apart where there is anything to
     carry (`carrying`).
     Classes of different names are told `apart` where they may not share a policy.
     """
@@ -147,9 +149,11 @@ def agent_classes(
     needed = _needed(system)
     classes: dict[object, AgentClass] = {}
     for index, group in enumerate(team):
+        if group.configuration is not None:  # modules act as structures
+            continue
         durations = _durations(system, group.class_name)
-        costs = _costs(system, group.class_name) if priced else np.zeros(len(durations))
-        usable = np.where(_allowed(system, group.capabilities & needed), durations, 0)
+        costs = np.zeros(len(durations)) if unit is None else _costs(system, group.class_name, unit)
+        usable = np.where(allowed_edges(system, group.capabilities & needed), durations, 0)
         swarm = bounds.get(group.class_name)
         carries = group.carries if carrying else ()
         alike = (group.capabilities & known, carries, usable.tobytes(), costs.tobytes())

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from tsplan.encode.capacity_rows import capacity_rows
-from tsplan.encode.demand_rows import DemandRows, SiteColumns
+from tsplan.encode.demand_rows import Built, DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.executions import Executions
@@ -31,6 +31,8 @@ from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import demanded_columns, executed_columns, stocks
+from tsplan.encode.structures import PART as STRUCTURES
+from tsplan.encode.structures import growth_rows, rebuilding
 from tsplan.encode.switches import Switch
 from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
 from tsplan.logic import Formula
@@ -55,6 +57,7 @@ def tight(setting: Setting, level: int = 0, *, chain: bool = False) -> Encoded:
 
 
 _RULES = WitnessRules()
+_NONE = np.empty(0, dtype=np.int64)
 
 Asking = Callable[[WitnessEncoder, Draft, Network], Witnesses]
 """Asks an encoder for what is to hold; it may add columns and rows of its own to the draft."""
@@ -87,6 +90,7 @@ class _Assembly:
         self._swarms = swarms_of(setting.classes, setting.together, setting.horizon, self._draft)
         self._flows: list[Ints] = []
         self._laid: dict[int, ClassColumns] = {}
+        self._built: Sequence[Built] = ()
 
     def tight(self, ask: Asking, rules: WitnessRules, *, optional: bool) -> Encoded:
         setting, draft = self._setting, self._draft
@@ -119,6 +123,8 @@ class _Assembly:
         size_rows(self._swarms, draft)
         executed = demanded_columns(witnesses.executions, witnesses.choices, draft)
         own = self._parts(network, executed)
+        if "rebuilt" in own:
+            growth_rows(own["own_columns"][STRUCTURES], network, self._built, draft)
         encoded = self._encoded(network, witnesses, self._flows, decided=list(swarms.values()))
         return replace(encoded, occupied=occupied, families=tuple(families), **own)
 
@@ -126,11 +132,16 @@ class _Assembly:
         """What objectives and other parts have of their own in a model."""
         setting, draft = self._setting, self._draft
         mission = setting.mission
-        own: dict[str, Any] = {o.name: o.columns(network, draft) for o in objectives_of(mission)}
-        if not mission.resources:
-            return {"own_columns": own}
-        made = stocks(mission, executed, network, setting.arrays, draft)
-        return {"own_columns": {**own, STOCKS: made}, "loads": made.pieces}
+        aims = objectives_of(mission)
+        own: dict[str, Any] = {aim.name: aim.columns(setting, network, draft) for aim in aims}
+        made = {}
+        if setting.changes:
+            own[STRUCTURES] = rebuilding(setting.changes, network, draft)
+            made["rebuilt"] = own[STRUCTURES].columns
+        if mission.resources:
+            own[STOCKS] = stocks(mission, executed, network, setting.arrays, draft)
+            made["loads"] = own[STOCKS].pieces
+        return {"own_columns": own, **made}
 
     def expected(self) -> Encoded:
         """The model of expected numbers, with a column for the availability.
@@ -188,8 +199,8 @@ class _Assembly:
         own = self._parts(network, executed)
         model = draft.build()
         flows = np.concatenate(self._flows)
-        loads = own.get("loads", flows[:0])
-        others = np.setdiff1d(np.flatnonzero(model.integer), np.concatenate([flows, loads]))
+        repaired = np.concatenate([flows, own.get("loads", _NONE), own.get("rebuilt", _NONE)])
+        others = np.setdiff1d(np.flatnonzero(model.integer), repaired)
         return Encoded(setting, model, network, others, flows, swarms=swarms, rho=rho, **own)
 
     def _flow(self, numbers: Iterable[int], *, reduced: bool = True) -> None:
@@ -231,6 +242,7 @@ class _Assembly:
             switches -= {Switch.VISITS, Switch.LAZY}
         rows = DemandRows(network, self._draft, switches)
         rows.write(witnesses)
+        self._built = rows.built
         return rows.families
 
     def _occupied(self, robots: Network, witnesses: Witnesses, *, optional: bool) -> Encoded:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -61,6 +62,28 @@ class Modes:
 
 
 @dataclass(frozen=True, eq=False)
+class Layer:
+    """What the map of structures of one configuration has beside the map itself.
+
+    Its last node is nowhere: structures go there to be rebuilt, by the edges from `rides` on that
+    end there, and new ones come from there by those that begin there. `reach` is the first step at
+    which a structure can be at each node, `begins` that at which each edge can be entered. There
+    are `modules` in each structure, and at most `most` structures. Layers of the same modules have
+    the same `pool`.
+    """
+
+    rides: int
+    reach: Ints
+    begins: Ints
+    modules: int
+    most: int
+    pool: int
+
+
+_OF_EDGES = ("tail", "head", "duration", "cost", "risk", "group")
+
+
+@dataclass(frozen=True, eq=False)
 class ClassGraph:
     """What one class of interchangeable agents can do on the map.
 
@@ -79,6 +102,7 @@ class ClassGraph:
     carries: Carries = ()  # what each of them carries at most
     outcomes: Outcomes | None = None  # where edges are actions; `head` is some other state then
     modes: Modes | None = None
+    layer: Layer | None = None
 
     @property
     def wait(self) -> Bools:
@@ -86,9 +110,24 @@ class ClassGraph:
         return np.equal(self.tail, self.head)
 
     @property
+    def states(self) -> int:
+        """How many states the map has: the first of the nodes."""
+        return len(self.start) if self.layer is None else len(self.start) - 1
+
+    @property
     def travel(self) -> Ints:
-        """For how many steps agents move along each edge."""
-        return self.duration * ~self.wait if self.modes is None else self.modes.travel
+        """For how many steps agents move along each edge, or are rebuilt."""
+        if self.modes is not None:
+            return self.modes.travel
+        begun = ~self.wait
+        if self.layer is not None:  # who is rebuilt counts where that begins
+            begun &= self.tail < len(self.start) - 1
+        return self.duration * begun
+
+    @property
+    def rides(self) -> Ints:
+        """The edges that lead from state to state, waits too."""
+        return np.arange(len(self.tail) if self.layer is None else self.layer.rides)
 
     @property
     def arrives(self) -> Ints:
@@ -102,10 +141,39 @@ class ClassGraph:
         mine = np.isin(self.modes.place, states)
         return np.flatnonzero(mine & self.modes.settled if settled else mine)
 
+    def half(self, number: int) -> int:
+        """The edge that is one of those to and from nowhere."""
+        assert self.layer is not None
+        return self.layer.rides + number
+
+    def among(self, edges: Ints) -> ClassGraph:
+        """The map with some of its edges alone; of structures, which are never rebuilt."""
+        arrays: dict[str, Any] = {name: getattr(self, name)[edges] for name in _OF_EDGES}
+        return replace(self, layer=None, **arrays)
+
+    def with_edges_of(self, other: ClassGraph, half: Ints) -> ClassGraph:
+        """The map with the edges of another by which structures are rebuilt behind its own."""
+        assert other.layer is not None
+        arrays: dict[str, Any] = {
+            name: np.concatenate([getattr(self, name), getattr(other, name)[half]])
+            for name in _OF_EDGES
+        }
+        layer = replace(
+            other.layer,
+            rides=len(self.tail),
+            begins=np.concatenate([other.layer.reach[self.tail], other.layer.begins[half]]),
+        )
+        return replace(self, layer=layer, **arrays)
+
     @property
     def agents(self) -> int:
-        """How many agents the class has."""
-        return int(self.start.sum())
+        """How many agents the class has, or of structures can have."""
+        return int(self.start.sum()) if self.layer is None else self.layer.most
+
+    @property
+    def modules(self) -> int:
+        """How many robots each agent of the class is: those of structures are several."""
+        return 1 if self.layer is None else self.layer.modules
 
     def waits(self, state: int, horizon: int) -> tuple[Ints, Ints] | None:
         """Edges and steps by which an agent waits at a state all the time; None if it cannot."""
@@ -130,6 +198,8 @@ class ClassGraph:
 
     def earliest(self, horizon: int) -> Ints:
         """First step at which an agent of the class can be at each state; horizon + 1 if never."""
+        if self.layer is not None:
+            return np.minimum(self.layer.reach, horizon + 1)
         sources = np.flatnonzero(self.start)
         if not len(sources):
             return np.full(len(self.start), horizon + 1)

@@ -16,7 +16,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -67,6 +67,14 @@ class SiteColumns:
         ]
 
 
+class Built(NamedTuple):
+    """What is asked of structures at some states."""
+
+    states: Site
+    capability: str | None
+    asked: Family
+
+
 class DemandRows:
     """Writes the rows of all demands, and keeps what is needed to separate more arrival cuts."""
 
@@ -78,6 +86,7 @@ class DemandRows:
         self._needs = Block("demand")
         self._arrivals = Block("arrival")
         self.families: list[tuple[SiteColumns, Family]] = []
+        self.built: list[Built] = []
 
     def write(self, witnesses: Witnesses) -> None:
         """Rows for every demand, arrival cuts, and what is asked for at several places together."""
@@ -87,9 +96,8 @@ class DemandRows:
             site = self._site(np.array(states), capability, *span)
             asked = _runs_of(needs)
             for made in self._families(asked, witnesses):
-                self.families.append((site, made))
+                self._asked(site, made, states, capability)
                 self._demand_rows(site, made)
-                self._window_rows(site, made)
             self._cover_rows(site, asked, witnesses.covers)
         if Switch.TOGETHER in self._options:
             self._together([need for needs in lower.values() for need in needs], witnesses)
@@ -124,7 +132,10 @@ class DemandRows:
         for capability, needs in able.items():
             joint = JointDemands(needs, witnesses.choices)
             joint.rule_out(self._network.agents(capability))
-            for region in joint.regions() if self._cuts else ():
+            regions = joint.regions() if self._cuts else []
+            if self._cuts and self._network.reborn(capability):
+                regions.append(joint.everywhere(self._network.states))
+            for region in regions:
                 self._region_rows(region, capability, witnesses)
 
     def _region_rows(self, region: Region, capability: str | None, witnesses: Witnesses) -> None:
@@ -136,9 +147,15 @@ class DemandRows:
         site = self._site(np.array(region.states), capability, first, last)
         for columns in witnesses.choices.families(region.columns):
             made = family(columns, region.columns, region.always, everywhere=False)
-            self.families.append((site, made))
-            self._window_rows(site, made)
+            self._asked(site, made, region.states, capability)
         self._cover_rows(site, region.columns, witnesses.covers)
+
+    def _asked(self, site: SiteColumns, made: Family, states: Site, capability: str | None) -> None:
+        """Arrival cuts of a family; of structures, what has to be built is noted."""
+        self.families.append((site, made))
+        self._window_rows(site, made)
+        if self._network.reborn(capability):
+            self.built.append(Built(states, capability, made))
 
     def _site(self, states: Ints, capability: str | None, first: int, last: int) -> SiteColumns:
         """Count columns for steps first..last and, for the cuts, cumulative arrivals."""

@@ -20,6 +20,7 @@ from tsplan.encode.flow_network import Network, unroll
 from tsplan.encode.groups.group_rows import Swarm
 from tsplan.encode.map_reduction import Reduced
 from tsplan.encode.memory import Watch
+from tsplan.encode.structures import Change
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Formula, conjunction, simplify, tighten
 from tsplan.logic.margin import shifted
@@ -47,6 +48,7 @@ class Setting:
     beside: Formula | None = None  # what is in the goal beside that, as it is written
     level: int = 0  # the availability that is asked for beside that
     delay: int = 0  # how many steps late agents may be
+    changes: tuple[Change, ...] = ()  # by which structures of modules become others
 
     def atoms(self, network: Network, later: int = 0) -> Atoms:
         """How atoms are encoded over a network; with `later`, what can hold if agents are so."""
@@ -93,7 +95,7 @@ class Encoded:
     asked for. `rho` is the availability's column in the reference encoding; `own_columns` are those
     that an objective needs for itself, by its name, and what the columns of other parts mean by
     theirs. `loads` are the columns of whole pieces that are carried, which are repaired as flows
-    are.
+    are; so are the columns `rebuilt` of structures that become others, which solvers decide.
     """
 
     setting: Setting
@@ -105,6 +107,7 @@ class Encoded:
     occupied: Encoded | None = None
     own_columns: Mapping[str, Any] = field(default_factory=dict)
     loads: Ints = field(default_factory=lambda: _NO_INTS)
+    rebuilt: Ints = field(default_factory=lambda: _NO_INTS)
     rho: int = -1
     refuted: bool = False
     shared: bool = False
@@ -116,6 +119,11 @@ class Encoded:
     @property
     def repaired(self) -> Ints:
         """The columns that may be fractions at first and are made whole afterwards."""
+        return np.concatenate([self.loosened, self.rebuilt])
+
+    @property
+    def loosened(self) -> Ints:
+        """Those of them that are nearly always whole once all others are."""
         return np.concatenate([self.flows, self.loads])
 
 

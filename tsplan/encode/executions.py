@@ -123,9 +123,10 @@ def earliest(resource: Resource, network: Network, arrays: MapArrays, amount: fl
         while not settled:
             before = found.copy()
             for item in able:
-                graph = item.graph
-                leaving = np.maximum(found[graph.tail], item.arrival[graph.tail])
-                np.minimum.at(found, graph.head, leaving + graph.duration)
+                graph, ride = item.graph, item.graph.rides
+                tail, head = graph.tail[ride], graph.head[ride]
+                leaving = np.maximum(found[tail], item.arrival[tail])
+                np.minimum.at(found, head, leaving + graph.duration[ride])
             settled = bool((found == before).all())
         return np.asarray(np.minimum(found, never))
 
@@ -150,7 +151,8 @@ def latest(
     while not settled:
         before = found.copy()
         for item in able:
-            graph = item.graph
-            np.maximum.at(found, graph.tail, found[graph.head] - graph.duration)
+            graph, ride = item.graph, item.graph.rides
+            ends = found[graph.head[ride]] - graph.duration[ride]
+            np.maximum.at(found, graph.tail[ride], ends)
         settled = bool((found == before).all())
     return found

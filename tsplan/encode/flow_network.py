@@ -10,7 +10,7 @@ built without a Python loop over columns.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -64,6 +64,12 @@ class ClassColumns:
         """Edges that end in `states` and begin elsewhere, as `arriving`."""
         edges = _members(self.by_head, states)
         edges = edges[~np.isin(self.graph.tail[edges], states)]
+        return self._at(edges, steps - self.graph.duration[edges][:, None])
+
+    def riding(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Edges that end in `states` and begin at other states, as `arriving`."""
+        edges = _members(self.by_head, states)
+        edges = edges[(edges < len(self.graph.rides)) & ~np.isin(self.graph.tail[edges], states)]
         return self._at(edges, steps - self.graph.duration[edges][:, None])
 
     def coming(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
@@ -145,9 +151,30 @@ class Network:
         able = np.flatnonzero(self.counted(capability).any(axis=1))
         return [self.classes[place] for place in able.tolist()]
 
+    @property
+    def states(self) -> tuple[int, ...]:
+        """All states that the maps of classes have in common."""
+        return tuple(range(min((c.graph.states for c in self.classes), default=0)))
+
+    def reborn(self, capability: str | None) -> bool:
+        """Whether some that have a capability may be rebuilt, or be new."""
+        return any(item.graph.layer is not None for item in self.having(capability))
+
     def agents(self, capability: str | None) -> int:
-        """How many agents have a capability."""
-        return sum(item.graph.agents for item in self.having(capability))
+        """How many agents have a capability, or of structures can have it at once."""
+        return sum(most for most, _ in self._able(self.having(capability)))
+
+    def _able(self, classes: Iterable[ClassColumns]) -> list[tuple[int, list[ClassColumns]]]:
+        """How many agents some classes can have at once, layers of the same modules together."""
+        pools: dict[int, list[ClassColumns]] = {}
+        alone = []
+        for item in classes:
+            if item.graph.layer is None:
+                alone.append((item.graph.agents, [item]))
+            else:
+                pools.setdefault(item.graph.layer.pool, []).append(item)
+        shared = [(max(c.graph.agents for c in items), items) for items in pools.values()]
+        return alone + shared
 
     def present(
         self, states: Ints, capability: str | None, step: int, *, settled: bool = True
@@ -230,13 +257,17 @@ class Network:
         than they may be anyway.
         """
         most = np.zeros(self.horizon + 1, dtype=np.int64)
-        for item in self.having(capability):
-            modes = item.graph.modes
-            arrival = item.arrival[item.graph.nodes(states, settled=not upper)]
-            standing = modes.delay if modes is not None and modes.standing and not upper else 0
-            arrival = np.where(arrival > 0, arrival + later + standing, 0)
-            times = min(len(states), modes.delay + 1) if modes is not None and upper else 1
-            most[int(arrival.min(initial=self.horizon + 1)) :] += times * item.graph.agents
+        for _, items in self._able(self.having(capability)):
+            there = np.zeros(self.horizon + 1, dtype=np.int64)
+            for item in items:
+                modes = item.graph.modes
+                arrival = item.arrival[item.graph.nodes(states, settled=not upper)]
+                standing = modes.delay if modes is not None and modes.standing and not upper else 0
+                arrival = np.where(arrival > 0, arrival + later + standing, 0)
+                times = min(len(states), modes.delay + 1) if modes is not None and upper else 1
+                first = int(arrival.min(initial=self.horizon + 1))
+                there[first:] = np.maximum(there[first:], times * item.graph.agents)
+            most += there
         return most
 
     def best(self, states: Ints, capability: str | None, *, later: int = 0) -> Floats:
@@ -283,7 +314,7 @@ def laid_out(
     last = np.full(len(graph.tail), horizon - 1)
     if finish is not None:
         last = np.where(finish, horizon - graph.duration, last)
-    first = arrival[graph.tail]
+    first = arrival[graph.tail] if graph.layer is None else graph.layer.begins
     if graph.outcomes is not None:
         ending = graph.outcomes.ending
         first = np.where(ending, np.maximum(first, horizon), first)
@@ -325,16 +356,17 @@ def balance(columns: ClassColumns, horizon: int) -> Balance:
     spans = np.maximum(stop - columns.arrival, 0)
     row_of = np.cumsum(spans) - spans - columns.arrival
     edge, step, column = columns.unrolled()
-    leaving = row_of[graph.tail[edge]] + step
+    somewhere = columns.arrival[graph.tail[edge]] <= step  # of structures some come from nowhere
+    leaving = (row_of[graph.tail[edge]] + step)[somewhere]
     entry, head, part = _ends(graph, edge)
     end = (step + graph.duration[edge])[entry]
-    inside = end < stop
+    inside = (end < stop) & (columns.arrival[head] <= end)
     coming = (row_of[head] + end)[inside]
     return Balance(
         int(spans.sum()),
         row_of,
         np.concatenate([leaving, coming]),
-        np.concatenate([column, column[entry][inside]]),
+        np.concatenate([column[somewhere], column[entry][inside]]),
         np.concatenate([np.ones(len(leaving)), -part[inside]]),
     )
 

@@ -95,10 +95,18 @@ class JointDemands:
                 for runs in [_totals(needs, places)]
                 if runs
             }
-            inner = {a for column in columns for a in self._choices.ancestors(column)}
-            leaves = {column: need for column, need in columns.items() if column not in inner}
-            found.append(Region(states, leaves, _totals(self._base, places)))
+            found.append(Region(states, self._leaves(columns), _totals(self._base, places)))
         return found
+
+    def everywhere(self, states: Site) -> Region:
+        """All that is needed at once, as a region of all states: nobody comes there but the new."""
+        columns = {column: _totals(needs) for column, needs in self._of.items()}
+        return Region(states, self._leaves(columns), _totals(self._base))
+
+    def _leaves(self, columns: Mapping[int, Sequence[Run]]) -> dict[int, Sequence[Run]]:
+        """What is needed by columns that are no ancestors of others."""
+        inner = {a for column in columns for a in self._choices.ancestors(column)}
+        return {column: need for column, need in columns.items() if column not in inner and need}
 
 
 def apart(demands: Iterable[Demand]) -> dict[Site, Demand]:
@@ -124,12 +132,12 @@ def _most(needs: Sequence[Needs]) -> int:
     return max((sum(need.places.values()) for need in needs), default=0)
 
 
-def _totals(needs: Sequence[Needs], among: frozenset[Site]) -> list[Run]:
-    """What is needed at some places together, as runs in order."""
-    totals = [
-        Run(n.first, n.last, float(sum(m for place, m in n.places.items() if place in among)))
-        for n in needs
+def _totals(needs: Sequence[Needs], among: frozenset[Site] | None = None) -> list[Run]:
+    """What is needed at some places together, or at all, as runs in order."""
+    counted = [
+        (n, (m for place, m in n.places.items() if among is None or place in among)) for n in needs
     ]
+    totals = [Run(n.first, n.last, float(sum(amounts))) for n, amounts in counted]
     return [run for run in totals if run.amount]
 
 

@@ -82,7 +82,8 @@ def lane_table(network: Network, *, held: bool) -> LaneTable:
             continue
         edge, step, column = item.unrolled()
         graph = item.graph
-        chosen = np.flatnonzero(graph.tail[edge] != graph.head[edge])
+        rides = np.isin(edge, graph.rides)
+        chosen = np.flatnonzero((graph.tail[edge] != graph.head[edge]) & rides)
         edge, step, column = edge[chosen], step[chosen], column[chosen]
         keys = np.stack([graph.tail[edge], graph.head[edge], graph.duration[edge], step])
         parts.append((keys, column, np.full(len(column), number)))

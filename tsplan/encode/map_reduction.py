@@ -53,8 +53,22 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) ->
     """The reduced graph of one class, or None where reduction would not be exact.
 
     Where the states that matter lie around a hub there may be far more pairs of them than edges;
-    then the full graph is its own reduction. Raises Halted when the clock is over.
+    then the full graph is its own reduction. The edges by which structures are rebuilt stay as they
+    are. Raises Halted when the clock is over.
     """
+    if graph.layer is None:
+        return _reduced(graph, interest, horizon, clock)
+    rides = graph.layer.rides
+    nowhere = np.zeros(1, dtype=np.bool_)
+    every = Interest(*(np.append(part, nowhere) for part in (interest.relevant, interest.limited)))
+    short = _reduced(graph.among(graph.rides), every, horizon, clock)
+    if short is None:
+        return None
+    half = np.arange(rides, len(graph.tail))
+    return Reduced(short.graph.with_edges_of(graph, half), (*short.paths, *half.reshape(-1, 1)))
+
+
+def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) -> Reduced | None:
     unit_wait = (graph.travel == 0) & (graph.duration == 1)
     waiting = np.zeros(len(graph.start), dtype=np.bool_)
     waiting[graph.tail[unit_wait]] = True

@@ -16,6 +16,7 @@ from types import MappingProxyType
 import numpy as np
 
 from tsplan.encode.amount_objectives import Haulage, Reserve
+from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.executions import beyond
 from tsplan.encode.expressions import Own
@@ -32,6 +33,9 @@ from tsplan.encode.objective_kinds import (
 from tsplan.encode.own_constraints import resolve
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
+from tsplan.encode.structures import PART as STRUCTURES
+from tsplan.encode.structures import Rebuilding
+from tsplan.exact import exact
 from tsplan.logic import Execution, walk
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints
 from tsplan.milp.target import CLOSED, Target
@@ -57,15 +61,8 @@ class Cost(ModelObjective):
     priced = True
 
     def reducible(self, setting: Setting) -> bool:
-        """Only where every edge costs as much as it lasts."""
-        unit = setting.mission.system.cost_unit
-        return all(
-            np.array_equal(
-                item.graph.cost * unit.numerator,
-                item.graph.travel * unit.denominator,
-            )
-            for item in setting.classes
-        )
+        """Only where quick ways are cheap: each class pays the same for every step of a move."""
+        return all(_even(item.graph) for item in setting.classes)
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """The cost of every edge in whole units."""
@@ -73,7 +70,32 @@ class Cost(ModelObjective):
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """Costs in the map's own unit."""
-        return Target(self.vector(setting, encoded), setting.mission.system.cost_unit)
+        return Target(self.vector(setting, encoded), setting.mission.cost_unit)
+
+
+def _even(graph: ClassGraph) -> bool:
+    """Whether all edges cost the same for each step that they last, exactly; waits cost nothing."""
+    ride = graph.rides
+    costs = [Fraction(cost) for cost in graph.cost[ride].tolist()]
+    steps = graph.travel[ride].tolist()
+    rates = {cost / step for cost, step in zip(costs, steps, strict=True) if step}
+    return len(rates) <= 1 and not any(c for c, step in zip(costs, steps, strict=True) if not step)
+
+
+class Energy(Cost):
+    """Costs of moves, and of structures that are rebuilt."""
+
+    name = "energy"
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The cost of every edge and of every reconfiguration in whole units."""
+        vector = super().vector(setting, encoded)
+        made: Rebuilding | None = encoded.own_columns.get(STRUCTURES)
+        if made is not None:
+            unit = setting.mission.cost_unit
+            rules = setting.mission.modular.reconfigurations
+            made.price(vector, [float(exact(rule.cost) / unit) for rule in rules])
+        return vector
 
 
 class Risk(ModelObjective):
@@ -99,14 +121,16 @@ class MovingAgents(TargetObjective):
 
     name = "agents"
 
-    def columns(self, network: Network, draft: Draft) -> Ints:
+    def columns(self, setting: Setting, network: Network, draft: Draft) -> list[Ints]:
         """Columns that count the agents of each class and start that wait there to the end."""
-        return stayers(network, draft)
+        return [stayers(item, network.horizon, draft) for item in network.classes]
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """All agents but those that stay."""
         vector = np.zeros(encoded.model.size.columns)
-        vector[encoded.own_columns[self.name]] = -1.0
+        staying = encoded.own_columns[self.name]
+        for item, columns in zip(encoded.network.classes, staying, strict=True):
+            vector[columns] = -float(item.graph.modules)
         return Target(vector, constant=Fraction(setting.mission.size))
 
     def worth(self, setting: Setting, point: Point) -> float:
@@ -345,6 +369,7 @@ for _each in (
     Delay(),
     Haulage(),
     Reserve(),
+    Energy(),
     Makespan(),
     Splits(),
     GroupMoves(),
@@ -373,24 +398,21 @@ def _priced(encoded: Encoded, price: Callable[[ClassColumns], Floats | Ints]) ->
     return vector
 
 
-def stayers(network: Network, draft: Draft) -> Ints:
-    """Columns that count the agents of each class and start that wait there to the end.
+def stayers(item: ClassColumns, horizon: int, draft: Draft) -> Ints:
+    """Columns that count the agents of a class, by start, that wait there to the end.
 
     An agent stays by taking its start's self-loop again and again, so as many can stay as every
     one of those waits is taken by. Minimising the agents that move is maximising these columns.
     """
     made = []
-    for item in network.classes:
-        for state in np.flatnonzero(item.graph.start).tolist():
-            stays = item.graph.waits(state, network.horizon)
-            if stays is None:
-                continue
-            edge, step = stays
-            waits = item.offset[edge] + step - item.first[edge]
-            staying = draft.columns(1, upper=float(item.graph.start[state]), integer=True)
-            every = np.arange(len(waits))
-            draft.sums(
-                (every, waits, 1.0), (every, staying[0], -1.0), count=len(every), kind="stay"
-            )
-            made.append(staying)
+    for state in np.flatnonzero(item.graph.start).tolist():
+        stays = item.graph.waits(state, horizon)
+        if stays is None:
+            continue
+        edge, step = stays
+        waits = item.offset[edge] + step - item.first[edge]
+        staying = draft.columns(1, upper=float(item.graph.start[state]), integer=True)
+        every = np.arange(len(waits))
+        draft.sums((every, waits, 1.0), (every, staying[0], -1.0), count=len(every), kind="stay")
+        made.append(staying)
     return np.concatenate([*made, np.empty(0, dtype=np.int64)])

@@ -8,13 +8,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import replace
 from enum import Enum
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.flow_network import Network
-from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.milp.model import Draft, Floats
 from tsplan.milp.target import Target
 from tsplan.mission.objectives import OBJECTIVES
 
@@ -56,8 +56,8 @@ class StageObjective(ABC):
         """Whether quickest ways between the states that matter lose no better plan."""
         return True
 
-    def columns(self, network: Network, draft: Draft) -> Ints:
-        """Columns that a model needs only for this objective."""
+    def columns(self, setting: Setting, network: Network, draft: Draft) -> Any:
+        """Columns that a model needs only for this objective, in a form of its own."""
         return np.empty(0, dtype=np.int64)
 
     def extended(self, encoded: Encoded) -> Encoded:

@@ -67,8 +67,12 @@ class TravelGaps:
 
 
 def direct(network: Network) -> bool:
-    """Whether a state where somebody is needed is one node of every class's map."""
-    return all(c.graph.modes is None or not c.graph.modes.recent.any() for c in network.classes)
+    """Whether a state where somebody is needed is one node of every class's map.
+
+    And whether who serves in one class serves in none besides, as structures of modules may.
+    """
+    graphs = [item.graph for item in network.classes]
+    return all(g.layer is None and (g.modes is None or not g.modes.recent.any()) for g in graphs)
 
 
 def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:

@@ -18,6 +18,7 @@ from tsplan.encode.late_modes import with_modes, with_standing
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import states_of, terms_of
+from tsplan.encode.structures import Change, structure_classes
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Execution, Formula, capabilities, positive, simplify, walk
 from tsplan.milp.model import Bools
@@ -41,7 +42,7 @@ def prepare(
     if goal is None and mission.headroom is not None:
         plain = simplify(positive(mission.counted))
     goal = mission.goal if goal is None else goal
-    classes = _classes(mission, goal, constraints)
+    classes, changes = _classes(mission, goal, constraints)
     setting = Setting(
         mission=mission,
         goal=goal,
@@ -50,6 +51,7 @@ def prepare(
         reduced=tuple(whole(item.graph) for item in classes),
         arrays=map_arrays(mission.system),
         delay=mission.delay,
+        changes=changes,
         constraints=tuple(constraints),
         switches=switches,
         clock=clock or Clock(),
@@ -86,18 +88,25 @@ def _on_late_maps(setting: Setting) -> Setting:
 
 def _classes(
     mission: Mission, goal: Formula, constraints: Sequence[Constraint]
-) -> tuple[AgentClass, ...]:
-    """The classes that the problem tells apart."""
-    named = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
-    return agent_classes(
+) -> tuple[tuple[AgentClass, ...], tuple[Change, ...]]:
+    """The classes that the problem tells apart, and how structures of modules become others."""
+    asked = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
+    named = {name for name in asked if name is not None}
+    priced = any(objective.priced for objective in objectives_of(mission))
+    carrying = any(isinstance(node, Execution) for node in walk(goal))
+    robots = agent_classes(
         mission.system,
         mission.team,
-        {name for name in named if name is not None},
+        named,
         bounds={} if mission.swarm is None else mission.swarm.each,
-        priced=any(objective.priced for objective in objectives_of(mission)),
-        carrying=any(isinstance(node, Execution) for node in walk(goal)),
+        unit=mission.cost_unit if priced else None,
+        carrying=carrying,
         apart=mission.expected is not None and mission.expected.deterministic,
     )
+    structures, changes = structure_classes(
+        mission, named, len(robots), priced=priced, carrying=carrying
+    )
+    return (*robots, *structures), changes
 
 
 def _on_reduced_maps(setting: Setting) -> Setting:
@@ -131,6 +140,8 @@ def _interest(setting: Setting, graph: ClassGraph) -> Interest:
     for term in terms_of(setting.constraints):
         if is_counted(term.capability, ability):
             limited[states_of(term, system, arrays)] = True
+    if graph.layer is not None:
+        wanted[[change.state for change in setting.changes]] = True
     if graph.modes is None:
         return Interest(np.logical_or(wanted, limited), limited)
     return _late_interest(graph, graph.modes, wanted, limited)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
@@ -19,6 +20,7 @@ from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.plans.loading import LEAST, Carried
 from tsplan.plans.moves import Move
+from tsplan.plans.structure_paths import PoolMoves, Times
 
 Moves: TypeAlias = tuple[Ints, Ints, Ints]
 """Edges of a class's full map, the steps, and how many agents enter."""
@@ -166,6 +168,40 @@ def _lingering(graph: ClassGraph, moves: Moves) -> Iterator[Moves]:
         yield head[back], ends[back] + ago, -count[back]
 
 
+def rides_of(item: AgentClass, moves: Moves) -> Moves:
+    """The moves of a class from state to state: without those of structures that are rebuilt."""
+    if item.graph.layer is None:
+        return moves
+    ride = moves[0] < item.graph.layer.rides
+    return moves[0][ride], moves[1][ride], moves[2][ride]
+
+
+def modules_at(setting: Setting, point: Point) -> list[PoolMoves]:
+    """What the modules of every pool do at a point."""
+    mission, moved = setting.mission, moves_of(point)
+    times: dict[tuple[int, ...], list[Times]] = defaultdict(list)
+    for change in setting.changes:
+        number, half, count = change.parts[0]
+        item, (edges, steps, agents) = moved[number]
+        state = setting.arrays.names[change.state]
+        times[item.groups] += (
+            Times(int(steps[place]), state, change.rule, int(agents[place]) // count)
+            for place in np.flatnonzero(edges == item.graph.half(half)).tolist()
+        )
+    return [
+        PoolMoves(
+            pool,
+            {
+                item.shape: listed(setting, item, rides_of(item, moves))
+                for item, moves in moved
+                if item.shape is not None and item.groups == pool.groups
+            },
+            times[pool.groups],
+        )
+        for pool in mission.modular.pools(mission.team)
+    ]
+
+
 def executions_of(point: Point) -> list[tuple[Execution, int, int]]:
     """The task, state and step of every execution at a point."""
     made: Stocks | None = point.encoded.own_columns.get(STOCKS)
@@ -209,5 +245,5 @@ def moving(setting: Setting, point: Point) -> int:
             for entry in zip(edge.tolist(), step.tolist(), count.tolist(), strict=True):
                 if entry[:2] in taken:
                     taken[entry[:2]] += entry[2]
-            staying += min([int(graph.start[state]), *taken.values()])
+            staying += graph.modules * min([int(graph.start[state]), *taken.values()])
     return setting.mission.size - int(staying)

@@ -1,6 +1,7 @@
 """Missions: a map, a team, a formula and what to optimise."""
 
 from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.configurations import Configuration, ModuleRules, Reconfiguration
 from tsplan.mission.mission import Mission
 from tsplan.mission.mission_parts import Preference
 from tsplan.mission.objectives import OBJECTIVES, Objective, register
@@ -15,11 +16,14 @@ __all__ = [
     "ORDERS",
     "TASK_INTERVALS",
     "Agent",
+    "Configuration",
     "Expectation",
     "Group",
     "Mission",
+    "ModuleRules",
     "Objective",
     "Preference",
+    "Reconfiguration",
     "Resource",
     "SolverChoice",
     "SwarmBounds",

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from tsplan.exact import MOST_EXACT, digits, exact
+from tsplan.exact import MOST_EXACT, common_unit, digits, exact
+from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.findings import Fault
 from tsplan.mission.team import Group
 from tsplan.ts import Edge, TransitionSystem
@@ -16,7 +17,11 @@ _DECIMALS = 10**15
 
 
 def cost_faults(
-    system: TransitionSystem, team: Sequence[Group], horizon: int, objective: Sequence[str]
+    system: TransitionSystem,
+    team: Sequence[Group],
+    horizon: int,
+    objective: Sequence[str],
+    modular: ModuleRules,
 ) -> list[Fault]:
     """The costs that have more digits than the cost of a plan can be told with.
 
@@ -31,19 +36,52 @@ def cost_faults(
             )
             remedy = "give edges a greater chance of success"
             return [Fault(("objective", objective.index("risk")), what, remedy)]
-    if "cost" not in objective:
+    named = next((name for name in objective if name in ("cost", "energy")), None)
+    if named is None:
         return []
     most = _most(system, sum(group.count for group in team), horizon, _cost)
-    unit = system.cost_unit
+    most += _most_of_structures(system, team, horizon, modular)
+    unit = cost_unit(system, team, modular)
     if most / unit <= _limit(unit):
         return []
+    if modular:
+        what = f"the {named} of a plan can come to {float(most):.3g}, which has too many digits"
+        remedy = "write costs and their factors with fewer digits"
+        return [Fault(("objective", objective.index(named)), what, remedy)]
     needed = _coarser(most)
     priced = [edge for edge in system.edges.values() if edge.cost]
     fine = [edge for edge in priced if exact(edge.cost or 0) % needed] or priced
     if not fine:  # durations alone add up to too much
         what = f"the cost of a plan can come to {float(most):.3g}, too much to be told exactly"
-        return [Fault(("objective", objective.index("cost")), what, "use 'travel' instead")]
+        return [Fault(("objective", objective.index(named)), what, "use 'travel' instead")]
     return [_fault(system, edge, most, needed) for edge in fine]
+
+
+def cost_unit(system: TransitionSystem, team: Sequence[Group], modular: ModuleRules) -> Fraction:
+    """The largest number of which all that a plan may pay for is a whole multiple."""
+    if not modular.configurations:
+        return system.cost_unit
+    prices = [exact(rule.cost) for rule in modular.reconfigurations]
+    prices += [
+        shape.price(edge, team[pool.groups[0]].class_name)
+        for pool in modular.pools(team)
+        for shape in pool.shapes
+        for edge in system.edges.values()
+        if edge.duration_for(team[pool.groups[0]].class_name) is not None
+    ]
+    robots = any(group.configuration is None for group in team)
+    return common_unit([*prices, *([system.cost_unit] if robots else [])])
+
+
+def _most_of_structures(
+    system: TransitionSystem, team: Sequence[Group], horizon: int, modular: ModuleRules
+) -> Fraction:
+    """What structures can cost beyond robots at the most: in every step the dearest of all."""
+    factor = max((exact(shape.cost) for shape in modular.configurations), default=Fraction(0))
+    dearest = max((_cost(edge, edge.shortest() or 0) for edge in system.edges.values()), default=0)
+    rule = max((exact(each.cost) for each in modular.reconfigurations), default=Fraction(0))
+    modules = sum(group.count for group in team if group.configuration is not None)
+    return modules * (horizon + 1) * (factor * dearest + rule)
 
 
 def _cost(edge: Edge, duration: int) -> Fraction:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from tsplan.mission.findings import Fault, Place, preferred
 from tsplan.mission.mission_parts import Preference
 from tsplan.mission.objectives import OBJECTIVES, objectives_for
-from tsplan.mission.resources import Resource
 from tsplan.mission.team import Expectation, SwarmRules
 from tsplan.ts import TransitionSystem
 
@@ -17,7 +16,9 @@ def expectation_faults(
     swarm: SwarmRules | None,
     objective: Sequence[str],
     prefer: Sequence[Preference],
-    resources: Sequence[Resource],
+    *,
+    resources: bool,
+    modular: bool,
 ) -> Iterator[Fault]:
     """What nothing is known of in expectation: swarms, some objectives, what holds in part."""
     if expected is None:
@@ -28,6 +29,9 @@ def expectation_faults(
     if resources:
         what = "amounts move with robots for sure, and the mission asks for expected numbers"
         yield Fault(("resources",), what, "leave them out, or drop 'dynamics'")
+    if modular:
+        what = "structures are rebuilt for sure, and the mission asks for expected numbers"
+        yield Fault(("configurations",), what, "leave them out, or drop 'dynamics'")
     told = objectives_for(swarms=False, expected=True)
     for number, name in enumerate(objective):
         if name in OBJECTIVES and name not in told and (name != "preferences" or not prefer):

@@ -20,6 +20,7 @@ from tsplan.limits import (
     Range,
     complaints,
 )
+from tsplan.mission.configuration_checks import module_number_faults
 from tsplan.mission.findings import Fault, Place
 from tsplan.mission.mission_parts import MissionParts
 from tsplan.mission.team import SwarmRules
@@ -49,6 +50,7 @@ def number_faults(mission: MissionParts) -> list[Fault]:
         found.append(((*place, "weight"), _WEIGHT.complaint(wish.weight)))
         found.append(((*place, "level"), _FROM_0.complaint(wish.level)))
     found.append((("horizon",), _STEPS.complaint(mission.horizon)))
+    found += module_number_faults(mission.modular)
     if mission.swarm is not None:
         found += _swarm_numbers(mission.swarm)
     if mission.expected is not None:

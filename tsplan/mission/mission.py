@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
@@ -19,11 +20,17 @@ from tsplan.logic import Formula
 from tsplan.logic.fraction import tree_of
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.configurations import Configuration, Reconfiguration
+from tsplan.mission.costs import cost_unit
 from tsplan.mission.mission_checks import mission_faults
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.mission_writer import mission_to_yaml, save_mission
-from tsplan.mission.name_resolution import with_named_classes, with_named_states
-from tsplan.mission.resources import Resource
+from tsplan.mission.name_resolution import (
+    with_named_classes,
+    with_named_configurations,
+    with_named_states,
+)
+from tsplan.mission.resources import Carries, Resource
 from tsplan.mission.team import Agent, Group
 from tsplan.mission.values import parts_from_values
 from tsplan.mission.vocabulary import (
@@ -51,9 +58,9 @@ class Mission(MissionParts):
     mission's own map, so that everything made from the mission counts there alike.
     A name of a class that is nobody's capability is one of its own robots, if a formula or the
     map asks for it. The `swarm` rules say which classes are swarms, whose agents move as
-    sub-swarms. `resources` are what tasks may need beside robots. The formula holds even where
-    every agent is up to `delay` steps late at any time. On a map of actions with uncertain outcomes
-    numbers are `expected` ones.
+    sub-swarms. `resources` are what tasks may need beside robots, and `modular` says what the
+    modules of modular robots can become. The formula holds even where every agent is up to `delay`
+    steps late at any time. On a map of actions with uncertain outcomes numbers are `expected` ones.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
 
@@ -70,6 +77,8 @@ class Mission(MissionParts):
         object.__setattr__(self, "text", nfc(self.text or str(self.formula)))
         object.__setattr__(self, "team", (*robots, *swarms))
         object.__setattr__(self, "system", with_named_states(self.system, formulas))
+        modular = with_named_configurations(self.modular, team, self.system, formulas)
+        object.__setattr__(self, "modular", modular)
         if self.prefer and "preferences" not in self.objective:
             object.__setattr__(self, "objective", ("preferences", *self.objective))
         errors = [fault.finding() for fault in mission_faults(self) if fault.serious]
@@ -131,9 +140,21 @@ class Mission(MissionParts):
         return sum(group.count for group in self.team)
 
     @cached_property
+    def loads(self) -> Mapping[str, Carries]:
+        """What each robot carries at most, by its id."""
+        groups = (group for group in self.team for _ in range(group.count))
+        return {agent.id: group.carries for agent, group in zip(self.agents, groups, strict=True)}
+
+    @cached_property
+    def cost_unit(self) -> Fraction:
+        """The largest number of which all that a plan may pay for is a whole multiple."""
+        return cost_unit(self.system, self.team, self.modular)
+
+    @cached_property
     def capabilities(self) -> frozenset[str]:
         """Every capability that some robot has."""
-        return frozenset().union(*(group.capabilities for group in self.team))
+        able = self.modular.possible(self.team)
+        return frozenset().union(*(group.capabilities for group in able))
 
     def having(self, capability: str | None) -> int:
         """How many robots have a capability; all of them for None."""
@@ -157,6 +178,9 @@ class Mission(MissionParts):
         map: TransitionSystem | str | Path,  # noqa: A002  (the word of the mission file)
         team: Iterable[Group | Mapping[str, Any]] | None = None,
         resources: Iterable[Resource | Mapping[str, Any]] = (),
+        configurations: Mapping[str, Configuration | Mapping[str, Any]] | None = None,
+        reconfigure: Iterable[Reconfiguration | Mapping[str, Any]] = (),
+        performance: Mapping[str, Mapping[str, float]] | None = None,
         swarm: Mapping[str, Any] | None = None,
         swarms: Iterable[Mapping[str, Any]] | None = None,
         max_subswarms: int | None = None,
@@ -180,8 +204,9 @@ class Mission(MissionParts):
         `map` is a transition system or the path of a map file. Each member of `team` is a Group
         or a mapping with the keys of a mission file; instead of a team or beside it there may be
         one `swarm` or several `swarms`, mappings with those keys, and for them `max_subswarms`
-        and `margin`. Each of the `resources` is a Resource or a mapping.
-        and `margin`. `dynamics` and `policy` are for maps of actions with uncertain outcomes.
+        and `margin`. Each of the `resources` is a Resource or a mapping, and so are the
+        `configurations` of modular robots by their names, the ways to `reconfigure` them, and their
+        `performance` by labels. `dynamics` and `policy` are for maps of uncertain actions.
         `formula` is a text, several texts (their conjunction) or a parsed formula; `must` is
         another word for it beside what to `prefer`. Without a `language`, that of teams is "catl"
         and that of swarms "mtl". In "wmtl" formulas name `weights`, which may be functions (see
@@ -199,6 +224,9 @@ class Mission(MissionParts):
             "name": name,
             "map": map,
             "resources": list(resources) or None,
+            "configurations": configurations,
+            "reconfigure": list(reconfigure) or None,
+            "performance": performance,
             "team": team,
             "swarm": swarm,
             "swarms": None if swarms is None else list(swarms),

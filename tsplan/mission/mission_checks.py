@@ -10,9 +10,10 @@ from collections.abc import Iterator, Sequence
 
 from tsplan.errors import nearest
 from tsplan.logic import Formula
+from tsplan.mission.configuration_checks import Building, carriers, module_faults
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.expectation_checks import chance_faults, expectation_faults
-from tsplan.mission.findings import Fault, Place, moved, preferred
+from tsplan.mission.findings import Entry, Fault, Place, moved, preferred
 from tsplan.mission.formula_checks import formula_faults, horizon_faults
 from tsplan.mission.magnitudes import number_faults
 from tsplan.mission.mission_parts import MissionParts, Preference
@@ -35,18 +36,31 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
             mission.swarm,
             mission.objective,
             mission.prefer,
-            mission.resources,
+            resources=bool(mission.resources),
+            modular=bool(mission.modular),
         ),
         *chance_faults(mission.system, mission.expected),
-        *team_faults(entries_of(mission.team, mission.swarm), mission.system, mission.swarm),
+        *team_faults(_entries(mission), mission.system, mission.swarm, mission.modular),
+        *module_faults(
+            Building(
+                mission.modular,
+                _entries(mission),
+                mission.system,
+                mission.objective,
+                mission.swarm is not None,
+            )
+        ),
         *map_faults(mission.system, mission.team),
-        *cost_faults(mission.system, mission.team, mission.horizon, mission.objective),
+        *cost_faults(
+            mission.system, mission.team, mission.horizon, mission.objective, mission.modular
+        ),
         *resource_faults(_carrying(mission), mission.objective, mission.swarm),
         *delay_faults(
             mission.delay,
             mission.objective,
             resources=bool(mission.resources),
             expected=mission.expected is not None,
+            modular=bool(mission.modular),
         ),
         *late_faults(mission.delay, mission.horizon),
         *_formula_faults(mission, mission.formula, whole="satisfaction" not in mission.objective),
@@ -62,14 +76,19 @@ def _formula_faults(
     mission: MissionParts, formula: Formula, *, whole: bool = False
 ) -> Iterator[Fault]:
     """What does not fit in a formula of a mission."""
-    yield from formula_faults(formula, mission.system, mission.team, mission.swarm)
+    team = mission.modular.possible(mission.team)
+    yield from formula_faults(formula, mission.system, team, mission.swarm)
     yield from horizon_faults(formula, mission.task_interval, mission.horizon)
     yield from spending_faults(formula, _carrying(mission), whole=whole)
 
 
 def _carrying(mission: MissionParts) -> Carrying:
-    entries = entries_of(mission.team, mission.swarm)
+    entries = carriers(_entries(mission), mission.modular)
     return Carrying(mission.resources, entries, mission.system)
+
+
+def _entries(mission: MissionParts) -> list[Entry]:
+    return entries_of(mission.team, mission.swarm)
 
 
 def preference_faults(
@@ -99,7 +118,7 @@ def preference_faults(
 
 
 def delay_faults(
-    delay: int, objective: Sequence[str], *, resources: bool, expected: bool
+    delay: int, objective: Sequence[str], *, resources: bool, expected: bool, modular: bool
 ) -> Iterator[Fault]:
     """What cannot be asked for together with agents that may be late."""
     aims = [("objective", place) for place, name in enumerate(objective) if name == "delay"]
@@ -107,6 +126,9 @@ def delay_faults(
     if path and resources:
         what = "cargo moves with the robots that are on time, and these may be late"
         yield Fault(path, what, "remove the resources, or plan without delay")
+    if path and modular:
+        what = "structures are rebuilt by those that are on time, and these may be late"
+        yield Fault(path, what, "remove the configurations, or plan without delay")
     if delay and expected:
         what = "of uncertain moves expected numbers are planned, and these say nothing of delays"
         yield Fault(path, what, "remove 'delay'")

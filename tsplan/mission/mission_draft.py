@@ -16,6 +16,8 @@ from tsplan.errors import InputError, MissionError
 from tsplan.logic import Formula, parse_with_places
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.configuration_checks import Building, carriers, module_faults
+from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.expectation_checks import chance_faults, expectation_faults
 from tsplan.mission.filing import Filing
@@ -40,7 +42,8 @@ from tsplan.mission.mission_schema import (
     MissionFile,
     Swarm,
 )
-from tsplan.mission.name_resolution import with_named_classes
+from tsplan.mission.module_entries import module_rules
+from tsplan.mission.name_resolution import with_named_classes, with_named_configurations
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resource_checks import Carrying, resource_faults, spending_faults
 from tsplan.mission.resources import Resource
@@ -53,6 +56,7 @@ from tsplan.ts.io.map_files import load_map, map_from_document
 from tsplan.words import nfc
 
 KINDS = ("team", "swarm", "swarms")
+MODULAR = ("configurations", "reconfigure", "performance")
 
 
 @dataclass(frozen=True)
@@ -98,6 +102,7 @@ class _Draft(Filing):
     entries: list[Entry] | None = None  # None where what is said of them is wrong
     swarm: SwarmRules | None = None
     resources: tuple[Resource, ...] | None = None  # as the entries
+    modular: ModuleRules | None = None  # as the entries
     expected: Expectation | None = None
     horizon: int = 0
     weights: Mapping[str, Weight] = field(default_factory=dict)
@@ -155,6 +160,16 @@ class _Draft(Filing):
             self.expected = Expectation(file.policy == "deterministic", file.margin)
 
     @property
+    def rules(self) -> ModuleRules:
+        """What modules can become, nothing where that is not known."""
+        return self.modular or ModuleRules()
+
+    @property
+    def _carrying(self) -> Carrying:
+        entries = None if self.entries is None else carriers(self.entries, self.rules)
+        return Carrying(self.resources, entries, self.system)
+
+    @property
     def team(self) -> tuple[Group, ...] | None:
         """The groups, as far as they are known."""
         return None if self.entries is None else tuple(group for _, group in self.entries)
@@ -182,7 +197,9 @@ class _Draft(Filing):
             (name,) = member.at
             starts = ((self.word(name, (*path, "at")), member.count or 1),)
         able = self._words(member.capabilities, (*path, "capabilities"))
-        return Group(self.word(member.class_name, (*path, "class")), able, starts, member.carries)
+        shape = member.configuration and self.word(member.configuration, (*path, "configuration"))
+        name = self.word(member.class_name, (*path, "class"))
+        return Group(name, able, starts, member.carries, shape)
 
     def read_resources(self, file: MissionFile) -> None:
         """The resources."""
@@ -207,50 +224,67 @@ class _Draft(Filing):
             self.read_agents(file)
         if "resources" not in faulty:
             self.read_resources(file)
+        if not faulty.intersection(MODULAR):
+            self.modular = module_rules(file, self.document)
         self.judge(file)
+
+    def _agent_faults(self, file: MissionFile) -> Iterator[Fault]:
+        """What does not fit together in the agents, as far as they are known."""
+        if self.entries is None:
+            return
+        formulas = [formula for _, formula in self.formulas.all()]
+        named = with_named_classes(self.team or (), self.swarm, self.system, formulas)
+        if self.modular is not None:
+            self.modular = with_named_configurations(self.modular, named, self.system, formulas)
+        places = (place for place, _ in self.entries)
+        self.entries = list(zip(places, named, strict=True))
+        names, prefer = self.objective(file), self.preferences(file.spec.prefer)
+        yield from objective_faults(names, self.swarm)
+        yield from preference_faults(names, prefer, self.swarm)
+        yield from expectation_faults(
+            self.expected,
+            self.swarm,
+            names,
+            prefer,
+            resources=bool(self.resources),
+            modular=bool(self.rules),
+        )
+        yield from team_faults(self.entries, self.system, self.swarm, self.rules)
+        if self.modular is not None:
+            swarms = self.swarm is not None
+            given = Building(self.modular, self.entries, self.system, names, swarms)
+            yield from module_faults(given)
+        if self.system is not None:
+            yield from map_faults(self.system, named)
+            yield from chance_faults(self.system, self.expected)
 
     def judge(self, file: MissionFile) -> None:
         """Report what does not fit together, as far as the parts are known."""
-        faults: list[Fault] = []
-        if self.entries is not None:
-            formulas = [formula for _, formula in self.formulas.all()]
-            named = with_named_classes(self.team or (), self.swarm, self.system, formulas)
-            places = (place for place, _ in self.entries)
-            self.entries = list(zip(places, named, strict=True))
-            names, prefer = self.objective(file), self.preferences(file.spec.prefer)
-            faults += objective_faults(names, self.swarm)
-            faults += preference_faults(names, prefer, self.swarm)
-            faults += expectation_faults(
-                self.expected, self.swarm, names, prefer, self.resources or ()
-            )
-            faults += team_faults(self.entries, self.system, self.swarm)
-        if self.system is not None and self.team is not None:
-            faults += map_faults(self.system, self.team)
+        faults = list(self._agent_faults(file))
         if self.resources is not None:
-            team = Carrying(self.resources, self.entries, self.system)
-            faults += resource_faults(team, self.objective(file), self.swarm)
-        if self.system is not None and self.entries is not None:
-            faults += chance_faults(self.system, self.expected)
+            faults += resource_faults(self._carrying, self.objective(file), self.swarm)
         faults += delay_faults(
             file.delay,
             self.objective(file),
             resources=bool(self.resources),
             expected=self.expected is not None,
+            modular=bool(self.rules),
         )
         horizons = []
         for where, formula in self.formulas.all():
-            found = [*formula_faults(formula, self.system, self.team, self.swarm)]
+            team = None if self.team is None else self.rules.possible(self.team)
+            found = [*formula_faults(formula, self.system, team, self.swarm)]
             found += horizon_faults(formula, file.task_interval, file.horizon)
             whole = where == self.formulas.where and self.order(file, where) is None
-            team = Carrying(self.resources, self.entries, self.system)
-            found += spending_faults(formula, team, whole=whole)
+            found += spending_faults(formula, self._carrying, whole=whole)
             faults += moved(found, where)
             horizons.append(formula_horizon(formula, file.task_interval) or 0)
         self.horizon = max(horizons, default=0) if file.horizon is None else file.horizon
         for fault in faults:
             self.file(fault)
         if not self.serious and self.system is not None and self.team is not None:
-            late = [*cost_faults(self.system, self.team, self.horizon, self.objective(file))]
+            names = self.objective(file)
+            late = [*cost_faults(self.system, self.team, self.horizon, names, self.rules)]
             late += late_faults(file.delay, self.horizon)
             for where, formula in self.formulas.all():
                 late += moved(weight_faults(formula, self.order(file, where)), where)
@@ -286,6 +320,7 @@ class _Draft(Filing):
             solver=SolverChoice(**solver),
             swarm=self.swarm,
             resources=self.resources or (),
+            modular=self.rules,
             expected=self.expected,
             delay=file.delay,
             satisfaction=objective_order(file.objective or ()),

@@ -11,6 +11,7 @@ from tsplan.errors import Finding
 from tsplan.logic import Formula
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resources import Resource
 from tsplan.mission.team import Expectation, Group, SwarmBounds, SwarmRules
@@ -57,6 +58,7 @@ class MissionParts:
     solver: SolverChoice = field(default_factory=SolverChoice)
     swarm: SwarmRules | None = None
     resources: tuple[Resource, ...] = ()
+    modular: ModuleRules = field(default_factory=ModuleRules)
     expected: Expectation | None = None
     delay: int = 0
     satisfaction: Order = "weighted"

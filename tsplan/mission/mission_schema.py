@@ -13,16 +13,17 @@ from tsplan.errors import nearest
 from tsplan.limits import (
     LARGEST,
     LEAST_WEIGHT,
+    MOST_COST,
     MOST_GAP,
     MOST_ROBOTS,
     MOST_SECONDS,
     MOST_SEED,
+    MOST_STEPS,
     MOST_THREADS,
     MOST_WEIGHT,
     Range,
 )
-from tsplan.mission.mission_writer import FORMAT
-from tsplan.mission.vocabulary import ORDERS, Dynamics, Language, PolicyKind, TaskInterval
+from tsplan.mission.vocabulary import FORMAT, ORDERS, Dynamics, Language, PolicyKind, TaskInterval
 from tsplan.mission.weight_entries import weights_of_entry
 
 _SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
@@ -46,8 +47,8 @@ def _margin(value: Any) -> Any:
     return share
 
 
-def _starts(value: Any) -> Any:
-    """A single start state stands for a mapping to the group's count, which the reader fills in."""
+def _counted(value: Any) -> Any:
+    """A single name stands for a mapping to a count, which the reader fills in."""
     one = isinstance(value, str | int) and not isinstance(value, bool)
     return {str(value): 1} if one else value
 
@@ -81,6 +82,7 @@ Title = Annotated[str, BeforeValidator(_name)]
 WeightEntry = Annotated[Any, BeforeValidator(weights_of_entry)]
 Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
 Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
+Counted = Annotated[dict[Name, Count], BeforeValidator(_counted)]
 
 
 class Part(BaseModel):
@@ -102,21 +104,42 @@ class ResourceEntry(Part):
     consumed: bool = True
 
 
+class ConfigurationEntry(Part):
+    """A shape of structures of modules."""
+
+    modules: Count
+    capabilities: list[Name] = []
+    cost: Annotated[Number, Field(ge=0, le=LARGEST)] = 1
+    duration: Annotated[Number, Field(gt=0, le=MOST_STEPS)] = 1
+    carries: Load = ()
+
+
+class ReconfigurationEntry(Part):
+    """How structures become others."""
+
+    parts: Counted = Field(alias="from")
+    made: Counted = Field(alias="to")
+    duration: Annotated[int, Field(strict=True, ge=1, le=MOST_STEPS)] = 1
+    cost: Annotated[Number, Field(ge=0, lt=MOST_COST)] = 0
+    at: list[Name] = []
+
+
 class Member(Part):
     """One entry of the team: robots of one class."""
 
     class_name: Name = Field(alias="class")
     count: Count | None = None
-    at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
+    at: Counted
     capabilities: list[Name] = []
     carries: Load = ()
+    configuration: Name | None = None
 
 
 class Swarm(Part):
     """A swarm: how many agents, where they start, and how far they may divide."""
 
     size: Count
-    at: Annotated[dict[Name, Count], BeforeValidator(_starts)]
+    at: Counted
     max_subswarms: Count | None = None
     min_subswarm: Count = 1
     capabilities: list[Name] = []
@@ -165,6 +188,9 @@ class MissionFile(Part):
     name: Title = ""
     map: Any
     resources: list[ResourceEntry] = []
+    configurations: dict[Name, ConfigurationEntry] = {}
+    reconfigure: list[ReconfigurationEntry] = []
+    performance: dict[Name, dict[Name, Amount]] = {}
     team: Annotated[list[Member], Field(min_length=1)] = []
     swarm: Swarm | None = None
     swarms: Annotated[list[NamedSwarm], Field(min_length=1)] = []

@@ -19,14 +19,13 @@ from tsplan.logic import Formula, Percent, parse_with_places
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_parts import MissionParts, Preference
+from tsplan.mission.module_entries import carries_entry, module_entries
 from tsplan.mission.resources import Resource
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
-from tsplan.mission.vocabulary import Language
+from tsplan.mission.vocabulary import FORMAT, Language
 from tsplan.mission.weight_entries import entries_of
 from tsplan.ts.io.map_files import save_map
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
-
-FORMAT = "tsplan-mission/1"
 
 _FINEST = 15  # digits after the point of a percentage that a file may have
 
@@ -56,6 +55,13 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     if mission.resources:
         yield "resources:"
         yield from (f"  - {flow(resource_entry(item))}" for item in mission.resources)
+    for key, entry in module_entries(mission.modular).items():
+        yield f"{key}:"
+        lines = entry.items() if isinstance(entry, dict) else (("-", item) for item in entry)
+        yield from (
+            f"  - {flow(item)}" if name == "-" else f"  {word(name)}: {flow(item)}"
+            for name, item in lines
+        )
     yield from _team_lines(mission)
     read = partial(read_formula, language=mission.language, weights=mission.weights)
     yield from spec_lines(mission.language, (mission.formula, mission.text), mission.prefer, read)
@@ -155,9 +161,9 @@ def group_entry(group: Group) -> dict[str, Any]:
         ((state, count),) = group.starts
         starts = {"count": count, "at": state}
     able = {"capabilities": sorted(group.capabilities)} if group.capabilities else {}
-    load = dict(group.carries) if isinstance(group.carries, tuple) else group.carries
-    carries = {} if group.carries == () else {"carries": load}
-    return {"class": group.class_name, **starts, **able, **carries}
+    shape = {} if group.configuration is None else {"configuration": group.configuration}
+    carries = carries_entry(group.carries)
+    return {"class": group.class_name, **starts, **able, **carries, **shape}
 
 
 def resource_entry(resource: Resource) -> dict[str, Any]:

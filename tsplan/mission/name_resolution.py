@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.logic.symbols import capabilities, labels
+from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 
 if TYPE_CHECKING:
@@ -63,12 +64,9 @@ def with_named_classes(
     (Group(class_name='scout', capabilities=frozenset({'scout'}), starts=(('q1', 3),)),)
     """
     team = tuple(team)
-    named = {name for formula in formulas for name in capabilities(formula)}
+    named = _named(system, formulas)
     if swarm is not None and set(swarm.each) != {ONE_SWARM}:
         named.update(swarm.each)
-    if system is not None:
-        named.update(*(state.needs for state in system.states.values()))
-        named.update(*(edge.needs for edge in system.edges.values()))
     named.difference_update(*(group.capabilities for group in team))
     return tuple(
         replace(group, capabilities=group.capabilities | {group.class_name})
@@ -76,3 +74,34 @@ def with_named_classes(
         else group
         for group in team
     )
+
+
+def with_named_configurations(
+    rules: ModuleRules,
+    team: Iterable[Group],
+    system: TransitionSystem | None,
+    formulas: Iterable[Formula],
+) -> ModuleRules:
+    """The rules in which every configuration that a formula or the map names can do its name.
+
+    A name that some robot or structure has as a capability means that capability.
+    """
+    named = _named(system, formulas)
+    named.difference_update(*(group.capabilities for group in team))
+    named.difference_update(*(shape.capabilities for shape in rules.configurations))
+    if named.isdisjoint(rules.of):
+        return rules
+    shapes = (
+        replace(shape, capabilities=shape.capabilities | ({shape.name} & named))
+        for shape in rules.configurations
+    )
+    return replace(rules, configurations=tuple(shapes))
+
+
+def _named(system: TransitionSystem | None, formulas: Iterable[Formula]) -> set[str]:
+    """The capabilities that formulas and the map name."""
+    named = {name for formula in formulas for name in capabilities(formula)}
+    if system is not None:
+        named.update(*(state.needs for state in system.states.values()))
+        named.update(*(edge.needs for edge in system.edges.values()))
+    return named

@@ -19,12 +19,13 @@ Sense: TypeAlias = Literal["maximise", "minimise"]
 class Objective:
     """What is known of an objective by its name alone.
 
-    One `of_groups` counts the sub-swarms of swarms, and only a mission with swarms may name it; any
-    other is about all agents. One that is `first` says what holds, and no other objective comes
-    before it. The value of one that is `whole` is a whole number wherever it is finite; that of
-    any other is an exact decimal number or fraction. One `of_amounts` is about resources, and only
-    a mission with some may name it. One that is `expected` has an expected value where moves are
-    uncertain. `words` say what it is.
+    One `of_groups` counts the sub-swarms of swarms, and only a mission with swarms may name it;
+    any other is about all agents. One that is `first` says what holds, and no other objective
+    comes before it. The value of one that is `whole` is a whole number wherever it is finite;
+    that of any other is an exact decimal number or fraction. One `of_amounts` is about
+    resources, and only a mission with some may name it, and one `of_modules` about modular
+    robots. One that is `expected` has an expected value where moves are uncertain. `words` say
+    what it is.
     """
 
     name: str
@@ -34,6 +35,7 @@ class Objective:
     first: bool = False
     whole: bool = True
     of_amounts: bool = False
+    of_modules: bool = False
     expected: bool = False
 
     def is_better(self, value: Fraction | float, other: Fraction | float) -> bool:
@@ -100,6 +102,20 @@ for _objective in (
         "least amount left beside what an execution needs",
         whole=False,
         of_amounts=True,
+    ),
+    Objective(
+        "energy",
+        "minimise",
+        "summed costs of all edges that are entered and of all reconfigurations",
+        whole=False,
+        of_modules=True,
+    ),
+    Objective(
+        "performance",
+        "maximise",
+        "how well structures do what the formula asks for",
+        whole=False,
+        of_modules=True,
     ),
     Objective("makespan", "minimise", "step at which the last move arrives"),
     Objective("agents", "minimise", "agents that ever move"),

@@ -11,7 +11,8 @@ from tsplan.exact import exact
 from tsplan.limits import LARGEST, Range
 from tsplan.logic import Formula
 from tsplan.logic.text_spans import Way
-from tsplan.mission.findings import FORMULA, Entry, Fault, Place
+from tsplan.mission.configuration_checks import Carrier
+from tsplan.mission.findings import FORMULA, Fault, Place
 from tsplan.mission.objectives import OBJECTIVES
 from tsplan.mission.resources import Amounts, Resource
 from tsplan.mission.team import SwarmRules
@@ -25,7 +26,7 @@ class Carrying:
     """Resources, who carries them and the map, as far as they are known."""
 
     resources: Sequence[Resource] | None
-    entries: Sequence[Entry] | None
+    entries: Sequence[Carrier] | None
     system: TransitionSystem | None
 
 
@@ -152,7 +153,7 @@ def _uncarried(node: logic.Task, carrying: Carrying) -> Iterator[Fault]:
             yield Fault(FORMULA, what, remedy, serious=False, node=node, way=way)
 
 
-def _nobody(name: str, entries: Sequence[Entry]) -> bool:
+def _nobody(name: str, entries: Sequence[Carrier]) -> bool:
     """Whether no robot carries any of a resource."""
     return not any(
         dict(group.carries).get(name) if isinstance(group.carries, tuple) else group.carries

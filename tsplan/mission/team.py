@@ -32,13 +32,14 @@ class Group:
     """Robots of one class with the same capabilities: how many of them start at which state.
 
     `carries` is what each of them carries at most: so much of each resource, or so much of all
-    together.
+    together. Modules of modular robots start in structures of a `configuration`.
     """
 
     class_name: str
     capabilities: frozenset[str]
     starts: tuple[tuple[str, int], ...]
     carries: Carries = field(default=(), repr=False)
+    configuration: str | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         """Bring names into the form in which they are compared; name every state once."""
@@ -53,6 +54,8 @@ class Group:
         object.__setattr__(self, "starts", starts)
         if isinstance(self.carries, tuple):
             object.__setattr__(self, "carries", merged(self.carries))
+        if self.configuration is not None:
+            object.__setattr__(self, "configuration", nfc(self.configuration))
 
     @property
     def count(self) -> int:
@@ -66,17 +69,19 @@ class Group:
         starts: Mapping[str, int] | Iterable[tuple[str, int]],
         capabilities: Iterable[str] = (),
         carries: Mapping[str, float] | float = MappingProxyType({}),
+        configuration: str | None = None,
     ) -> Group:
         """A group from any mapping or pairs of start states and counts.
 
-        What each robot carries is an amount of each resource, or one number for all together.
+        What each robot carries is an amount of each resource, or one number for all together. Of
+        modules, which are counted one by one, the `configuration` is that of their structures.
 
         >>> Group.of("scout", {"q1": 3}, ["Vis"]).count
         3
         """
         pairs = starts.items() if isinstance(starts, Mapping) else starts
         load = tuple(carries.items()) if isinstance(carries, Mapping) else carries
-        return cls(class_name, frozenset(capabilities), tuple(pairs), load)
+        return cls(class_name, frozenset(capabilities), tuple(pairs), load, configuration)
 
 
 def _whole(value: Any) -> Any:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from tsplan.errors import Nearest, nearest
 from tsplan.limits import MOST_ROBOTS
+from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.findings import Entry, Fault, Place
 from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
 from tsplan.ts import TransitionSystem
@@ -25,7 +26,10 @@ def entries_of(team: Sequence[Group], swarm: SwarmRules | None) -> list[Entry]:
 
 
 def team_faults(
-    entries: Sequence[Entry], system: TransitionSystem | None, swarm: SwarmRules | None
+    entries: Sequence[Entry],
+    system: TransitionSystem | None,
+    swarm: SwarmRules | None,
+    modular: ModuleRules,
 ) -> Iterator[Fault]:
     """Counts, classes and start states; without a map, only what does not need it."""
     if not entries:
@@ -42,7 +46,8 @@ def team_faults(
         path, remedy = entries[0][0][:1], f"at most {MOST_ROBOTS:,} are planned"
         yield Fault(path, f"a team of {size:,} robots", remedy)
     if system is not None:
-        yield from _start_faults(entries, system)
+        acting = [(place, modular.structures(group)) for place, group in entries]
+        yield from _start_faults(acting, system)
     yield from _class_faults([entry for entry in entries if entry[0][0] == "team"])
     if swarm is not None:
         yield from _swarm_faults(entries, swarm)

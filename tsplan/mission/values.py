@@ -18,10 +18,10 @@ from tsplan.document import Document, parse_document
 from tsplan.errors import Finding, InputError, MissionError
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.configurations import Configuration, Reconfiguration
 from tsplan.mission.mission_draft import Beside, parts_from_document
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.mission_writer import (
-    FORMAT,
     group_entry,
     preference_entry,
     read_formula,
@@ -29,8 +29,10 @@ from tsplan.mission.mission_writer import (
     solver_entry,
     written_formula,
 )
+from tsplan.mission.module_entries import configuration_entry, reconfiguration_entry
 from tsplan.mission.resources import Resource
 from tsplan.mission.team import Group
+from tsplan.mission.vocabulary import FORMAT
 from tsplan.mission.weight_entries import entries_of
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
@@ -105,6 +107,10 @@ def _entry(language: Any, weights: Mapping[str, Weight]) -> Any:
             return group_entry(value)
         if isinstance(value, Resource):
             return resource_entry(value)
+        if isinstance(value, Configuration):
+            return configuration_entry(value)
+        if isinstance(value, Reconfiguration):
+            return reconfiguration_entry(value)
         if isinstance(value, Preference):
             read = partial(read_formula, language=language, weights=weights)
             text = written_formula(value.formula, value.text, read)

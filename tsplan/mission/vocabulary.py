@@ -1,4 +1,4 @@
-"""The words of missions: languages, readings of tasks, orders of satisfaction."""
+"""The words of missions: format, languages, readings of tasks, orders of satisfaction."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ Dynamics: TypeAlias = Literal["certain", "expected"]
 PolicyKind: TypeAlias = Literal["randomised", "deterministic"]
 Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 
+FORMAT = "tsplan-mission/1"
 LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl", "wmtl")
 TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
 ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")

@@ -50,12 +50,20 @@ class AgentPlan(Record):
         >>> [agent.state_at(step) for step in (2, 3, 4)]
         ['p', None, 'q']
         """
-        whole = step_within(step, None)
-        place = bisect_right(self.stays, whole, key=lambda stay: stay[0]) - 1
-        if place < 0:
-            return None
-        _, last, state = self.stays[place]
-        return state if whole <= last else None
+        return state_in(self.stays, step_within(step, None))
+
+
+def state_in(stays: Sequence[Stay], step: int) -> str | None:
+    """The state of the stay that a step is in, if it is in one.
+
+    >>> [state_in([(0, 2, "p"), (4, 5, "q")], step) for step in (2, 3, 4)]
+    ['p', None, 'q']
+    """
+    place = bisect_right(stays, step, key=lambda stay: stay[0]) - 1
+    if place < 0:
+        return None
+    _, last, state = stays[place]
+    return state if step <= last else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,14 +10,18 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from math import floor
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from tsplan.mission.resources import compartment
+from tsplan.plans.structures import Structure
 from tsplan.plans.supplies import Cargo
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission, Resource
     from tsplan.plans.agent_plans import AgentPlan
+
+Walker: TypeAlias = "AgentPlan | Structure"
+"""Who carries something on its way."""
 
 LEAST = 1e-7
 """Less than this is nothing: it is what solvers forgive."""
@@ -60,19 +64,19 @@ class _Robot:
 
 
 def loading(
-    mission: Mission, agents: Sequence[AgentPlan], carried: Iterable[Carried]
+    mission: Mission, agents: Sequence[Walker], carried: Iterable[Carried]
 ) -> tuple[Cargo, ...]:
     """The cargo of every agent, in the order of time: who has some of a resource keeps it."""
     carried = tuple(carried)
     if not carried:
         return ()
-    carries = dict(
-        zip(
-            (agent.id for agent in mission.agents),
-            (group.carries for group in mission.team for _ in range(group.count)),
-            strict=True,
-        )
-    )
+    shapes = mission.modular.of
+    carries = {
+        agent.id: shapes[agent.configuration].carries
+        if isinstance(agent, Structure)
+        else mission.loads[agent.id]
+        for agent in agents
+    }
     entering = _entering(agents)
     lanes: dict[tuple[int, str, str, int, bool], list[Carried]] = defaultdict(list)
     for item in carried:
@@ -109,7 +113,7 @@ def _share(item: Carried, robots: Iterable[_Robot]) -> None:
             left = round(left - load, _DIGITS)
 
 
-def _entering(agents: Iterable[AgentPlan]) -> dict[tuple[int, str, str, int], list[str]]:
+def _entering(agents: Iterable[Walker]) -> dict[tuple[int, str, str, int], list[str]]:
     """The agents that enter an edge at a step and take so long; on the way at the end, none."""
     found: dict[tuple[int, str, str, int], list[str]] = defaultdict(list)
     for agent in agents:

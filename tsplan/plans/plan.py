@@ -37,6 +37,7 @@ from tsplan.plans.records import (
     json_lines,
 )
 from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
+from tsplan.plans.structures import Rebuilt, Structure, of_structures
 from tsplan.plans.subswarms import SubSwarm
 from tsplan.plans.supplies import Cargo, ExecutedTask, StockHistory
 from tsplan.stopping import LIMITS, StoppedBy
@@ -208,6 +209,9 @@ class Plan(Record, display.Displayed):
     The plan of a mission with swarms has the `moves` of every swarm, by its name, and `groups`, the
     sub-swarms that they make; the `agents` of swarms are there if they were asked for, or are few.
 
+    Of modular robots the `agents` are the modules, and `structures` what they are part of; it is
+    these that count and do. `rebuilt` says which structures become which.
+
     The plan of a mission with resources has the `executions` of tasks, the `cargo` of every agent
     and the `stocks` that follow from both.
     Where moves are uncertain there are `policies`, and no agents: numbers are expected ones.
@@ -230,6 +234,8 @@ class Plan(Record, display.Displayed):
     agents: Annotated[tuple[AgentPlan, ...], BeforeValidator(_entries)] = field(
         default=(), metadata=OPTIONAL
     )
+    structures: tuple[Structure, ...] = field(default=(), metadata=OPTIONAL)
+    rebuilt: tuple[Rebuilt, ...] = field(default=(), metadata=OPTIONAL)
     executions: tuple[ExecutedTask, ...] = field(default=(), metadata=OPTIONAL)
     cargo: tuple[Cargo, ...] = field(default=(), metadata=OPTIONAL)
     stocks: tuple[StockHistory, ...] = field(default=(), metadata=OPTIONAL)
@@ -284,9 +290,20 @@ class Plan(Record, display.Displayed):
 
     @property
     def robots(self) -> tuple[Bundle, ...]:
-        """The bundles of agents that no sub-swarm tells of: those of ordinary classes."""
-        grouped = {group.swarm for group in self.groups}
-        return tuple(bundle for bundle in self.bundles if bundle.class_name not in grouped)
+        """The bundles of agents that no sub-swarm and no structure tells of."""
+        told = {group.swarm for group in self.groups} | {
+            each.class_name for each in self.structures
+        }
+        return tuple(bundle for bundle in self.bundles if bundle.class_name not in told)
+
+    def structure_of(self, module: str, step: int) -> Structure | None:
+        """The structure that a module is part of at a step; None while it is rebuilt.
+
+        Raises InputError for what is no step of the plan.
+        """
+        step = step_within(step, self.horizon)
+        mine = (each for each in self.structures if module in each.modules)
+        return next((each for each in mine if each.first <= step <= each.last), None)
 
     @cached_property
     def states(self) -> tuple[str, ...]:
@@ -305,7 +322,8 @@ class Plan(Record, display.Displayed):
         if unknown.difference(bundle.class_name for bundle in self.robots):
             what = "the plan names the moves of swarms, but not the sub-swarms they make"
             raise PlanError([Finding(what, "fill them in with certify(mission, plan)")])
-        return (*of_bundles(self.robots), *of_groups(self.groups))
+        structures = of_structures(self.structures)
+        return (*of_bundles(self.robots), *structures, *of_groups(self.groups))
 
     def state_at(self, step: int) -> dict[str, str | None]:
         """The state of every agent at `step` by its id; None for agents that are travelling.
@@ -426,6 +444,8 @@ class Plan(Record, display.Displayed):
         large = {
             "moves": lambda: json_lines(moves, "{}"),
             "groups": lambda: json_lines(map(as_json, self.groups)),
+            "structures": lambda: json_lines(map(as_json, self.structures)),
+            "rebuilt": lambda: json_lines(map(as_json, self.rebuilt)),
             "executions": lambda: json_lines(map(as_json, self.executions)),
             "cargo": lambda: json_lines(map(as_json, self.cargo)),
             "stocks": lambda: json_lines(map(as_json, self.stocks)),

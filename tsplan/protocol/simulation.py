@@ -19,9 +19,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.plan_check import check
-from tsplan.checking.traffic import ClassTraffic, Traffic, read_traffic
+from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import Finding, PlanError
 from tsplan.logic import capabilities, holds
 from tsplan.parameters import refuse_options

@@ -11,13 +11,22 @@ import numpy as np
 from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.policy_reading import policies_of
-from tsplan.encode.read_back import carried_at, executions_of, listed, moves_of, node_names
+from tsplan.encode.read_back import (
+    carried_at,
+    executions_of,
+    listed,
+    modules_at,
+    moves_of,
+    node_names,
+)
 from tsplan.mission import Agent
 from tsplan.plans.agent_plans import AgentPlan, joined
 from tsplan.plans.decomposition import decompose, paths_of
 from tsplan.plans.loading import loading
 from tsplan.plans.moves import Move
 from tsplan.plans.policies import Policy
+from tsplan.plans.structure_paths import module_plan, structures_of
+from tsplan.plans.structures import Rebuilt, Structure, module_paths
 from tsplan.plans.supplies import Cargo, ExecutedTask
 
 MOST_AGENTS = 1000
@@ -30,6 +39,8 @@ class Ways(TypedDict, total=False):
     agents: tuple[AgentPlan, ...]
     moves: dict[str, tuple[Move, ...]]
     executions: tuple[ExecutedTask, ...]
+    structures: tuple[Structure, ...]
+    rebuilt: tuple[Rebuilt, ...]
     cargo: tuple[Cargo, ...]
     policies: tuple[Policy, ...]
     delay: int | None
@@ -80,6 +91,8 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
     agents: dict[int, AgentPlan] = {}
     moves: dict[str, tuple[Move, ...]] = {}
     for item, entered in moves_of(point):
+        if item.shape is not None:
+            continue
         made = listed(setting, item, entered)
         if item.bounds is not None:
             moves[mission.team[item.groups[0]].class_name] = made
@@ -94,6 +107,12 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
         else:
             walked = _by_nodes(setting, item, members, made, seed)
         agents.update(zip(numbers, walked, strict=True))
+    structures, rebuilt = structures_of(mission, modules_at(setting, point))
+    modules = module_paths(structures)
+    for number, group in enumerate(mission.team):
+        for member in range(begins[number], begins[number + 1]) if group.configuration else ():
+            agent = mission.agents[member]
+            agents[member] = module_plan(agent, modules[agent.id])
     paths = tuple(agents[number] for number in sorted(agents))
     names = setting.arrays.names
     done = [(step, names[state], task.task) for task, state, step in executions_of(point)]
@@ -101,6 +120,8 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
         moves=moves,
         agents=paths,
         executions=tuple(ExecutedTask(task, state, step) for step, state, task in sorted(done)),
+        structures=structures,
+        rebuilt=rebuilt,
         delay=_promised(setting, point),
-        cargo=loading(mission, paths, carried_at(setting, point)),
+        cargo=loading(mission, (*paths, *structures), carried_at(setting, point)),
     )

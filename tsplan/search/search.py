@@ -341,7 +341,7 @@ class Search:
         model = self._model
         if Switch.CONTINUOUS in self._effort.switches:
             loose = model.integer.copy()
-            loose[self._encoded.repaired] = False
+            loose[self._encoded.loosened] = False
             relaxed = model.with_integrality(loose)
             solution = self._ask(relaxed, clock)
             if solution.values is not None and solution.status is Status.OPTIMAL:

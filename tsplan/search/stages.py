@@ -199,14 +199,14 @@ class Stages(Lexicographic[Point, StageObjective]):
     def _effort(self, encoded: Encoded) -> Effort:
         """How a whole model is searched.
 
-        A tree on the witnesses leaves open where groups go: that is the solver's part.
+        A tree on the witnesses leaves open where groups go and what is rebuilt: that is the
+        solver's part.
         """
         switches = self.effort.switches if self.tight else frozenset()
         if self.setting.mission.expected is not None:  # the others count whole agents
             switches &= set() if len(encoded.flows) else {Switch.DIVE, Switch.TREE}
-        return replace(
-            self.effort, switches=switches - {Switch.TREE} if encoded.swarms else switches
-        )
+        open_ = bool(encoded.swarms) or len(encoded.rebuilt) > 0
+        return replace(self.effort, switches=switches - {Switch.TREE} if open_ else switches)
 
     def _groups(self, encoded: Encoded) -> GroupSearch:
         return GroupSearch(

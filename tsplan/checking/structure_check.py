@@ -1,0 +1,250 @@
+"""What structures of modules do in a plan, and whether they can be: read against the mission alone.
+
+Every module starts in one structure, and is in one at every step unless that is rebuilt. Structures
+come to be at the start or when a reconfiguration is done, and end at the horizon or where one
+begins; they move as agents do, by the durations of their configurations.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+from tsplan.checking.class_traffic import ClassTraffic
+from tsplan.checking.path_segments import Segment, read_path
+from tsplan.exact import exact
+from tsplan.plans.agent_plans import Bundle
+from tsplan.plans.presence import Presence
+from tsplan.plans.structures import ModulePath, Structure, module_paths
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+    from tsplan.mission import Configuration, Group, Mission, Reconfiguration
+    from tsplan.plans.agent_plans import AgentPlan
+    from tsplan.plans.plan import Plan
+    from tsplan.plans.structures import Rebuilt
+
+
+class Rebuild(NamedTuple):
+    """A reconfiguration that a plan makes: of which rule, by how many structures, when."""
+
+    rule: Reconfiguration
+    parts: int
+    begun: int
+    done: int
+
+
+@dataclass
+class _Reading:
+    """The structures of a plan while they are read."""
+
+    mission: Mission
+    plan: Plan
+    problems: list[str] = field(default_factory=list)
+    segments: dict[str, tuple[Segment, ...]] = field(default_factory=dict)
+    rebuilds: list[Rebuild] = field(default_factory=list)
+
+
+def read_structures(
+    mission: Mission, plan: Plan
+) -> tuple[tuple[ClassTraffic, ...], tuple[Rebuild, ...], list[str]]:
+    """What the structures of a plan do, what is rebuilt, and everything that cannot be."""
+    if not any(group.configuration for group in mission.team):
+        wrong = ["the plan has structures, and the mission has no modules"]
+        return (), (), wrong if plan.structures or plan.rebuilt else []
+    reading = _Reading(mission, plan)
+    ids = Counter(each.id for each in plan.structures)
+    reading.problems += [f"structure {name} is there twice" for name, n in ids.items() if n > 1]
+    if not reading.problems:
+        _read_bodies(reading)
+    if not reading.problems:
+        _read_births(reading)
+    if not reading.problems:
+        reading.problems += _astray(plan.agents, module_paths(plan.structures), mission)
+    if reading.problems:
+        return (), (), reading.problems
+    return tuple(_traffic(reading)), tuple(reading.rebuilds), []
+
+
+def _read_bodies(reading: _Reading) -> None:
+    """What each structure is made of, and its way over the map."""
+    groups = _groups(reading.mission)
+    for each in reading.plan.structures:
+        problems = list(_unfit(each, reading.mission, groups))
+        if not problems:
+            problems += _read_way(each, reading)
+        reading.problems += [f"structure {each.id} {problem}" for problem in problems]
+
+
+def _groups(mission: Mission) -> dict[str, Group]:
+    """The group of every module, by its id."""
+    members = iter(mission.agents)
+    return {next(members).id: group for group in mission.team for _ in range(group.count)}
+
+
+def _unfit(each: Structure, mission: Mission, groups: Mapping[str, Group]) -> Iterator[str]:
+    """Whether a structure can be of its configuration and its modules."""
+    shape = mission.modular.of.get(each.configuration)
+    if shape is None:
+        yield f"is a '{each.configuration}', which the mission does not know"
+        return
+    if each.id in groups:
+        yield "is called as a module is"
+    strangers = [m for m in each.modules if m not in groups or not groups[m].configuration]
+    if strangers:
+        yield f"is made of {strangers[0]}, which is no module of the mission"
+        return
+    if len(set(each.modules)) != shape.modules or len(each.modules) != shape.modules:
+        yield f"is a {shape.name} of {len(set(each.modules))} modules instead of {shape.modules}"
+    kinds = {(groups[m].class_name, groups[m].capabilities) for m in each.modules}
+    able = groups[each.modules[0]].capabilities | shape.capabilities
+    if len(kinds) > 1:
+        yield "is made of modules of different classes or capabilities"
+    elif each.class_name != groups[each.modules[0]].class_name:
+        yield f"is of class {each.class_name}, and its modules are not"
+    elif each.capabilities != able:
+        yield "has other capabilities in the mission"
+    if each.first == 0:
+        yield from _misbegun(each, mission, groups)
+
+
+def _misbegun(each: Structure, mission: Mission, groups: Mapping[str, Group]) -> Iterator[str]:
+    """Whether a structure is there at the start."""
+    begins = {agent.id: agent.start for agent in mission.agents}
+    where = each.stays[0][2]
+    for module in each.modules:
+        if groups[module].configuration != each.configuration:
+            yield f"is there at the start, where {module} is in a {groups[module].configuration}"
+        elif begins[module] != where:
+            yield f"starts at {where}, and {module} at {begins[module]}"
+
+
+def _read_way(each: Structure, reading: _Reading) -> list[str]:
+    """The way of a structure over the map; what is wrong with it."""
+    horizon, shape = reading.plan.horizon, reading.mission.modular.of[each.configuration]
+    if not each.first <= each.last <= horizon:
+        return [f"is there from step {each.first} to {each.last} of {horizon}"]
+    ended = each.stays[-1][1]
+    if ended != each.last and (each.last < horizon or each.heading is None):
+        return [f"is last seen at step {ended}, and it is there until {each.last}"]
+    bundle = Bundle(each.class_name, each.capabilities, each.stays, each.heading, (0,))
+    path = read_path(
+        reading.mission.system,
+        bundle,
+        each.last,
+        each.first,
+        lambda edge: shape.steps(edge, each.class_name),
+    )
+    reading.segments[each.id] = path.segments
+    return list(path.problems)
+
+
+def _read_births(reading: _Reading) -> None:
+    """Where structures come from and what becomes of them."""
+    plan, problems = reading.plan, reading.problems
+    bodies = {each.id: each for each in plan.structures}
+    used = Counter(name for each in plan.rebuilt for name in each.parts)
+    made = Counter(name for each in plan.rebuilt for name in each.made)
+    for each in plan.rebuilt:
+        problems += (
+            f"what is rebuilt at {each.state} at step {each.step} {problem}"
+            for problem in _misbuilt(each, bodies, reading)
+        )
+    for name, body in bodies.items():
+        if made[name] != (body.first > 0):
+            problems.append(f"structure {name} is made {made[name]} times from others")
+        open_ended = body.last == plan.horizon
+        if used[name] > 1 or not (used[name] or open_ended):
+            problems.append(f"structure {name} is rebuilt {used[name]} times after {body.last}")
+        if used[name] and body.heading is not None:
+            problems.append(f"structure {name} is rebuilt, and heads for {body.heading}")
+    begun = Counter(m for body in bodies.values() if not body.first for m in body.modules)
+    for agent in reading.mission.agents:
+        if agent.class_name in _modular(reading.mission) and begun[agent.id] != 1:
+            problems.append(f"module {agent.id} is in {begun[agent.id]} structures at the start")
+
+
+def _modular(mission: Mission) -> set[str]:
+    """The classes whose robots are modules."""
+    return {group.class_name for group in mission.team if group.configuration}
+
+
+def _misbuilt(each: Rebuilt, bodies: Mapping[str, Structure], reading: _Reading) -> Iterator[str]:
+    """Whether structures may be rebuilt as they are."""
+    rules, horizon = reading.mission.modular.reconfigurations, reading.plan.horizon
+    if each.rule >= len(rules):
+        yield f"follows reconfiguration {each.rule}, and the mission has {len(rules)}"
+        return
+    unknown = [name for name in (*each.parts, *each.made) if name not in bodies]
+    if unknown:
+        yield f"is of structure {unknown[0]}, which is not there"
+        return
+    rule = rules[each.rule]
+    system, done = reading.mission.system, each.step + rule.duration
+    labels = () if each.state not in system.states else system.states[each.state].labels
+    if rule.at and not {each.state, *labels} & set(rule.at):
+        yield "is rebuilt where the mission does not allow that"
+    if each.step >= horizon:
+        yield f"begins at the end of the plan, {horizon}"
+    parts, made = ([bodies[name] for name in names] for names in (each.parts, each.made))
+    if _shapes(parts) != Counter(dict(rule.parts)):
+        yield "goes in as other structures than the mission says"
+    if _shapes(made) != (Counter(dict(rule.made)) if done <= horizon else Counter()):
+        yield "comes out as other structures than the mission says"
+    if any(
+        part.stays[-1][1:] != (each.step, each.state) or part.last != each.step for part in parts
+    ):
+        yield "has parts that are not there then"
+    if any(new.first != done or new.stays[0][2] != each.state for new in made):
+        yield f"is not there at step {done}, when that is done"
+    if made and Counter(m for part in parts for m in part.modules) != Counter(
+        m for new in made for m in new.modules
+    ):
+        yield "has other modules afterwards"
+    reading.rebuilds.append(Rebuild(rule, len(parts), each.step, done))
+
+
+def _shapes(structures: Sequence[Structure]) -> Counter[str]:
+    return Counter(each.configuration for each in structures)
+
+
+def _astray(
+    agents: Sequence[AgentPlan], paths: Mapping[str, ModulePath], mission: Mission
+) -> Iterator[str]:
+    """Modules whose own paths are not those of the structures that they are part of."""
+    modular = _modular(mission)
+    for agent in agents:
+        if agent.class_name in modular:
+            path = paths.get(agent.id)
+            if path is None or (path.stays, path.heading) != (agent.stays, agent.heading):
+                yield f"agent {agent.id} is elsewhere than the structures that it is part of"
+
+
+def _traffic(reading: _Reading) -> Iterator[ClassTraffic]:
+    """What the structures of each configuration and class do."""
+    bodies: dict[tuple[str, str], list[Structure]] = defaultdict(list)
+    for each in reading.plan.structures:
+        bodies[each.class_name, each.configuration].append(each)
+    rebuilt = {name for each in reading.plan.rebuilt for name in (*each.parts, *each.made)}
+    moved = {
+        module
+        for each in reading.plan.structures
+        for module in each.modules
+        if each.id in rebuilt or any(not s.edge.is_wait for s in reading.segments[each.id])
+    }
+    for (class_name, name), mine in bodies.items():
+        shape: Configuration = reading.mission.modular.of[name]
+        starting = {module for each in mine if not each.first for module in each.modules}
+        yield ClassTraffic(
+            class_name,
+            tuple(segment for each in mine for segment in reading.segments[each.id]),
+            tuple(
+                Presence(state, first, last, 1, each.capabilities)
+                for each in mine
+                for first, last, state in each.stays
+            ),
+            len(moved & starting),
+            factor=exact(shape.cost),
+        )
