@@ -23,7 +23,7 @@ from tsplan.plans.summary import names, objective_line, outcome
 ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENTS = ROOT / "environments"
 DOCS = ROOT / "docs"
-FLOW = "_flow"
+FLOW, STOCKS = "_flow", "_stocks"
 DPI = 90
 
 INTRODUCTION = """# Gallery
@@ -31,7 +31,7 @@ INTRODUCTION = """# Gallery
 Every mission of [`environments/`](../environments), planned and drawn by `python
 scripts/gallery.py`. Each picture has the paths on the map, who is where when, and each count that
 the formula asks for against its need; [pictures.md](pictures.md) says how to read them. Swarms have
-a second one: who splits and merges where.
+a second one: who splits and merges where. So have missions with resources: what lies where.
 """
 
 
@@ -84,7 +84,8 @@ def _kinds(mission: tsplan.Mission, plan: Plan) -> dict[str, str]:
     if not plan.has_paths:
         return {"": "the map, and who starts where"}
     flow = {FLOW: "who splits and merges where"} if mission.swarm is not None else {}
-    return {"": "paths, times and counts", **flow}
+    stocks = {STOCKS: "what lies where"} if mission.resources else {}
+    return {"": "paths, times and counts", **flow, **stocks}
 
 
 def _draw(place: Path, mission: tsplan.Mission, plan: Plan) -> None:
@@ -95,8 +96,8 @@ def _draw(place: Path, mission: tsplan.Mission, plan: Plan) -> None:
 
 
 def _figure(mission: tsplan.Mission, plan: Plan, kind: str) -> Any:
-    if kind == FLOW:
-        return plan.plot(mission, view="flow")[0]
+    if kind in (FLOW, STOCKS):
+        return plan.plot(mission, view=kind[1:])[0]
     return draw_page(plan, mission)[0] if plan.has_paths else mission.plot()[0]
 
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
-from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.command_line import printed
+from tests.legible import assert_legible
 from tests.seeds import sampled
 from tests.walks import walking, wandering
 from tsplan import Mission, load_map, load_mission
@@ -36,10 +36,8 @@ from tsplan.ts.builders import grid
 
 matplotlib = pytest.importorskip("matplotlib")
 colors = pytest.importorskip("matplotlib.colors")
-from matplotlib.axes import Axes  # noqa: E402  (after it is known to be there)
-from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
+from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402  (after it is known to be there)
 from matplotlib.figure import Figure  # noqa: E402
-from matplotlib.text import Text  # noqa: E402
 
 ENVIRONMENTS = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(path.stem for path in ENVIRONMENTS.glob("*_*.yaml"))
@@ -105,39 +103,6 @@ def face(artist):
     return colors.to_hex(np.ravel(artist.get_facecolor())[:3])
 
 
-def boxes(figure):
-    """The extents of all texts that are to be seen."""
-    renderer = FigureCanvasAgg(figure).get_renderer()
-    figure.draw_without_rendering()
-    hidden = set()
-    for ax in figure.findobj(Axes):
-        for axis in (ax.xaxis, ax.yaxis):
-            low, high = sorted(axis.get_view_interval())
-            ticks = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)
-            hidden |= {id(label) for place, label in ticks if not low <= place <= high}
-            hidden.add(id(axis.offsetText))
-            hidden |= {id(label) for label in axis.get_ticklabels() if not ax.axison}
-    return [
-        (text.get_text(), text.get_window_extent(renderer))
-        for text in figure.findobj(Text)
-        if text.get_visible() and text.get_text().strip() and id(text) not in hidden
-    ]
-
-
-def assert_legible(figure):
-    """No text hides another one, and none is cut off."""
-    found = boxes(figure)
-    width, height = figure.get_size_inches() * figure.dpi
-    for words, box in found:
-        assert box.x0 >= -1, (words, "is cut off")
-        assert box.y0 >= -1, (words, "is cut off")
-        assert box.x1 <= width + 1, (words, "is cut off")
-        assert box.y1 <= height + 1, (words, "is cut off")
-    for (one, a), (other, b) in combinations(found, 2):
-        apart = a.x0 >= b.x1 - 1 or b.x0 >= a.x1 - 1 or a.y0 >= b.y1 - 1 or b.y0 >= a.y1 - 1
-        assert apart, (one, other, "overlap")
-
-
 def test_the_map_shows_states_edges_and_durations():
     figure, ax = YARD.plot()
     assert ax.figure is figure
@@ -165,7 +130,7 @@ def test_given_axes_are_drawn_on():
     ax = figure.add_subplot()
     assert YARD.plot(ax) == (figure, ax)
     mission, plan = yard()
-    for view in VIEWS.keys() - {"policy"}:  # a plan of paths has none
+    for view in VIEWS.keys() - {"policy", "stocks"}:  # it has neither
         ax = Figure(figsize=(8, 6)).add_subplot()
         assert plan.plot(mission, view=view, ax=ax) == (ax.figure, ax)
 
@@ -458,7 +423,7 @@ def test_strange_names_are_shown_as_they_are():
     assert texts(ax, legend=True)[0] == "3 _class\\$"
     written = [text.replace("\\$", "$") for text in texts(ax)]
     assert set(names) <= set(written)
-    for view in VIEWS.keys() - {"policy"}:  # a plan of paths has none
+    for view in VIEWS.keys() - {"policy", "stocks"}:  # it has neither
         figure, _ = plan.plot(mission, view=view)
         figure.draw_without_rendering()
 

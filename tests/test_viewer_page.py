@@ -9,6 +9,7 @@ from itertools import pairwise
 import pytest
 
 from tests.browser import Browser, browser_path
+from tests.deliveries import building
 from tests.viewing import HOSTILE, mission_on, plan_of, system
 from tests.walks import walking
 from tsplan.ts import Edge, State, TransitionSystem
@@ -384,4 +385,30 @@ def test_the_smallest_plan_there_can_be(browser, tmp_path):
         browser.press(key)
     assert now(browser) == 0
     assert text(browser, "#chosen h3") == "a-1"
+    assert browser.errors() == []
+
+
+def test_loads_and_stocks_are_told(browser, tmp_path):
+    path = tmp_path / "building.html"
+    path.write_text(page(*building()), encoding="utf-8")
+    browser.open(path)
+    browser.run(
+        "(bar => { bar.value = '1.5'; bar.dispatchEvent(new Event('input')); })"
+        "(document.getElementById('scrub'))"
+    )
+    browser.frames(2)
+    assert "yard \u2192 wall with 2 brick, 1 drill" in text(browser, "#agents")
+    told = {}
+    for state in ("yard", "wall", "garden"):
+        x, y = browser.run(f"tsplanViewer.stateAt({state!r})")
+        browser.run(
+            f"(([x, y]) => {{ const map = document.getElementById('map-canvas'); "
+            "const { left, top } = map.getBoundingClientRect(); map.dispatchEvent("
+            "new PointerEvent('pointermove', { clientX: left + x, clientY: top + y })); })"
+            f"([{x}, {y + 12}])"
+        )
+        told[state] = text(browser, "#tip").split("\n")
+    assert told["wall"] == ["wall", "wall", "1 brick"]
+    assert told["garden"] == ["garden", "garden"]
+    assert told["yard"] == ["yard", "yard", "2 brick", "1 water"]
     assert browser.errors() == []

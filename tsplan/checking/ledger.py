@@ -33,8 +33,9 @@ _NOTHING = Fraction(0)
 
 
 class Haul(NamedTuple):
-    """An amount that leaves a state at step `left` and is at another at step `come`."""
+    """An amount that leaves a state with an agent at step `left` and is at another at `come`."""
 
+    agent: str
     resource: str
     source: str
     target: str
@@ -101,6 +102,12 @@ class Ledger:
         """What lies of a resource at a state at a step."""
         amounts = self.lying.get((resource, state))
         return _NOTHING if amounts is None else amounts[step]
+
+    def staying(self, resource: str, state: str, step: int) -> Fraction:
+        """What stays there after a step, once everything is used up and carried away then."""
+        _, left, spent = self._moved
+        node = (resource, state, step)
+        return self.at(*node) - left.get(node, _NOTHING) - spent.get(node, _NOTHING)
 
     @cached_property
     def histories(self) -> tuple[StockHistory, ...]:
@@ -205,7 +212,7 @@ def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
         else:
             amount = exact(item.amount)
             loaded[item.agent, item.step][item.resource] = amount
-            hauls.append(Haul(item.resource, *ride, amount))
+            hauls.append(Haul(item.agent, item.resource, *ride, amount))
     return hauls, [*problems, *_overloaded(mission, plan, loaded)]
 
 

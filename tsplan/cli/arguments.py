@@ -179,6 +179,7 @@ def _show(commands: Commands) -> None:
             "paths",
             "timeline",
             "requirements",
+            "stocks",
             "flow",
             "policy",
             "map",

@@ -57,11 +57,12 @@ class DrawnMap:
         look = {"ha": "center", "va": "center", "fontsize": size, **usual, **style}
         self.ax.text(*self.frame.back(centre), canvas.plain(text), **look)
 
-    def write_free(self, text: str, centres: Iterable[complex], size: float, **style: Any) -> None:
+    def write_free(self, text: str, centres: Iterable[complex], size: float, **style: Any) -> bool:
         """Write a text around the first of several places where it hides nothing, if any."""
         centre = self.placement.place(text, size, centres)
         if centre is not None:
             self.write(text, centre, size, **style)
+        return centre is not None
 
 
 def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:

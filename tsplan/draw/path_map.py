@@ -2,7 +2,7 @@
 
 Every edge has a lane for each path and direction, on the right-hand side of the way, so that no
 path hides another one. More paths than can be told apart become one strand for each class, as wide
-as many agents use the edge.
+as many agents use the edge. What agents carry along an edge stands beside its lanes.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from types import MappingProxyType
 from typing import Any
 
 from tsplan.checking.fitting import refuse_misfit
@@ -25,6 +26,7 @@ from tsplan.draw.text_placement import Box, direction
 from tsplan.draw.tracks import Track, agents_of, by_class, tracks
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+from tsplan.plans.supplies import AgentLoads, Loads, load_words, loads_of, together
 from tsplan.words import visible
 
 MOST_PATHS = len(HUES) * len(STROKES) - 8
@@ -40,18 +42,25 @@ _THIN = 0.6  # of a lane's width where states are close together
 _HEAD = 4.5  # points of an arrow head, more on broad lanes
 _TEXT = TINY + 0.8
 
+_APART = (1.0, 5.0)  # points from the lanes to a mark
+_FURTHER = (*_APART, 8.5, 16.0)  # and to a load, which may stand below the marks
+_MOST_LOADS = 3  # that are written at one passage
+
 Pair = tuple[str, str]
+_EMPTY: AgentLoads = MappingProxyType({})
 
 
 @dataclass
 class Passage:
     """Uses of an edge by one strand: how many agents in all, and when they arrive.
 
-    `arrivals` have a step up to the horizon each, and whether the agents rest there then.
+    `arrivals` have a step up to the horizon each, and whether the agents rest there then; `loads`
+    what they carry along the edge, by the step of arrival.
     """
 
     agents: int = 0
     arrivals: list[tuple[int, bool]] = field(default_factory=list)
+    loads: dict[int, Loads] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -73,7 +82,7 @@ def draw_paths(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     refuse_misfit(plan, mission)
     palette = Palette.of(mission)
     moving = tracks(plan, mission)
-    strands, joined = strands_of(moving, plan.horizon, palette)
+    strands, joined = strands_of(moving, plan.horizon, palette, loads_of(plan.cargo))
     drawn = base(palette, ax, _entries(moving, strands, joined=joined))
     draw_starts(drawn, mission, palette.classes if joined else {})
     lanes = lanes_of(strands)
@@ -81,21 +90,23 @@ def draw_paths(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
         _draw_strand(drawn, strand, [_shift(lanes[pair], number) for pair in strand.passages])
     if not joined and not drawn.dense:
         _mark_arrivals(drawn, strands, lanes)
+    if not drawn.dense:
+        _mark_loads(drawn, strands, lanes)
     return finish(drawn, f"{plan.mission.name or mission.name}: paths", lanes)
 
 
 def strands_of(
-    found: Sequence[Track], horizon: int, palette: Palette
+    found: Sequence[Track], horizon: int, palette: Palette, loads: AgentLoads = _EMPTY
 ) -> tuple[tuple[Strand, ...], bool]:
     """The lines to draw, one for each track that leaves its start or, joined, for each class.
 
-    The second value says whether they are joined.
+    The second value says whether they are joined. `loads` are what agents carry (`loads_of`).
     """
     moving = [track for track in found if track.moves]
     if len(moving) <= MOST_PATHS:
         given = paints(str(number) for number in range(len(moving)))
         return tuple(
-            Strand(track.short, paint, track.count, _passages([track], horizon))
+            Strand(track.short, paint, track.count, _passages([track], horizon, loads))
             for track, paint in zip(moving, given.values(), strict=True)
         ), False
     strands = []
@@ -104,7 +115,8 @@ def strands_of(
         agents = agents_of(group if apart else (one for one in found if one.class_name == name))
         words = f"{agents:,} {name} {'on' if apart else 'in'} {len(group):,} "
         words += "paths" if apart else "groups"
-        strands.append(Strand(words, palette.classes[name], agents, _passages(group, horizon)))
+        passages = _passages(group, horizon, loads)
+        strands.append(Strand(words, palette.classes[name], agents, passages))
     return tuple(strands), True
 
 
@@ -117,7 +129,7 @@ def lanes_of(strands: Sequence[Strand]) -> Mapping[Pair, tuple[int, ...]]:
     return {pair: tuple(numbers) for pair, numbers in lanes.items()}
 
 
-def _passages(group: Sequence[Track], horizon: int) -> Mapping[Pair, Passage]:
+def _passages(group: Sequence[Track], horizon: int, loads: AgentLoads) -> Mapping[Pair, Passage]:
     found: dict[Pair, Passage] = {}
     for track in group:
         last = track.stays(horizon)[-1].first
@@ -126,6 +138,10 @@ def _passages(group: Sequence[Track], horizon: int) -> Mapping[Pair, Passage]:
                 continue
             passage = found.setdefault((here.state, there.state), Passage())
             passage.agents += track.count
+            own = track.load(here.last, loads)
+            if own:
+                before = passage.loads.get(there.first, {})
+                passage.loads[there.first] = together([before, own])
             if there.first <= horizon:
                 rests = there.last > there.first or there.first == last
                 passage.arrivals.append((there.first, rests))
@@ -190,8 +206,7 @@ def _mark_arrivals(
     """The steps of arrival beside the lanes, where there is room."""
     every = sum(len(strand.passages) for strand in strands) <= _MOST_MARKS
     for strand in strands:
-        light = lightness(strand.paint.colour) >= _LIGHT
-        colour = mixed(strand.paint.colour, "#000000", 0.55 if light else 0.35)
+        colour = _ink(strand)
         for pair, passage in strand.passages.items():
             steps = sorted({step for step, rests in passage.arrivals if rests or every})
             if not steps:
@@ -201,14 +216,56 @@ def _mark_arrivals(
             drawn.write_free(text, centres, _TEXT, color=colour, zorder=5, gid="arrival")
 
 
-def _beside(drawn: DrawnMap, pair: Pair, outermost: float, text: str) -> Iterator[complex]:
+def _ink(strand: Strand) -> str:
+    """The colour of what is written beside a strand: its own, dark enough to be read."""
+    light = lightness(strand.paint.colour) >= _LIGHT
+    return mixed(strand.paint.colour, "#000000", 0.55 if light else 0.35)
+
+
+def _mark_loads(
+    drawn: DrawnMap, strands: Sequence[Strand], lanes: Mapping[Pair, tuple[int, ...]]
+) -> None:
+    """What is carried along each way, beside its lanes where there is room, in one line or more."""
+    for strand in strands:
+        style: dict[str, Any] = {"color": _ink(strand), "zorder": 5, "gid": "load"}
+        for pair, passage in strand.passages.items():
+            outermost = _shift(lanes[pair], lanes[pair][-1])
+            for text in load_texts(passage):
+                centres = _beside(drawn, pair, outermost, text, _FURTHER)
+                if drawn.write_free(text, centres, _TEXT, **style):
+                    break
+
+
+def load_texts(passage: Passage) -> tuple[str, ...]:
+    r"""What is carried along a way, in one line and in more.
+
+    The steps of arrival are said where it is not always the same.
+
+    >>> load_texts(Passage(1, [(4, True)], {4: {"brick": 2.0, "drill": 1.0}}))
+    ('2 brick, 1 drill', '2 brick\n1 drill')
+    >>> load_texts(Passage(1, [(4, True), (8, True)], {8: {"brick": 2.0}}))
+    ('8: 2 brick',)
+    """
+    every = {load_words(load) for load in passage.loads.values()}
+    steps = {step for step, _ in passage.arrivals}
+    if len(every) == 1 and steps <= set(passage.loads):
+        (load, *_) = passage.loads.values()
+        return tuple(dict.fromkeys((load_words(load), load_words(load, "\n"))))
+    said = [f"{step}: {load_words(load)}" for step, load in sorted(passage.loads.items())]
+    said = said if len(said) <= _MOST_LOADS else [*said[:_MOST_LOADS], "\u2026"]
+    return tuple(dict.fromkeys(("; ".join(said), "\n".join(said)))) if said else ()
+
+
+def _beside(
+    drawn: DrawnMap, pair: Pair, outermost: float, text: str, apart: Sequence[float] = _APART
+) -> Iterator[complex]:
     """Places for a mark: outside all lanes of the way, nearest to the arrival first."""
     start, goal = map(drawn.frame.at, drawn.line(*pair))
     along = direction(goal - start)
     width, height = canvas.text_size(text, _TEXT)
     # half of the text, seen across the way
     reach = (width * abs(along.imag) + height * abs(along.real)) / 2
-    for more in (1.0, 5.0):
+    for more in apart:
         begin, end = _ends(drawn, pair, outermost + reach + more)
         yield from (begin + (end - begin) * share for share in (0.8, 0.65, 0.5, 0.35, 0.2))
 
@@ -227,4 +284,6 @@ def _entries(moving: Sequence[Track], strands: Sequence[Strand], *, joined: bool
     if strands:
         what = "the more agents, the wider" if joined else "numbers: steps of arrival"
         shown.append(Entry.nothing(what))
+    if any(passage.loads for strand in strands for passage in strand.passages.values()):
+        shown.append(Entry.nothing("numbers with names: what is carried"))
     return shown

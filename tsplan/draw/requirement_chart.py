@@ -15,9 +15,8 @@ import numpy as np
 
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
-from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import BAD, GOOD
-from tsplan.draw.step_axes import CHOSEN, MISSED, NEED, WINDOW, name_rows, step_axes
+from tsplan.draw.step_axes import CHOSEN, MISSED, NEED, WINDOW, name_rows, shade_steps, step_axes
 from tsplan.explanation.why.requirements import Requirement
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
@@ -79,10 +78,10 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
         return base - _TALL * count / most
 
     for first, last in row.windows:
-        _shade(ax, place, (first, last), WINDOW, "window")
+        shade_steps(ax, place, (first, last), WINDOW, "window")
     paint, meaning = (MISSED, "missed") if _fails(row) else (CHOSEN, "chosen")
     for first, last in row.witness_steps:
-        _shade(ax, place, (first, last), paint, meaning)
+        shade_steps(ax, place, (first, last), paint, meaning)
         ax.plot([first], [place + 0.1], gid="witness", **_WITNESS)
     ax.axhline(base, color=LINE, linewidth=0.5)
     steps = np.arange(len(row.counts) + 1) - 0.5
@@ -95,13 +94,6 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
 
 def _fails(row: Requirement) -> bool:
     return row.slack is not None and row.slack < 0
-
-
-def _shade(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
-    first, last = steps
-    corner, look = (first - 0.5, place + 0.04), {"facecolor": colour, "linewidth": 0, "zorder": 0.5}
-    shade = library("patches").Rectangle(corner, last - first + 1, 0.9, gid=meaning, **look)
-    ax.add_patch(shade)
 
 
 def _write_spare(ax: Any, y: float, row: Requirement) -> None:

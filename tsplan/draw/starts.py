@@ -1,17 +1,23 @@
-"""Where the team starts: a badge with a number for each class at each of its start states."""
+"""Where the team starts: a badge with a number for each class at each of its start states.
+
+What lies at a state at first is written there, too.
+"""
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
+from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, SMALL, WHITE, Entry, Picture
 from tsplan.draw.map import DrawnMap, base, finish
 from tsplan.draw.palette import Paint, Palette, classes_of
 from tsplan.draw.text_placement import Box
 from tsplan.mission import Mission
+from tsplan.plans.supplies import Loads, load_words
+from tsplan.words import visible
 
 _BADGE = 11.0  # points across a badge
 _APART = _BADGE + 2  # points from badge to badge
@@ -23,8 +29,9 @@ _UNITS = ("", "k", "M", "G", "T", "P", "E")
 def draw_mission(mission: Mission, ax: Any = None) -> Picture:
     """The map with how many robots of each class start where."""
     palette = Palette.of(mission)
-    drawn = base(palette, ax, class_entries(mission, palette))
+    drawn = base(palette, ax, [*class_entries(mission, palette), *_resource_entries(mission)])
     draw_starts(drawn, mission, palette.classes)
+    _write_first_stocks(drawn, mission)
     return finish(drawn, mission.name or mission.system.name)
 
 
@@ -37,6 +44,46 @@ def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
         colour = palette.classes[name].colour
         shown.append(Entry.line(f"{group.agents:,} {name}{able}", color=colour, **badge))
     return shown
+
+
+def _resource_entries(mission: Mission) -> list[Entry]:
+    """A legend of the resources: how much there is of each, and whether it is used up."""
+    return [
+        Entry.nothing(
+            load_words({item.name: float(item.total)}) + ("" if item.consumed else " (tool)")
+        )
+        for item in mission.resources
+    ]
+
+
+def _write_first_stocks(drawn: DrawnMap, mission: Mission) -> None:
+    """What lies where at step 0, at all states or, where one has no room for it, at none."""
+    there: dict[str, Loads] = {}
+    for resource in mission.resources:
+        for state, amount in resource.at:
+            if amount:
+                there.setdefault(state, {})[resource.name] = amount
+    words = {state: visible(load_words(load, "\n"), "\n") for state, load in there.items()}
+    placed = {
+        state: drawn.placement.place(text, SMALL, _around(drawn, state, text))
+        for state, text in ({} if drawn.dense else words).items()
+    }
+    for state, centre in {} if None in placed.values() else placed.items():
+        ground = drawn.palette.states[state].pale if drawn.system.states[state].shape else WHITE
+        style = {"bbox": canvas.halo(ground), "gid": "first stock"}
+        drawn.write(words[state], centre or 0, SMALL, **style)
+
+
+def _around(drawn: DrawnMap, state: str, text: str) -> Iterator[complex]:
+    """Places for a text: below a state's name and badges, above, right, left."""
+    label = drawn.labels[state]
+    wide, tall = canvas.text_size(text, SMALL)
+    x, y = drawn.frame.at(drawn.where[state]).real, label.centre.imag
+    for more in (1.0, _BADGE + 3):
+        yield complex(x, label.box.bottom - tall / 2 - more)
+        yield complex(x, label.box.top + tall / 2 + more)
+    yield complex(label.box.right + wide / 2 + 3, y)
+    yield complex(label.box.left - wide / 2 - 3, y)
 
 
 def draw_starts(drawn: DrawnMap, mission: Mission, paints: Mapping[str, Paint]) -> None:

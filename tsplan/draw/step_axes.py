@@ -57,6 +57,15 @@ def name_rows(
     canvas.set_title(ax, title)
 
 
+def shade_steps(ax: Any, place: int, steps: tuple[int, int], colour: str, meaning: str) -> None:
+    """A band behind a row between `place` (above) and `place + 1` over some steps."""
+    first, last = steps
+    corner, look = (first - HALF, place + 0.04), {"facecolor": colour, "linewidth": 0}
+    across = last - first + 1
+    shade = library("patches").Rectangle(corner, across, 0.9, gid=meaning, zorder=0.5, **look)
+    ax.add_patch(shade)
+
+
 def names_width(words: Sequence[str], longest: int) -> float:
     """Inches that the names of rows take beside the axes, shortened to a number of characters."""
     return (

@@ -19,6 +19,7 @@ from tsplan.mission import Mission
 from tsplan.plans.agent_plans import Bundle
 from tsplan.plans.plan import Plan
 from tsplan.plans.summary import names
+from tsplan.plans.supplies import AgentLoads, Loads, together
 from tsplan.ts import TransitionSystem
 
 MoveTuple: TypeAlias = tuple[int, str, str, int]
@@ -70,6 +71,10 @@ class Track:
     def moves(self) -> bool:
         """Whether they are ever at another state, or head for one."""
         return len({stop.state for stop in self.stops}) > 1
+
+    def load(self, step: int, loads: AgentLoads) -> Loads:
+        """What all of them carry together along the edge that they enter at a step."""
+        return together(loads[agent, step] for agent in self.ids if (agent, step) in loads)
 
     def present(self, time: float) -> bool:
         """Whether they are there: agents always are, parts of a swarm while they last."""

@@ -15,11 +15,14 @@ from tsplan.draw.requirement_chart import draw_requirements
 from tsplan.draw.requirement_chart import height_of as chart_height
 from tsplan.draw.starts import draw_mission
 from tsplan.draw.step_axes import REST
+from tsplan.draw.stock_chart import draw_stocks
+from tsplan.draw.stock_chart import height_of as stocks_height
 from tsplan.draw.swarm_bands import FLOW_HEIGHT, draw_swarm
 from tsplan.draw.timeline import draw_timeline
 from tsplan.draw.timeline import height_of as timeline_height
 from tsplan.draw.tracks import tracks
 from tsplan.errors import Finding, InputError, nearest
+from tsplan.explanation.why.stock_lines import stock_lines
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 
@@ -32,6 +35,7 @@ VIEWS: Mapping[str, View] = MappingProxyType(
         "paths": draw_paths,
         "timeline": draw_timeline,
         "requirements": draw_requirements,
+        "stocks": draw_stocks,
         "flow": draw_swarm,
         "policy": draw_policy,
         "map": lambda _plan, mission, ax: draw_mission(mission, ax),
@@ -72,7 +76,7 @@ def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Pictur
 
 
 def draw_page(plan: Plan, mission: Mission, figure: Any = None) -> tuple[Any, tuple[Any, ...]]:
-    """Paths, timeline and requirements on one page: the figure and its axes.
+    """Paths, timeline, requirements and stocks on one page: the figure and its axes.
 
     Swarms without paths of single agents have their flow, and the map where there are no paths.
     A given `figure` is drawn on as it is; it should be about as large as `page_size`.
@@ -101,4 +105,6 @@ def _heights(plan: Plan, mission: Mission) -> dict[str, float]:
     grouped = any(not track.ids for track in moving)
     flowing = {"flow": FLOW_HEIGHT + REST} if grouped else {}
     charted = {"requirements": chart_height(plan.requirements(mission)) + REST}
-    return mapped | timed | flowing | charted
+    lying = [line for line in stock_lines(plan, mission) if line.moves]
+    stocked = {"stocks": stocks_height(lying) + REST} if lying else {}
+    return mapped | timed | flowing | charted | stocked

@@ -398,10 +398,11 @@ class Plan(Record, display.Displayed):
         """A picture of the plan: its matplotlib figure and axes.
 
         `view` is one of `paths` (the default with a mission; of policies `policy`), `timeline` (the
-        default, and all that there is, without one), `requirements`, `flow` and `map`. Without `ax`
-        there is a figure of its own that pyplot does not know. Raises PlotUnavailableError without
-        matplotlib, InputError for an unknown view, and PlanError for a plan without paths or of
-        another mission.
+        default, and all that there is, without one), `requirements`, `stocks` (of a mission with
+        resources), `flow` and `map`. Without `ax` there is a figure of its own that pyplot does not
+        know. Raises PlotUnavailableError without matplotlib, InputError for an unknown view and one
+        that the mission has nothing for, and PlanError for a plan without paths or of another
+        mission.
         """
         return display.draw_plan(self, mission, view, ax)
 

@@ -9,13 +9,19 @@ import numpy as np
 from pydantic import Field
 
 from tsplan.plans.records import Record, Whole, Word
+from tsplan.words import number
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from tsplan.milp.model import Bools
 
 Amount: TypeAlias = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+Loads: TypeAlias = "dict[str, float]"
+"""Amounts of resources by their names."""
+
+AgentLoads: TypeAlias = "Mapping[tuple[str, int], Loads]"
+"""What each agent carries along the edge that it enters at a step, by its id and the step."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +57,40 @@ class Cargo(Record):
     step: Whole
     resource: Word
     amount: Annotated[float, Field(gt=0, allow_inf_nan=False)]
+
+
+def loads_of(cargo: Iterable[Cargo]) -> AgentLoads:
+    """What each agent carries along each edge that it enters with some load.
+
+    >>> loads_of([Cargo("truck-1", 3, "brick", 2.0)])
+    {('truck-1', 3): {'brick': 2.0}}
+    """
+    found: dict[tuple[str, int], Loads] = {}
+    for item in cargo:
+        found.setdefault((item.agent, item.step), {})[item.resource] = item.amount
+    return found
+
+
+def together(loads: Iterable[Loads]) -> Loads:
+    """The amounts of several loads added up.
+
+    >>> together([{"brick": 2.0}, {"water": 0.5, "brick": 1.0}])
+    {'brick': 3.0, 'water': 0.5}
+    """
+    total: Loads = {}
+    for load in loads:
+        for resource, amount in load.items():
+            total[resource] = total.get(resource, 0.0) + amount
+    return total
+
+
+def load_words(load: Mapping[str, float], between: str = ", ") -> str:
+    """Amounts in words.
+
+    >>> load_words({"brick": 2.0, "water": 0.25})
+    '2 brick, 0.25 water'
+    """
+    return between.join(f"{number(round(amount, 6))} {name}" for name, amount in load.items())
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,11 +11,14 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.layout import links, places
 from tsplan.draw.palette import PLAIN, Paint, Palette, classes_of
 from tsplan.draw.tracks import Track, tracks
+from tsplan.explanation.why.stock_lines import StockLine, stock_lines
 from tsplan.mission import Mission
 from tsplan.plans.plan import ObjectiveValue, Plan
 from tsplan.plans.summary import infinite_word, objective_line, outcome
+from tsplan.plans.supplies import AgentLoads, load_words, loads_of
 from tsplan.ts import State, TransitionSystem
 from tsplan.viewer.formula_rows import Part, formula_parts
+from tsplan.viewer.freight import freights
 from tsplan.viewer.positions import with_slots
 from tsplan.words import number
 
@@ -33,6 +36,7 @@ def page_data(mission: Mission, plan: Plan) -> Json:
     places_of = {state: place for place, state in enumerate(system.states)}
     paints = Palette.of(mission).classes
     kind = {name: place for place, name in enumerate(paints)}
+    loads = loads_of(plan.cargo)
     named = sum(track.count for track in moving) <= MOST_IDS
     endless = infinite_word(plan)
     return {
@@ -62,9 +66,15 @@ def page_data(mission: Mission, plan: Plan) -> Json:
                 "ids": list(track.ids) if named else [],
                 "end": track.end,
                 "stops": _flat(track, places_of),
+                "loads": _carried(track, loads),
             }
             for track in moving
         ],
+        "freights": [
+            [places_of[item.source], places_of[item.target], item.left, item.come, item.words]
+            for item in freights(moving, loads)
+        ],
+        "stocks": [stock_data(line, places_of) for line in stock_lines(plan, mission)],
         "formula": [part_data(part, places_of) for part in formula_parts(mission, plan)],
     }
 
@@ -72,6 +82,26 @@ def page_data(mission: Mission, plan: Plan) -> Json:
 def _flat(track: Track, place: Mapping[str, int]) -> list[int]:
     """All stops in a row, four numbers each."""
     return [n for stop in track.stops for n in (*stop[:2], place[stop.state], stop.slot)]
+
+
+def _carried(track: Track, loads: AgentLoads) -> list[list[Any]]:
+    """What they carry, with the step at which they set out."""
+    ways = ((stop.last, track.load(stop.last, loads)) for stop in track.stops)
+    return [[step, load_words(load)] for step, load in ways if load]
+
+
+def stock_data(line: StockLine, place: Mapping[str, int]) -> Json:
+    """What lies of a resource at a state.
+
+    `amounts` has the steps at which that changes, each with what lies there at it and what stays.
+    """
+    pairs = zip(line.amounts.tolist(), line.staying.tolist(), strict=True)
+    changes, before = [], None
+    for step, (there, stays) in enumerate(pairs):
+        if (there, there) != (before, stays):
+            changes.append([step, *(number(round(amount, 6)) for amount in (there, stays))])
+        before = stays
+    return {"state": place[line.state], "name": line.resource.name, "amounts": changes}
 
 
 def fact_words(item: ObjectiveValue, infinite: str = "unbounded") -> str:

@@ -14,17 +14,22 @@ import numpy as np
 import numpy.typing as npt
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.draw.canvas import POINTS, figure_class
+from tsplan.draw.canvas import POINTS, figure_class, halo, text_size
+from tsplan.draw.edge_layout import Point
 from tsplan.draw.map import DrawnMap, base, finish
 from tsplan.draw.matplotlib_loading import lacking, library
 from tsplan.draw.palette import Palette, classes_of
 from tsplan.draw.tracks import tracks
+from tsplan.explanation.why.stock_lines import stock_lines
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+from tsplan.plans.supplies import load_words, loads_of
 from tsplan.viewer.formula_rows import Part, formula_parts
+from tsplan.viewer.freight import freight_point, freights
 from tsplan.viewer.markers import Ground, Markers, markers
 from tsplan.viewer.positions import slots_within, with_slots
 from tsplan.viewer.status_panel import LegendLine, StatusPanel
+from tsplan.words import visible
 
 Pixels: TypeAlias = npt.NDArray[np.uint8]
 Size: TypeAlias = tuple[int, int]
@@ -35,6 +40,8 @@ MOST_COUNTED = 60
 
 _MARKERS = ("o", "s", "^", "D", "v", "h")
 _SHARE = 0.66  # of the width, for the map
+_SUPPLY, _SUPPLY_LINE = 7.5, 12.5  # points of letters, dots of a line
+_INK = "#1b222c"
 _WIDEST = 60  # dots around a state that single agents may take
 
 
@@ -136,13 +143,17 @@ class Scene(Film):
         self._marks = {name: self._mark(*look) for name, look in self._looks.items()}
         self._counts = self._count_texts() if len(mission.system.states) <= MOST_COUNTED else {}
         self._numbers: list[Any] = []
+        self._stocks = stock_lines(plan, mission)
+        self._freights = freights(self._tracks, loads_of(plan.cargo))
+        self._supplies: list[Any] = []
         self._keep()
 
     def _ground_axes(self) -> Any:
         return self._figure.add_axes((0.0, 0.07, _SHARE, 0.91))
 
     def _moved(self, time: float) -> Iterator[Any]:
-        return self._changed(markers(self._tracks, self.ground, time))
+        yield from self._changed(markers(self._tracks, self.ground, time))
+        yield from self._supply_texts(time)
 
     def _ground(self, mission: Mission, drawn: DrawnMap) -> Ground:
         """The states in dots of the figure, and how large marks may be there."""
@@ -179,7 +190,7 @@ class Scene(Film):
         """How many agents are at each state, below it."""
         below = self.ground.distance + self.ground.radius + 9
         return {
-            name: self._text((x, y - below), 8.5, color="#1b222c", weight="bold")
+            name: self._text((x, y - below), 8.5, color=_INK, weight="bold")
             for name, (x, y) in self.ground.places.items()
         }
 
@@ -196,10 +207,51 @@ class Scene(Film):
             if name in self._counts:
                 self._counts[name].set_text(str(agents))
                 yield self._counts[name]
-        kept = self._numbers  # the texts are kept for the next pictures
-        while len(kept) < len(shown.numbers):
-            kept.append(self._text((0, 0), max(6.0, 1.9 * self.ground.radius), color="white"))
-        for artist, (name, agents, at) in zip(kept, shown.numbers, strict=False):
+        kept = self._kept(self._numbers, len(shown.numbers), 1.9 * self.ground.radius, "white")
+        for artist, (name, agents, at) in zip(kept, shown.numbers, strict=True):
             box = {"boxstyle": "round,pad=0.25", "color": self._looks[name][0], "linewidth": 0}
             artist.set(position=at, text=str(agents), bbox=box)
             yield artist
+
+    def _kept(self, texts: list[Any], number: int, size: float, color: str) -> list[Any]:
+        """So many texts, which are kept for the next pictures."""
+        while len(texts) < number:
+            texts.append(self._text((0, 0), max(6.0, size), color=color))
+        return texts[:number]
+
+    def supplied(self, time: float) -> list[tuple[str, Point]]:
+        """What lies at the states, below how many agents are there, and what is on the way."""
+        on_the_way = (freight for freight in self._freights if freight.share(time))
+        moved = [
+            (freight.words, freight_point(freight, self.ground, time, _extent(freight.words)))
+            for freight in on_the_way
+        ]
+        return [*(self._lying(time) if self._counts else ()), *moved]
+
+    def _supply_texts(self, time: float) -> Iterator[Any]:
+        """The same, to be painted anew."""
+        shown = self.supplied(time)
+        texts = self._kept(self._supplies, len(shown), _SUPPLY, _INK)
+        for artist, (words, at) in zip(texts, shown, strict=True):
+            artist.set(position=at, text=visible(words, "\n"), bbox=halo())
+            yield artist
+
+    def _lying(self, time: float) -> list[tuple[str, Point]]:
+        """What lies at each state at a time, a line for each resource."""
+        there: dict[str, list[str]] = {}
+        for line in self._stocks:
+            if amount := line.at(time):
+                words = load_words({line.resource.name: amount})
+                there.setdefault(line.state, []).append(words)
+        below = self.ground.distance + self.ground.radius + 16
+        return [
+            ("\n".join(words), (x, y - below - _SUPPLY_LINE * len(words) / 2))
+            for state, words in there.items()
+            for x, y in [self.ground.places[state]]
+        ]
+
+
+def _extent(words: str) -> Size:
+    """How wide and tall words about resources are, in dots."""
+    across, tall = text_size(words, _SUPPLY)
+    return round(across * DOTS / POINTS), round(tall * DOTS / POINTS)

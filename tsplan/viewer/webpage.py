@@ -26,7 +26,8 @@ from tsplan.viewer.signal_page import signal_page_data
 from tsplan.words import visible
 
 _SCRIPTS = (
-    "paint model player camera map markers mapview timeline formula chart agents signals main"
+    "paint model player camera map markers supplies mapview timeline formula chart agents signals "
+    "main"
 )
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 _UNSAFE = {ord(mark): f"\\u{ord(mark):04x}" for mark in "<>&\u2028\u2029"}

@@ -113,7 +113,9 @@ class AgentList {
     const [first, last] = [model.first[i], model.last[i]];
     const name = model.states[model.state[i]].name;
     const item = element("li");
-    const button = element("button", "", first > model.horizon ? `on the way to ${name}` : `${name} ${first === last ? first : `${first}\u2013${last}`}`);
+    const words = first > model.horizon ? `on the way to ${name}` : `${name} ${first === last ? first : `${first}\u2013${last}`}`;
+    const load = model.loads[this.choice.track].get(last);
+    const button = element("button", "", load ? `${words}, on with ${load}` : words);
     button.type = "button";
     button.dataset.stop = String(i);
     button.addEventListener("click", () => this.player.seek(first));

@@ -8,6 +8,7 @@ class MapView {
     this.tip = document.getElementById("tip");
     this.ground = new Ground(model);
     this.markers = new Markers(model, this.ground);
+    this.supplies = new Supplies(model, this.ground);
     this.stale = true;
     this.asked = false;
     this.camera = new Camera(this.canvas, this.ground.bounds, () => this.refresh());
@@ -38,6 +39,7 @@ class MapView {
     context.drawImage(this.ground.canvas, 0, 0, width, height);
     if (this.choice.track >= 0) this.paintPath(context, this.choice.track);
     this.markers.paint(context, this.camera, this.choice.track);
+    this.supplies.paint(context, this.camera);
   }
 
   /* The path of the chosen agent: what is behind it solid, what is ahead of it dashed. */
@@ -91,7 +93,8 @@ class MapView {
     const below = Math.max(12, this.ground.sizes(this.camera).circle + 3);
     for (const { at, text } of words.values()) {
       const [x, y] = place(at);
-      haloText(context, fitted(context, text, 120), x, y + below, theme.accent);
+      const top = this.supplies.below(model.state[at], this.camera, y + below);
+      haloText(context, fitted(context, text, 120), x, top, theme.accent);
     }
   }
 
@@ -128,6 +131,7 @@ class MapView {
     for (const [kind, agents] of this.model.staffing(state)) {
       lines.push(`${agents} ${this.model.classes[kind].name}`);
     }
+    lines.push(...this.model.lying(state));
     if (capacity !== null) lines.push(`room for ${capacity}`);
     return lines.join("\n");
   }

@@ -11,6 +11,10 @@ class Model {
     this.edges = data.map.edges;
     this.classes = data.classes;
     this.tracks = data.tracks;
+    this.freights = data.freights.map(([from, to, left, come, words]) => ({ from, to, left, come, words }));
+    this.loads = data.tracks.map((track) => new Map(track.loads));
+    this.stocks = data.map.states.map(() => []);
+    for (const stock of data.stocks) this.stocks[stock.state].push(stock);
     const tracks = data.tracks.length;
     const stops = data.tracks.reduce((sum, track) => sum + track.stops.length / 4, 0);
     this.begin = new Int32Array(tracks + 1);
@@ -121,7 +125,21 @@ class Model {
     }
     const from = this.states[this.state[this.source[track]]].name;
     if (this.share[track] === 0) return from;
-    return `${from} \u2192 ${this.states[this.state[this.target[track]]].name}`;
+    const load = this.loads[track].get(this.last[this.source[track]]);
+    const way = `${from} \u2192 ${this.states[this.state[this.target[track]]].name}`;
+    return load ? `${way} with ${load}` : way;
+  }
+
+  /* What lies at a state now, as words; between two steps what has stayed after the first. */
+  lying(state) {
+    const found = [];
+    for (const { name, amounts } of this.stocks[state]) {
+      const now = amounts.findLast(([step]) => step <= this.time);
+      if (!now) continue;
+      const amount = now[0] === this.time ? now[1] : now[2];
+      if (amount !== "0") found.push(`${amount} ${name}`);
+    }
+    return found;
   }
 
   /* Agents of each class at a state now, as [class, agents] pairs. */

@@ -1,0 +1,189 @@
+"""How much of each resource lies where: a row for each resource and state, with what is taken.
+
+A row has what lies at the state at every step. The strong band is an execution there that needs
+some of it: of what is used up at the step at which it begins, of a tool as long as it runs. The
+dashed line is how much of it, and the number beside the triangle, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from tsplan.draw import canvas
+from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
+from tsplan.draw.step_axes import CHOSEN, HALF, MISSED, NEED, name_rows, shade_steps, step_axes
+from tsplan.errors import Finding, InputError
+from tsplan.explanation.why.requirements import runs
+from tsplan.explanation.why.stock_lines import StockLine, stock_lines
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
+from tsplan.words import number
+
+MOST_ROWS = 40
+"""Rows that are drawn; of more, those that executions need first, then those with the most."""
+
+_WIDTH = 6.0  # inches of the steps
+_ROW = 0.5  # inches of one row
+_TALL = 0.6  # of a row, what the largest amount takes
+_FLOOR = 0.94  # of a row, where nothing lies
+_TOP = 0.16  # of a row, where triangles and what is taken are
+_INSIDE = 0.5  # of the largest amount, from which numbers stand below their line
+_LONGEST = 36  # characters of a row's name
+_STOCK = "#2f5f9e"
+_BEGIN = MappingProxyType({"color": DARK, "marker": "v", "markersize": 3.5})
+_LITTLE = 1e-6  # amounts that the check does not tell apart
+
+
+def draw_stocks(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
+    """The chart of every stock that changes or is needed.
+
+    Raises InputError for a mission without resources, and PlanError for a plan without paths or of
+    another mission.
+    """
+    if not mission.resources:
+        what = "the mission has no resources, which the view 'stocks' shows"
+        raise InputError([Finding(what, "look at the paths, or name `resources` in the mission")])
+    every = [line for line in stock_lines(plan, mission) if line.moves]
+    rows = shown_rows(every)
+    words = [canvas.shortened(row.title, _LONGEST) for row in rows]
+    left = max((canvas.text_size(word, SMALL)[0] for word in words), default=0.0) / POINTS
+    beside = max((_beside_width(row) for row in rows), default=0.0)
+    inches = _WIDTH + left + beside, height_of(rows)
+    figure, ax = step_axes(ax, plan.horizon, inches, _entries(rows), beside)
+    ax.set_ylim(len(rows) or 1, 0)
+    hidden = len(every) - len(rows)
+    more = f" ({hidden} more)" if hidden else ""
+    title = f"{plan.mission.name or mission.name}: what lies where{more}"
+    name_rows(ax, [place + 0.6 for place in range(len(rows))], words, title)
+    canvas.settle(figure)
+    for place, row in enumerate(rows):
+        _draw_row(ax, place, row)
+    return figure, ax
+
+
+def shown_rows(rows: Sequence[StockLine]) -> tuple[StockLine, ...]:
+    """The rows in their order; of too many, those that executions need and those with the most."""
+    if len(rows) <= MOST_ROWS:
+        return tuple(rows)
+    rank = sorted(range(len(rows)), key=lambda n: (not rows[n].uses, -rows[n].amounts.max(), n))
+    return tuple(rows[n] for n in sorted(rank[:MOST_ROWS]))
+
+
+def height_of(rows: Sequence[StockLine]) -> float:
+    """Inches that so many rows take."""
+    return max(_ROW * min(len(rows), MOST_ROWS), 0.8)
+
+
+def _draw_row(ax: Any, place: int, row: StockLine) -> None:
+    """One stock between `place` (above) and `place + 1` (below)."""
+    most = max(row.amounts.max(), row.needs.max(), _LITTLE)
+    base = place + _FLOOR
+
+    def height(amount: Any) -> Any:
+        return base - _TALL * amount / most
+
+    for first, last in runs(np.flatnonzero(row.needs > 0)):
+        short = row.needs[first : last + 1] > row.amounts[first : last + 1] + _LITTLE * most
+        shade_steps(ax, place, (first, last), MISSED if short.any() else CHOSEN, "execution")
+    ax.axhline(base, color=LINE, linewidth=0.5)
+    steps = np.arange(len(row.amounts) + 1) - HALF
+    amounts = np.append(row.amounts, row.amounts[-1])
+    look = {"step": "post", "color": _STOCK, "alpha": 0.28, "linewidth": 0}
+    ax.fill_between(steps, base, height(amounts), **look)
+    ax.step(steps, height(amounts), where="post", color=_STOCK, linewidth=1.1, gid="stock")
+    needed = np.where(row.needs > 0, height(row.needs), np.nan)
+    for step in np.flatnonzero(row.needs > 0):
+        ax.plot([step - HALF, step + HALF], [needed[step]] * 2, gid="taken", **NEED)
+    _write_amounts(ax, row, most, base)
+    _mark_executions(ax, place + _TOP, row)
+    _write_beside(ax, base - _TALL / 2, row)
+
+
+def _write_amounts(ax: Any, row: StockLine, most: float, base: float) -> None:
+    """Each amount that lies there for a while, where its number has room."""
+    step_points = canvas.extent(ax)[0] / len(row.amounts)
+    changes = np.flatnonzero(np.diff(row.amounts, prepend=np.nan, append=np.nan))
+    for first, after in pairwise(changes.tolist()):
+        amount = float(row.amounts[first])
+        words = number(round(amount, 6))
+        if not amount or canvas.text_size(words, SMALL)[0] > step_points * (after - first) - 2:
+            continue
+        inside = amount >= _INSIDE * most
+        style = {"va": "top" if inside else "baseline", "fontsize": SMALL, "color": _STOCK}
+        ax.annotate(
+            words, ((first + after - 1) / 2, base - _TALL * amount / most), ha="center",
+            xytext=(0, -1.5 if inside else 1.5), textcoords="offset points", gid="amount", **style,
+        )  # fmt: skip
+
+
+def _mark_executions(ax: Any, y: float, row: StockLine) -> None:
+    """A triangle where executions begin, and beside it what they take, if all have room."""
+    if not row.begins:
+        return
+    step_points = canvas.extent(ax)[0] / len(row.amounts)
+    words = [number(round(taken_at(row, step), 6)) for step in row.begins]
+    ends = [*row.begins[1:], len(row.amounts)]
+    rooms = [(end - step) * step_points for step, end in zip(row.begins, ends, strict=True)]
+    wide = [canvas.text_size(word, SMALL)[0] + 9 for word in words]
+    roomy = all(width <= room for width, room in zip(wide, rooms, strict=True))
+    for step, word in zip(row.begins, words, strict=True):
+        ax.plot([step], [y], gid="begin", **_BEGIN)
+        if roomy:
+            ax.annotate(
+                word, (step, y), xytext=(4, 0), textcoords="offset points", fontsize=SMALL,
+                va="center", color=DARK, gid="taking",
+            )  # fmt: skip
+
+
+def taken_at(row: StockLine, step: int) -> float:
+    """How much the executions that begin at a step take."""
+    name = row.resource.name
+    return float(sum(use.needs(name) for use in row.uses if use.first == step))
+
+
+def _write_beside(ax: Any, y: float, row: StockLine) -> None:
+    """What is taken in all, and how much there is at most and at the end, right of the row."""
+    for words, shift, paint in zip(beside(row), (0.55, -0.55), (DARK, LINE), strict=True):
+        ax.annotate(
+            words, (1.0, y), xycoords=("axes fraction", "data"), xytext=(4, shift * SMALL * 1.2),
+            textcoords="offset points", fontsize=SMALL, va="center", color=paint,
+            annotation_clip=False,
+        )  # fmt: skip
+
+
+def beside(row: StockLine) -> tuple[str, str]:
+    """The two texts right of a row."""
+    name = row.resource.name
+    taken = ""
+    if row.uses and row.resource.consumed:
+        taken = f"{number(round(float(sum(use.needs(name) for use in row.uses)), 6))} used up"
+    elif row.uses:
+        taken = f"{number(round(float(row.needs.max()), 6))} in use"
+    peak, end = (number(round(float(amount), 6)) for amount in (row.amounts.max(), row.staying[-1]))
+    return taken, f"peak {peak}, end {end}"
+
+
+def _beside_width(row: StockLine) -> float:
+    """Inches that the texts right of a row take."""
+    return max(canvas.text_size(text, SMALL)[0] for text in beside(row)) / POINTS + 0.1
+
+
+def _entries(rows: Sequence[StockLine]) -> list[Entry]:
+    if not rows:
+        return []
+    short = any((row.needs > row.amounts + _LITTLE).any() for row in rows)
+    used = [
+        Entry.line("needed by executions", **NEED),
+        Entry.patch("used up, or a tool in use", facecolor=CHOSEN),
+        *([Entry.patch("not enough there", facecolor=MISSED)] if short else []),
+        Entry.line("an execution begins, and takes", **_BEGIN),
+    ]
+    return [
+        Entry.line("lies there", color=_STOCK, linewidth=1.1),
+        *(used if any(row.uses for row in rows) else []),
+    ]
