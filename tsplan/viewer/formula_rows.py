@@ -14,7 +14,7 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
 from tsplan.explanation.why.witness_tree import meanings
 from tsplan.logic import nodes
-from tsplan.logic.atoms import OPPOSITE, Count, Linear
+from tsplan.logic.atoms import OPPOSITE, Count, Execution, Linear
 from tsplan.logic.decision_time import decided_at, earliness
 from tsplan.logic.nodes import Formula
 from tsplan.logic.obligations import START, Obligation, below, obligations
@@ -25,7 +25,7 @@ from tsplan.logic.traversal import walk
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 
-Atom: TypeAlias = Count | Linear
+Atom: TypeAlias = Count | Linear | Execution
 
 MOST_PARTS = 300
 """Rows of a formula; what lies below them is summed up in the last ones."""
@@ -58,7 +58,8 @@ class Part:
     """One row: a part of the formula, what it has to fulfil, and when that is done.
 
     `heading` says what joins the rows below, where there are some; else it is the `text`.
-    A duty is one count at one step. `settled` has pairs of a step and the duties fulfilled at it.
+    A duty is one count, or one execution of a task, at one step. `settled` has pairs of a step and
+    the duties fulfilled at it.
     `failed` is the step at which it is certain that the part fails although it is needed.
     """
 
@@ -74,7 +75,7 @@ class Part:
 
     @property
     def duties(self) -> int:
-        """How many counts at how many steps the part has to fulfil."""
+        """How many counts and executions at how many steps the part has to fulfil."""
         return sum(number for _, number in self.settled)
 
     def share(self, time: float) -> float:
@@ -107,7 +108,7 @@ def formula_parts(mission: Mission, plan: Plan) -> tuple[Part, ...]:
     carriers = mission.system.labels
 
     def places(atoms: Iterable[Atom]) -> tuple[str, ...]:
-        labels = dict.fromkeys(atom.label for atom in atoms if isinstance(atom, Count))
+        labels = dict.fromkeys(atom.label for atom in atoms if not isinstance(atom, Linear))
         return tuple(state for label in labels for state in carriers[label])
 
     def rows_of(formula: Formula) -> list[Part]:
@@ -183,7 +184,8 @@ def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, open
     }
     counts = {key: one for key, one in every.items() if one.steps.size}
     charts = [_chart(judged, key, one) for key, one in list(counts.items())[:MOST_CHARTS]]
-    settled = Counter(step for one in counts.values() for step in one.steps.tolist())
+    executed = [one for (node, _), one in parts.items() if isinstance(node, Execution)]
+    settled = Counter(step for one in (*counts.values(), *executed) for step in one.steps.tolist())
     text = judged.texts.get(formula) or text_of(formula, _LONGEST)
     return Part(
         text=text,
@@ -192,7 +194,7 @@ def _row(judged: _Judged, asked: tuple[Formula, Obligation], depth: int, *, open
         settled=tuple(sorted(settled.items())),
         failed=_failed(judged, meaning, duty),
         needed=runs(np.array(sorted(settled), dtype=np.int64)),
-        states=judged.places(atom for atom, _ in every),
+        states=judged.places(node for node, _ in parts if isinstance(node, Atom)),
         charts=tuple(charts),
         hidden=max(0, len(counts) - MOST_CHARTS),
     )
@@ -224,7 +226,7 @@ def heading(formula: Formula) -> str:
     return " ".join(_JOINTS[type(node)].format(*node.parameters) for node in _chain(formula))
 
 
-def _chart(judged: _Judged, key: tuple[Atom, bool | None], duty: Obligation) -> Chart:
+def _chart(judged: _Judged, key: tuple[Count | Linear, bool | None], duty: Obligation) -> Chart:
     count, holds = key
     shown = replace(count, relation=OPPOSITE[count.relation]) if holds is False else count
     values = measured(count, judged.trace)

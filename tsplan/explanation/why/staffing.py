@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
+
+from tsplan.explanation.why.stock_lines import StockLine, stock_lines
 
 if TYPE_CHECKING:
     from tsplan.logic.atoms import Count
@@ -31,6 +34,11 @@ class Staff:
     plan: Plan
     mission: Mission
     trace: CountTrace
+
+    @cached_property
+    def stocks(self) -> tuple[StockLine, ...]:
+        """What lies where, what is taken and who brought it."""
+        return stock_lines(self.plan, self.mission)
 
     def present(self, atom: Count, step: int | None) -> tuple[Presence, ...]:
         """Who is at the states with an atom's label at a step; nobody if there is none."""

@@ -15,6 +15,8 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.checking.ledger import read_ledger
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from tsplan.checking.ledger import Haul, Ledger, Use
     from tsplan.mission import Mission, Resource
     from tsplan.plans.plan import Plan
@@ -59,6 +61,53 @@ class StockLine:
         """What lies there at a time, between two steps what has stayed after the first."""
         step = int(time)
         return float((self.amounts if time == step else self.staying)[step])
+
+
+@dataclass(frozen=True, slots=True)
+class Supply:
+    """What an execution needs of a resource, and how it came to lie there.
+
+    Of what lies there at `step`, `first` has lain there from the start and the others were
+    `brought`, since the last step after which nothing was left; `gone` has been used up or carried
+    away again since then.
+    """
+
+    resource: str
+    state: str
+    step: int
+    needed: float
+    there: float
+    first: float
+    brought: tuple[Haul, ...]
+    gone: float
+
+
+def supplies(lines: Iterable[StockLine], task: str, steps: Iterable[int]) -> tuple[Supply, ...]:
+    """How the executions of a task, by its text, that begin at some steps were supplied."""
+    wanted = set(steps)
+    found = [
+        _supply(line, use)
+        for line in lines
+        for use in line.uses
+        if use.first in wanted and str(use.task) == task
+    ]
+    return tuple(sorted(found, key=lambda supply: (supply.step, supply.state)))
+
+
+def _supply(line: StockLine, use: Use) -> Supply:
+    step = use.first
+    emptied = np.flatnonzero(line.staying[:step] <= 0)
+    since = int(emptied[-1]) + 1 if emptied.size else 0
+    return Supply(
+        line.resource.name,
+        line.state,
+        step,
+        float(use.needs(line.resource.name)),
+        float(line.amounts[step]),
+        0.0 if since else float(line.amounts[0]),
+        tuple(haul for haul in line.brought if since <= haul.come <= step),
+        float((line.amounts - line.staying)[since:step].sum()),
+    )
 
 
 def stock_lines(plan: Plan, mission: Mission) -> tuple[StockLine, ...]:

@@ -18,7 +18,9 @@ import numpy as np
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.explanation.why.requirements import measured, runs, trace_of
 from tsplan.explanation.why.staffing import Presence, Staff
-from tsplan.logic.atoms import Count, Limit, Linear, Task
+from tsplan.explanation.why.stock_lines import Supply, supplies
+from tsplan.explanation.why.supply_words import supply_lines
+from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
 from tsplan.logic.catl import resolve_percent, translate
 from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of
 from tsplan.logic.evaluation import margins
@@ -55,7 +57,8 @@ class WitnessNode:
     node that is not `needed` is a branch that nothing rests on, judged where its parent is (or
     nowhere, then `steps` is empty). For atoms, `counts` is what they compare with their bounds at
     each of the steps: agents, or the value `of_signals`; for counts, `present` says who was there
-    at the tightest step.
+    at the tightest step. For a task that is executed then, `supplies` say how what it needs came
+    to lie there.
     """
 
     formula: Formula
@@ -68,6 +71,7 @@ class WitnessNode:
     present: tuple[Presence, ...] = ()
     children: tuple[WitnessNode, ...] = field(default=(), repr=False)
     of_signals: bool = False
+    supplies: tuple[Supply, ...] = ()
 
     @cached_property
     def tightest(self) -> int | None:
@@ -213,7 +217,9 @@ class _Builder:
         if isinstance(node, Task | Limit):
             owed = obligations(self._meaning[node], Obligation(None, steps), self._margins)
             counts = (
-                (part, one.steps) for (part, _), one in owed.items() if isinstance(part, Count)
+                (part, one.steps)
+                for (part, _), one in owed.items()
+                if isinstance(part, Count | Execution)
             )
             return tuple(_Place(atom, tuple(at.tolist()), place.needed) for atom, at in counts)
         # where nobody asks for a node, nothing below it settles anything
@@ -251,7 +257,14 @@ class _Builder:
             present=present,
             children=children,
             of_signals=isinstance(self._trace, SignalTrace),
+            supplies=self._supplies(place),
         )
+
+    def _supplies(self, place: _Place) -> tuple[Supply, ...]:
+        """What came to the executions of a task at the steps at which it is asked for."""
+        if self._staff is None or not isinstance(place.formula, Execution):
+            return ()
+        return supplies(self._staff.stocks, place.formula.task, place.steps)
 
 
 def meanings(mission: Mission, formula: Formula) -> Mapping[Formula, Formula]:
@@ -283,6 +296,7 @@ def tree_text(top: WitnessNode) -> str:
                 break
             continue
         rows.append(("  " * depth + title(node), verdict(node) + _critical(node, depth)))
+        rows += [("", f"  {line}") for line in supply_lines(node.supplies)]
     width = min(max(len(left) for left, _ in rows), _LONGEST)
     lines = [f"{left:<{width}}  {right}".rstrip() for left, right in rows]
     if rest:
@@ -293,6 +307,8 @@ def tree_text(top: WitnessNode) -> str:
 
 def title(node: WitnessNode) -> str:
     """A node without what is below it, and what an atom means where its text alone does not say."""
+    if isinstance(node.formula, Execution):
+        return "executed"
     text = operator_text(node.formula)
     if not node.formula.children and node.meaning is not node.formula and not node.children:
         return f"{text} (that is {node.meaning})"
@@ -303,6 +319,9 @@ def verdict(node: WitnessNode) -> str:
     """What is said about a node: whether it holds, where, how well, and what it rests on."""
     if not node.steps:
         return "not needed"
+    if isinstance(node.formula, Execution):
+        text = _held(node).removeprefix("holds ")
+        return text if node.needed else f"(not needed: {text})"
     worst = node.worst or 0.0
     level = ("unbounded" if worst > 0 else "impossible") if math.isinf(worst) else number(worst)
     words = [_held(node), f"{'robustness' if node.of_signals else 'availability'} {level}"]
