@@ -15,7 +15,17 @@ if TYPE_CHECKING:
 FORMAT = "tsplan-explanation/1"
 
 PartKind: TypeAlias = Literal[
-    "formula", "team", "start", "waiting", "capacity", "swarm", "control", "limit", "signal"
+    "formula",
+    "team",
+    "start",
+    "carries",
+    "stock",
+    "waiting",
+    "capacity",
+    "swarm",
+    "control",
+    "limit",
+    "signal",
 ]
 Cut: TypeAlias = Literal["interrupt", "time_limit", "memory", "precision", "patience"]
 """Why something was not looked at to its end: the run was interrupted, its time was up, the
@@ -35,9 +45,9 @@ class SoftConstraint(NamedTuple):
     """One thing that can be taken out of a mission: a part of its formula, a bound, a count.
 
     The key says which: the way to a sub-formula and the place of a task's need (or None), the
-    number of a team's entry, the name of a state, the ends of an edge, a swarm and which bound;
-    over signals, the name of one that begins somewhere, of one with bounds and which end (0, 1), or
-    the number of a limit.
+    number of a team's entry, the name of a resource or of a state, the ends of an edge, a swarm and
+    which bound; over signals, the name of one that begins somewhere, of one with bounds and which
+    end (0, 1), or the number of a limit.
     """
 
     kind: PartKind

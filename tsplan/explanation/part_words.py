@@ -10,22 +10,32 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, get_args
 
 from tsplan.explanation.explanation import Part, PartKind, Place, SoftConstraint
+from tsplan.explanation.whynot.amount_numbers import resource_of
 from tsplan.explanation.whynot.formula_places import Sources
 from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER, Number, value_text
-from tsplan.explanation.whynot.occurrences import Occurrence, Way, conjuncts, counts_of, node_at
+from tsplan.explanation.whynot.occurrences import (
+    Occurrence,
+    Way,
+    amounts_of,
+    conjuncts,
+    counts_of,
+    node_at,
+)
 from tsplan.explanation.whynot.soft_constraints import (
     file_path,
     formula_groups,
     occurrence_of,
     of_occurrence,
 )
+from tsplan.logic.text import number_text
 from tsplan.ts.map_lint import listed
 from tsplan.ts.waits import without_wait
 from tsplan.words import many
 
 if TYPE_CHECKING:
     from tsplan.document import Path
-    from tsplan.mission import Mission
+    from tsplan.mission import Group, Mission, Resource
+    from tsplan.mission.resources import Carries
 
 _KINDS: tuple[PartKind, ...] = get_args(PartKind)
 """The order in which parts of a conflict are said."""
@@ -66,8 +76,11 @@ class Wording(ABC):
         node = node_at(self.mission.formula, part.way)
         if part.need is None:
             return str(node)
-        count = counts_of(node)[part.need]
-        return f"({count.capability}, {count.bound})"
+        counts = counts_of(node)
+        if part.need < len(counts):
+            return f"({counts[part.need].capability}, {counts[part.need].bound})"
+        name, amount = amounts_of(node)[part.need - len(counts)]
+        return f"({name}, {number_text(amount)})"
 
     def conjunct(self, way: Way) -> Way:
         """The conjunct that a sub-formula belongs to."""
@@ -140,7 +153,15 @@ class TeamWording(Wording):
             both = len(key) > 1 and system.edges[key].both_ways
             most = Number("capacity", key).get(self.mission)
             return f"{ends_words(key)} holds at most {most}{' (both ways together)' * both}"
-        group = self.mission.team[key[0]]
+        if kind == "stock":
+            return stock_words(resource_of(self.mission, key[0]))
+        return self._group_words(kind, self.mission.team[key[0]])
+
+    def _group_words(self, kind: PartKind, group: Group) -> str:
+        """What is said of an entry of the team."""
+        if kind == "carries":
+            whose = f"each agent of class {group.class_name} carries at most"
+            return f"{whose} {carries_words(group.carries)}"
         if kind == "team":
             return f"the team has {many(group.count, 'agent')} of class {group.class_name}"
         where = ", ".join(f"'{state}' ({count})" for state, count in group.starts)
@@ -156,6 +177,31 @@ class TeamWording(Wording):
             return f"every sub-swarm of {whose} has at least {agents(bound, None)}"
         have = "have" if (name, which) == TOGETHER else "has"
         return f"{whose} {have} at most {many(bound, 'sub-swarm')} at a step"
+
+
+def amount_words(amount: Fraction | float, name: str) -> str:
+    """An amount of a resource."""
+    return f"{number_text(float(amount))} {name}"
+
+
+def stock_words(resource: Resource) -> str:
+    """How much there is of a resource, and where."""
+    lying = [(state, amount) for state, amount in resource.at if amount]
+    if not lying:
+        return f"there is no {resource.name}"
+    verb = "is" if resource.total == 1 else "are"
+    total = amount_words(resource.total, resource.name)
+    if len(lying) == 1:
+        return f"there {verb} {total}, at '{lying[0][0]}'"
+    where = ", ".join(f"{number_text(amount)} at '{state}'" for state, amount in lying)
+    return f"there {verb} {total}: {where}"
+
+
+def carries_words(carries: Carries) -> str:
+    """What one robot carries at most."""
+    if not isinstance(carries, tuple):
+        return f"{number_text(carries)} of all resources together"
+    return " and ".join(amount_words(amount, name) for name, amount in carries)
 
 
 def ends_words(ends: tuple[str, ...]) -> str:

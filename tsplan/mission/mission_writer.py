@@ -18,8 +18,9 @@ from tsplan.errors import Finding, FormulaError, MissionError
 from tsplan.logic import Formula, Percent, parse_with_places
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.amount_entries import amounts_entry, carries_entry
 from tsplan.mission.mission_parts import MissionParts, Preference
-from tsplan.mission.module_entries import carries_entry, module_entries
+from tsplan.mission.module_entries import module_entries
 from tsplan.mission.resources import Resource
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 from tsplan.mission.vocabulary import FORMAT, Language
@@ -168,7 +169,7 @@ def group_entry(group: Group) -> dict[str, Any]:
 
 def resource_entry(resource: Resource) -> dict[str, Any]:
     """The entry of a resource."""
-    entry: dict[str, Any] = {"name": resource.name, "at": dict(resource.at)}
+    entry: dict[str, Any] = {"name": resource.name, "at": amounts_entry(resource.at)}
     if resource.indivisible:
         entry["indivisible"] = True
     return entry if resource.consumed else {**entry, "consumed": False}

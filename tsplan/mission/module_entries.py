@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from tsplan.document import Document
+from tsplan.mission.amount_entries import amounts_entry, carries_entry, shortest
 from tsplan.mission.configurations import (
     Configuration,
     ModuleRules,
@@ -15,7 +16,6 @@ from tsplan.mission.configurations import (
 )
 from tsplan.mission.findings import Place
 from tsplan.mission.mission_schema import MissionFile, ReconfigurationEntry
-from tsplan.mission.resources import Carries
 
 
 def module_rules(file: MissionFile, document: Document) -> ModuleRules:
@@ -63,20 +63,13 @@ def _reconfiguration(
     )
 
 
-def carries_entry(carries: Carries) -> dict[str, Any]:
-    """The key that says what one robot or structure carries, if it carries anything."""
-    if carries == ():
-        return {}
-    return {"carries": dict(carries) if isinstance(carries, tuple) else carries}
-
-
 def configuration_entry(shape: Configuration) -> dict[str, Any]:
     """The entry of a configuration."""
     entry: dict[str, Any] = {"modules": shape.modules}
     if shape.capabilities:
         entry["capabilities"] = sorted(shape.capabilities)
     factors = {"cost": shape.cost, "duration": shape.duration}
-    factors = {key: factor for key, factor in factors.items() if factor != 1}
+    factors = {key: shortest(factor) for key, factor in factors.items() if factor != 1}
     return {**entry, **factors, **carries_entry(shape.carries)}
 
 
@@ -88,7 +81,7 @@ def reconfiguration_entry(rule: Reconfiguration) -> dict[str, Any]:
         "duration": rule.duration,
     }
     if rule.cost:
-        entry["cost"] = rule.cost
+        entry["cost"] = shortest(rule.cost)
     return {**entry, "at": list(rule.at)} if rule.at else entry
 
 
@@ -101,6 +94,6 @@ def module_entries(rules: ModuleRules) -> dict[str, Any]:
     entries = {
         "configurations": {s.name: configuration_entry(s) for s in rules.configurations},
         "reconfigure": [reconfiguration_entry(rule) for rule in rules.reconfigurations],
-        "performance": {label: dict(worth) for label, worth in rules.performance},
+        "performance": {label: amounts_entry(worth) for label, worth in rules.performance},
     }
     return {key: value for key, value in entries.items() if value}

@@ -77,6 +77,20 @@ def merged(pairs: Iterable[tuple[str, float]]) -> Amounts:
     return tuple((name, float(amount)) for name, amount in total.items())
 
 
+def most_carried(carries: Carries, resource: Resource) -> Fraction:
+    """How much of a resource one robot carries at most, if it carries nothing else.
+
+    >>> brick = Resource.of("brick", {"yard": 9}, indivisible=True)
+    >>> most_carried((("brick", 2.0),), brick), most_carried(3.5, brick), most_carried((), brick)
+    (Fraction(2, 1), Fraction(3, 1), Fraction(0, 1))
+    """
+    own = compartment(carries, resource)
+    if own is not None or isinstance(carries, tuple):
+        return own or Fraction(0)
+    room = exact(carries)
+    return Fraction(floor(room)) if resource.indivisible else room
+
+
 def compartment(carries: Carries, resource: Resource) -> Fraction | None:
     """How much of a resource one robot carries whatever else it carries; None for one hold."""
     if not isinstance(carries, tuple):

@@ -26,6 +26,7 @@ from tsplan.logic import (
     FALSE,
     Count,
     Eventually,
+    Execution,
     Formula,
     Limit,
     Task,
@@ -148,6 +149,10 @@ def _tighter(mission: Mission, node: Formula, level: int) -> Formula:
         return replace(node, needs=tuple((name, m - level) for name, m in node.needs))
 
     def atom(part: Formula, below: tuple[Formula, ...]) -> Formula:
+        if isinstance(part, Execution):  # plans name what is executed by its task
+            duration = part.last + (mission.task_interval == "half-open")
+            needs = tuple((name, number + level) for name, number in part.needs)
+            return Task(duration, part.label, needs, part.resources)
         if not isinstance(part, Count):
             return part.over(below)
         assert isinstance(part.bound, int)

@@ -12,11 +12,17 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.explanation.explanation import Fact, PartKind, SoftConstraint
 from tsplan.explanation.part_words import TeamWording
 from tsplan.explanation.whynot.soft_constraints import of_occurrence
-from tsplan.explanation.whynot.unconditional_demands import Demand, demands
+from tsplan.explanation.whynot.unconditional_demands import (
+    AmountDemand,
+    Demand,
+    amount_demands,
+    demands,
+)
+from tsplan.mission.resources import most_carried
 from tsplan.ts.reachability import shortest_durations, usable
 
 if TYPE_CHECKING:
-    from tsplan.mission import Group, Mission
+    from tsplan.mission import Group, Mission, Resource
 
 
 class Arrival(NamedTuple):
@@ -75,6 +81,11 @@ class Context:
         return tuple(item for item in self.all_demands if not item.upper and item.amount > 0)
 
     @cached_property
+    def amounts(self) -> tuple[AmountDemand, ...]:
+        """The amounts of resources that the formula asks for in any case."""
+        return amount_demands(self.mission)
+
+    @cached_property
     def limits(self) -> tuple[Demand, ...]:
         """The upper bounds among the demands."""
         return tuple(item for item in self.all_demands if item.upper)
@@ -129,7 +140,11 @@ class Context:
         return min(steps) if need.reach == "one" else max(steps)
 
     def fact(
-        self, kind: str, text: str, demands: Iterable[Demand], *others: SoftConstraint
+        self,
+        kind: str,
+        text: str,
+        demands: Iterable[Demand | AmountDemand],
+        *others: SoftConstraint,
     ) -> Fact:
         """A fact about demands or other constraints; it stands where the first of them does."""
         parts = list(dict.fromkeys(demand.occurrence for demand in demands))
@@ -146,6 +161,24 @@ class Context:
         """The constraints of one entry of the team, its size and its start; swarms have none."""
         robots = self.mission.group_bounds(self.mission.team[number].class_name) is None
         return [SoftConstraint(kind, (number,)) for kind in kinds or ("team", "start") if robots]
+
+    def carriers(self, resource: Resource) -> list[tuple[int, Group]]:
+        """The entries of the team whose robots carry some of a resource."""
+        every = enumerate(self.mission.team)
+        return [(n, group) for n, group in every if most_carried(group.carries, resource)]
+
+    def carrying(self, resource: Resource) -> list[SoftConstraint]:
+        """The constraints of a resource, of all who carry it, and that others carry none."""
+        able = {number for number, _ in self.carriers(resource)}
+        own = [
+            item
+            for number, group in enumerate(self.mission.team)
+            if group.carries
+            for item in self.entry(
+                number, "carries", *(("team", "start") if number in able else ())
+            )
+        ]
+        return [SoftConstraint("stock", (resource.name,)), *own]
 
     def having(self, capability: str | None) -> str:
         """How many the team has with a capability, and in which classes."""

@@ -12,6 +12,12 @@ from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.part_words import ends_words, room_of
+from tsplan.explanation.whynot.amount_edits import (
+    lower_amount,
+    more_carried,
+    more_stock,
+    stocked,
+)
 from tsplan.explanation.whynot.mission_numbers import (
     MARGIN,
     MOST_STEPS,
@@ -19,6 +25,7 @@ from tsplan.explanation.whynot.mission_numbers import (
     Edit,
     Number,
     Value,
+    literal,
 )
 from tsplan.explanation.whynot.occurrences import (
     Occurrence,
@@ -27,6 +34,7 @@ from tsplan.explanation.whynot.occurrences import (
     node_at,
     nodes_along,
     occurrences,
+    separable,
 )
 from tsplan.explanation.whynot.relaxing import useful_number
 from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, of_occurrence
@@ -59,7 +67,7 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
     if kind == "formula":
         way, field = key
         parts = occurrences(mission.formula, way)
-        if isinstance(field, int) and len(counts_of(node_at(mission.formula, way))) > 1:
+        if isinstance(field, int) and separable(node_at(mission.formula, way)):
             parts = (Occurrence(way, field),)
         return frozenset(map(of_occurrence, parts))
     if kind == "agents":
@@ -67,6 +75,8 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
         return frozenset(SoftConstraint(name, key[:1]) for name in kinds)
     if kind == "wait":
         return frozenset({WAITING})
+    if kind in ("stock", "carries"):
+        return frozenset({SoftConstraint("stock" if kind == "stock" else "carries", key[:1])})
     part = SoftConstraint("capacity" if kind == "capacity" else "swarm", key)
     return frozenset() if kind == "edge" else frozenset({part})
 
@@ -100,6 +110,10 @@ def _against(
             yield from _more_agents(context, key[0], conflict)
             if kind == "start":
                 yield from _quicker_edges(context, key[0], conflict)
+        case "carries":
+            yield from more_carried(context.mission, key[0])
+        case "stock":
+            yield from more_stock(context.mission, key[0])
         case "waiting":
             yield from _waits(context, conflict)
         case "swarm":
@@ -146,7 +160,10 @@ def _counted(mission: Mission, part: Occurrence, was: str) -> Iterator[Edit]:
     """Fewer agents asked for, or more allowed; of a percentage, hundredths."""
     node = node_at(mission.formula, part.way)
     counts = counts_of(node)
-    if not counts or counts[part.need or 0].relation not in _BEYOND:
+    if (part.need or 0) >= len(counts):
+        yield from lower_amount(mission, part, was)
+        return
+    if counts[part.need or 0].relation not in _BEYOND:
         return
     count = counts[part.need or 0]
     asks, label, who = count.relation in (">=", ">"), literal(count.label), count.capability
@@ -167,11 +184,6 @@ def _counted(mission: Mission, part: Occurrence, was: str) -> Iterator[Edit]:
         yield Edit(number, "loosen_limit", most, f"loosen the limit {change}", now)
 
 
-def literal(text: str) -> str:
-    """A text in which nothing is filled in."""
-    return text.replace("{", "{{").replace("}", "}}")
-
-
 # --- the team and the map ----------------------------------------------------------------------
 
 
@@ -184,9 +196,10 @@ def _more_agents(
     most = useful_number(mission)
     own = [state for state, _ in group.starts]
     others = [state for other in mission.team for state, _ in other.starts]
+    lying = stocked(mission) if group.carries else []
     open_ = [
         state
-        for state in dict.fromkeys([*own, *others, *_states_of(mission, conflict)])
+        for state in dict.fromkeys([*own, *others, *lying, *_states_of(mission, conflict)])
         if mission.system.states[state].needs <= group.capabilities
     ]
     for state in open_[:MOST_PLACES]:
@@ -210,7 +223,8 @@ def _quicker_edges(
     group = mission.team[entry]
     pairs: dict[tuple[str, str], None] = {}
     targets = list(dict.fromkeys(_states_of(mission, conflict)))
-    for origin in [*(state for state, _ in group.starts), *targets]:
+    lying = stocked(mission) if group.carries else []
+    for origin in dict.fromkeys([*(state for state, _ in group.starts), *lying, *targets]):
         for target in targets:
             pairs.update(dict.fromkeys(pairwise(context.way(group, origin, target))))
     for pair in list(pairs)[:MOST_EDGES]:

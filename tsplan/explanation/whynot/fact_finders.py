@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from tsplan.explanation.explanation import Fact
 from tsplan.explanation.part_words import agents
 from tsplan.explanation.whynot.context import Context, able, latest_of
+from tsplan.explanation.whynot.shortages import shortage, undelivered
 from tsplan.explanation.whynot.soft_constraints import WAITING
 from tsplan.explanation.whynot.supply import divided, scarcity
 from tsplan.explanation.whynot.time_conflicts import contradictions, crowding, timing
@@ -35,8 +36,10 @@ def facts_of(context: Context) -> Iterator[Fact]:
     finders: tuple[Callable[[Context], Iterator[Fact]], ...] = (
         stuck,
         scarcity,
+        shortage,
         divided,
         unreachable,
+        undelivered,
         restless,
         crowding,
         contradictions,

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.explanation.explanation import Place
-from tsplan.explanation.whynot.occurrences import Occurrence
+from tsplan.explanation.whynot.occurrences import Occurrence, counts_of, node_at
 from tsplan.logic import parse_with_places
 from tsplan.logic.text_spans import Span
 from tsplan.mission import Mission
@@ -35,16 +35,17 @@ class Sources:
 
     def __init__(self, mission: AnyMission) -> None:
         self._document = mission.origin
+        self._formula = mission.formula
         self._texts = tuple(_texts(mission))
 
     def text(self, part: Occurrence) -> str | None:
         """What is written of a part of the formula; None where that cannot be told."""
-        found = self._found(_way_of(part))
+        found = self._found(self._way_of(part))
         return None if found is None else found[0].text[slice(*found[1])]
 
     def place(self, part: Occurrence) -> Place:
         """Where a part stands; the whole formula where that cannot be told."""
-        way = _way_of(part)
+        way = self._way_of(part)
         # what is said of a region is one text, whatever it consists of
         ways = (way[:length] for length in range(len(way), 0, -1))
         found = next((found for above in ways if (found := self._found(above))), self._found(()))
@@ -74,6 +75,14 @@ class Sources:
         """The place of another entry of the mission file; no place without a file."""
         return Place() if self._document is None else Place(*self._document.place(path))
 
+    def _way_of(self, part: Occurrence) -> Way:
+        if part.need is None:
+            return part.way
+        counted = len(counts_of(node_at(self._formula, part.way)))
+        if part.need < counted:
+            return (*part.way, "needs", part.need)
+        return (*part.way, "resources", part.need - counted)
+
     def _found(self, way: Way) -> tuple[_Text, Span] | None:
         """The text that a way leads into, and the characters there; None for the joint root."""
         for source in self._texts:
@@ -89,10 +98,6 @@ class Sources:
             before = source.text[:offset]
             return before.count("\n") + 1, offset - before.rfind("\n")
         return self._document.character(source.path, offset)
-
-
-def _way_of(part: Occurrence) -> Way:
-    return part.way if part.need is None else (*part.way, "needs", part.need)
 
 
 def formula_path(data: object) -> Path:

@@ -13,11 +13,11 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, get_args
 
 from tsplan.exact import exact
-from tsplan.explanation.whynot.occurrences import Way, exchanged, node_at
+from tsplan.explanation.whynot.amount_numbers import carried, put_carried, put_stock, stock
+from tsplan.explanation.whynot.occurrences import Way, amounts_of, exchanged, node_at
 from tsplan.explanation.whynot.signal_numbers import ACCESS
 from tsplan.logic import Count, Formula, Percent, horizon, translate
 from tsplan.logic.text import number_text
-from tsplan.mission import Group
 from tsplan.ts import Edge, TransitionSystem
 from tsplan.ts.waits import with_waits, without_wait
 from tsplan.words import many
@@ -39,6 +39,8 @@ ChangeKind: TypeAlias = Literal[
     "waiting",
     "edge",
     "add_agents",
+    "carry_more",
+    "add_stock",
     "lower_need",
     "move_threshold",
     "widen_start",
@@ -51,7 +53,18 @@ MOST_STEPS = 60
 """Steps by which a deadline of a short mission is extended at most."""
 
 NumberKind: TypeAlias = Literal[
-    "formula", "agents", "capacity", "edge", "wait", "swarm", "side", "begin", "limit", "last"
+    "formula",
+    "agents",
+    "stock",
+    "carries",
+    "capacity",
+    "edge",
+    "wait",
+    "swarm",
+    "side",
+    "begin",
+    "limit",
+    "last",
 ]
 
 MARGIN = ("", "margin")
@@ -65,12 +78,13 @@ class Number(NamedTuple):
     """A place in a mission that holds a number.
 
     The key says which of its kind: of a `formula`, the way to a sub-formula and its field or the
-    place of a need; of `agents`, the entry of the team and a state; of a `capacity`, a state or the
-    two ends of an edge; of an `edge`, whose duration is meant, these ends; of a bound of a `swarm`,
-    its name and which one; of a `wait`, the state where there is one (1) or none (0), or
-    nothing for all states at once. Over signals: of a `side` of the bounds of a signal or control,
-    and of where it may `begin`, its name and which end (0, 1); of a `limit`, its number; of the
-    `last` step of the mission, nothing.
+    place of a need; of `agents`, the entry of the team and a state; of a `stock`, the resource and
+    a state; of what an entry `carries`, its number and the resource, which is empty for one hold;
+    of a `capacity`, a state or the two ends of an edge; of an `edge`, whose duration is meant,
+    these ends; of a bound of a `swarm`, its name and which one; of a `wait`, the state where there
+    is one (1) or none (0), or nothing for all states at once. Over signals: of a `side` of the
+    bounds of a signal or control, and of where it may `begin`, its name and which end (0, 1); of a
+    `limit`, its number; of the `last` step of the mission, nothing.
     """
 
     kind: NumberKind
@@ -115,7 +129,8 @@ class Edit:
 
     It grows, or shrinks with `sense` -1. `now` is the number as people are told it, `text` what is
     said of the change: `{new}` stands for the new number, `{agents}` for it as one of agents, and
-    `{steps}` and `{added}` for the amount of the change; `text_at_most` is said of the largest.
+    `{steps}`, `{added}` and `{amount}` for the amount of the change; `text_at_most` is said of the
+    largest.
     """
 
     number: Number
@@ -142,7 +157,13 @@ class Edit:
             agents=many(new, "agent") if isinstance(new, int) else value_text(new),
             steps=many(amount, "step"),
             added=many(amount, "agent"),
+            amount=number_text(float(self.unit * amount)),
         )
+
+
+def literal(text: str) -> str:
+    """A text in which nothing is filled in."""
+    return text.replace("{", "{{").replace("}", "}}")
 
 
 # --- the formula -------------------------------------------------------------------------------
@@ -161,6 +182,8 @@ def _in_formula(mission: Mission, way: Way, field: str | int) -> Any:
     node: Any = node_at(mission.formula, way)
     if isinstance(field, str):
         return getattr(node, field)
+    if field >= len(node.needs) and amounts_of(node):
+        return node.resources[field - len(node.needs)][1]
     return node.needs[field][1] if node.needs else 0  # a limit without needs lets nobody be there
 
 
@@ -169,6 +192,11 @@ def _put_in_formula(mission: Any, value: Any, way: Way, field: str | int) -> Any
     if isinstance(field, str):
         changed = {field: value, **_weights(node, field)}
         return with_node(mission, way, replace(node, **changed))
+    if field >= len(node.needs) and amounts_of(node):
+        amounts = list(node.resources)
+        place = field - len(node.needs)
+        amounts[place] = (amounts[place][0], value)
+        return with_node(mission, way, replace(node, resources=tuple(amounts)))
     if not node.needs:
         return with_node(mission, way, Count("max", node.label, None, "<=", value))
     needs = list(node.needs)
@@ -197,7 +225,7 @@ def _put_agents(mission: Mission, value: int, entry: int, state: str) -> Mission
     group = team[entry]
     starts = dict(group.starts)
     new = {**starts, state: value} if state in starts else {state: value}
-    made = Group(group.class_name, group.capabilities, tuple(new.items()))
+    made = replace(group, starts=tuple(new.items()))
     team[entry:] = [made, *team[entry + 1 :]] if state in starts else [*team[entry:], made]
     return replace(mission, team=tuple(team), warnings=())
 
@@ -296,6 +324,8 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
     {
         "formula": (_in_formula, _put_in_formula),
         "agents": (_agents, _put_agents),
+        "stock": (stock, put_stock),
+        "carries": (carried, put_carried),
         "capacity": (_capacity, _put_capacity),
         "edge": (_duration, _put_duration),
         "wait": (_waits, _put_waits),

@@ -6,7 +6,7 @@ their children are entered, so replacing any occurrence by true makes the whole 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple, TypeAlias
 
@@ -35,7 +35,10 @@ _MONOTONE = (And, Or, Whole, Always, Eventually, Until, Release)
 
 
 class Occurrence(NamedTuple):
-    """A part of a formula: the sub-formula at a way, or one need of the task or limit there."""
+    """A part of a formula: the sub-formula at a way, or one need of the task or limit there.
+
+    The amounts of resources that a task needs are counted on after its needs of agents.
+    """
 
     way: Way
     need: int | None = None
@@ -71,11 +74,29 @@ def counts_of(node: Formula) -> tuple[Count, ...]:
     return (node,) if isinstance(node, Count) else ()
 
 
+def amounts_of(node: Formula) -> tuple[tuple[str, float], ...]:
+    """The amounts of resources that an atom needs, by their names."""
+    return node.resources if isinstance(node, Task) else ()
+
+
+def separable(node: Formula) -> int:
+    """How many needs of agents and resources an atom has that are parts of their own; else 0."""
+    parts = len(counts_of(node)) + len(amounts_of(node))
+    return parts if parts > 1 else 0
+
+
 def numbered_counts(node: Formula, way: Way) -> Iterator[tuple[Occurrence, Count]]:
     """The same, each with the occurrence that it is: that of a need where there are several."""
-    counts = counts_of(node)
-    for number, count in enumerate(counts):
-        yield Occurrence(way, number if len(counts) > 1 else None), count
+    apart = separable(node)
+    for number, count in enumerate(counts_of(node)):
+        yield Occurrence(way, number if apart else None), count
+
+
+def numbered_amounts(node: Formula, way: Way) -> Iterator[tuple[Occurrence, str, float]]:
+    """The amounts of resources that an atom needs, each with the occurrence that it is."""
+    apart, before = separable(node), len(counts_of(node))
+    for number, (resource, amount) in enumerate(amounts_of(node), start=before):
+        yield Occurrence(way, number if apart else None), resource, amount
 
 
 def conjuncts(root: Formula) -> tuple[Way, ...]:
@@ -111,16 +132,39 @@ def _smaller(root: Formula, part: Occurrence) -> list[Occurrence]:
     node = node_at(root, part.way)
     if monotone(node):
         return [Occurrence((*part.way, number)) for number in range(len(node.children))]
-    found = [occurrence for occurrence, _ in numbered_counts(node, part.way)]
-    return found if len(found) > 1 else []
+    return [Occurrence(part.way, number) for number in range(separable(node))]
 
 
 def without(root: Formula, dropped: Iterable[Occurrence]) -> Formula:
-    """The formula that no longer demands some of its parts."""
+    """The formula that no longer demands some of its parts.
+
+    A task with resources that is written twice is executed once where both may be, so it asks for
+    less only where it does so wherever it is written: else it would be two tasks, and paid twice.
+    """
     needs: dict[Way, set[int | None]] = {}
     for part in dropped:
         needs.setdefault(part.way, set()).add(part.need)
-    return exchanged(root, {way: _rest(node_at(root, way), gone) for way, gone in needs.items()})
+    paid = {node for way in needs if amounts_of(node := node_at(root, way))}
+    places: dict[Formula, list[Way]] = {}
+    for way in _ways_to(root, paid) if paid else ():
+        if not any(None in needs.get(way[:length], ()) for length in range(len(way) + 1)):
+            places.setdefault(node_at(root, way), []).append(way)
+    for ways in places.values():
+        common = set.intersection(*(needs.get(way, set()) for way in ways))
+        needs |= dict.fromkeys(ways, common)
+    return exchanged(
+        root, {way: _rest(node_at(root, way), gone) for way, gone in needs.items() if gone}
+    )
+
+
+def _ways_to(root: Formula, wanted: Container[Formula]) -> Iterator[Way]:
+    """The ways to everything that is one of some formulas."""
+    open_: list[tuple[Way, Formula]] = [((), root)]
+    while open_:
+        way, node = open_.pop()
+        if node in wanted:
+            yield way
+        open_ += (((*way, number), child) for number, child in enumerate(node.children))
 
 
 def _rest(node: Formula, gone: set[int | None]) -> Formula:
@@ -128,7 +172,11 @@ def _rest(node: Formula, gone: set[int | None]) -> Formula:
     if None in gone or not isinstance(node, Task | Limit):
         return TRUE
     kept = tuple(pair for number, pair in enumerate(node.needs) if number not in gone)
-    return replace(node, needs=kept) if kept else TRUE
+    if isinstance(node, Limit):
+        return replace(node, needs=kept) if kept else TRUE
+    counted = enumerate(node.resources, start=len(node.needs))
+    amounts = tuple(pair for number, pair in counted if number not in gone)
+    return replace(node, needs=kept, resources=amounts) if kept or amounts else TRUE
 
 
 def exchanged(root: Formula, changes: Mapping[Way, Formula]) -> Formula:

@@ -1,6 +1,7 @@
 """Missions with some of their elements taken out, as problems for the ordinary planner.
 
-A formula part is replaced by true, a capacity removed. Where the size or the start of a part of
+A formula part is replaced by true, a capacity removed; there is as much of a resource, or a robot
+carries as much, as can be of use. Where the size or the start of a part of
 the team is taken out, its robots come from a depot: a new state, from which an edge of one step
 leads to every state where they may start, one step before the mission begins. Robots whose
 number is open may stay in their depot; there are as many as any plan could use.
@@ -11,21 +12,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
+from math import ceil
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.whynot.amount_numbers import useful_amount, useful_hold, with_carries
 from tsplan.explanation.whynot.mission_numbers import remapped, with_bound
 from tsplan.explanation.whynot.occurrences import without
 from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, robot_entries
 from tsplan.limits import MOST_ROBOTS
-from tsplan.logic import Always, Count, walk
-from tsplan.mission import Group
+from tsplan.logic import Always, Count, Execution, walk
+from tsplan.mission.resources import most_carried
 from tsplan.run.problem import Problem, Tuning
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.waits import with_waits, without_wait
 
 if TYPE_CHECKING:
-    from tsplan.mission import Mission
+    from tsplan.mission import Mission, Resource
 
 Dropped = frozenset[SoftConstraint]
 
@@ -47,6 +50,7 @@ def relaxed(
     parts = [occurrence_of(item) for item in gone if item.kind == "formula"]
     formula = without(mission.formula, parts)
     rules = mission.swarm
+    mission = _supplied(mission, gone)
     if rules is not None:
         for item in gone:
             if item.kind == "swarm":
@@ -61,6 +65,28 @@ def relaxed(
     if any(item.kind in ("team", "start") for item in gone):
         return _from_depots(left, gone, tuning)
     return Problem(left, tuning) if robot_entries(mission) else left
+
+
+def _supplied(mission: Mission, gone: Dropped) -> Mission:
+    """The mission with as much as can be of use of some resources, or carried by some entries."""
+    names = {item.key[0] for item in gone if item.kind == "stock"}
+    if names:
+        found = tuple(_plenty(mission, r) if r.name in names else r for r in mission.resources)
+        mission = replace(mission, resources=found, warnings=())
+    most = float(useful_hold(mission))
+    return with_carries(mission, {item.key[0]: most for item in gone if item.kind == "carries"})
+
+
+def _plenty(mission: Mission, resource: Resource) -> Resource:
+    """A resource of which enough lies wherever a task needs it."""
+    labels = [
+        node.label
+        for node in walk(mission.goal)
+        if isinstance(node, Execution) and dict(node.resources).get(resource.name)
+    ]
+    enough = float(useful_amount(mission, resource))
+    states = {state: enough for label in labels for state in mission.system.labels[label]}
+    return replace(resource, at=tuple({**dict(resource.at), **states}.items()))
 
 
 def _roomier(system: TransitionSystem, gone: Dropped) -> TransitionSystem:
@@ -112,7 +138,33 @@ def useful_number(mission: Mission) -> int:
     )
     for_good = waits_everywhere(mission) and not bounded_above(mission)
     steps = 1 if for_good else mission.horizon + 1
-    return max(1, min(total * steps, MOST_ROBOTS // (2 * len(mission.team))))
+    useful = total * steps + _useful_carriers(mission)
+    return max(1, min(useful, MOST_ROBOTS // (2 * len(mission.team))))
+
+
+def _useful_carriers(mission: Mission) -> int:
+    """As many robots as could be of use for carrying: one for each load on each edge of its way.
+
+    A load is a piece, or what goes from one place or execution to another execution, on one way
+    and in as many parts as it takes.
+    """
+    needing = [node for node in walk(mission.goal) if isinstance(node, Execution)]
+    loads = 0
+    for resource in mission.resources:
+        sites = [
+            len(mission.system.labels[node.label])
+            for node in needing
+            if dict(node.resources).get(resource.name)
+        ]
+        rooms = [room for g in mission.team if (room := most_carried(g.carries, resource))]
+        if not sites or not rooms:
+            continue
+        if resource.indivisible:
+            loads += int(resource.total)
+            continue
+        executions = sum(sites) * (mission.horizon + 1)
+        loads += (len(resource.at) + executions) * executions + ceil(resource.total / min(rooms))
+    return loads * (mission.horizon + 1)
 
 
 def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
@@ -135,7 +187,7 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
             edges += [Edge(name, name), *(Edge(name, target) for target in targets)]
             starts.append((name, count if sized else useful_number(mission)))
             (all_ if sized else open_).append(name)
-        team.append(Group(group.class_name, group.capabilities, tuple(starts)))
+        team.append(replace(group, starts=tuple(starts)))
     formula = Always(1, 1, mission.formula)
     later = replace(
         mission,
@@ -168,7 +220,7 @@ def _starts(
         return
     states = mission.system.states.values()
     allowed = [state for state in states if state.needs <= group.capabilities]
-    if near:
+    if near and not group.carries:  # who carries may be of use anywhere
         named = {node.label for node in walk(mission.goal) if isinstance(node, Count)}
         own = {state for state, _ in group.starts}
         allowed = [state for state in allowed if state.labels & named or state.name in own]

@@ -17,12 +17,13 @@ from tsplan.errors import InputError
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.formula_places import Sources
 from tsplan.explanation.whynot.mission_numbers import Number
-from tsplan.explanation.whynot.occurrences import Way, node_at
+from tsplan.explanation.whynot.occurrences import Way, amounts_of, node_at
 from tsplan.explanation.whynot.signal_entries import FIELDS, entries
 from tsplan.explanation.whynot.soft_constraints import file_path, group_bounds, robot_entries
 from tsplan.logic import Formula
+from tsplan.logic.text import number_text
 from tsplan.mission import mission_from_text
-from tsplan.mission.mission_writer import group_entry, margin_text
+from tsplan.mission.mission_writer import group_entry, margin_text, resource_entry
 from tsplan.signals.signal_files import signal_mission_from_text
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
@@ -38,6 +39,7 @@ Exchange: TypeAlias = tuple[int, int, str]
 
 _FIELDS = (
     "team",
+    "resources",
     "horizon",
     "objective",
     "swarm",
@@ -130,7 +132,9 @@ def _numbers(node: Any) -> dict[tuple[str | int, ...], Any]:
         (field,): getattr(node, field) for field in fields if hasattr(node, field)
     }
     needs = getattr(node, "needs", ())
-    return found | {("needs", n, 1): number for n, (_, number) in enumerate(needs)}
+    found |= {("needs", n, 1): number for n, (_, number) in enumerate(needs)}
+    amounts = enumerate(amounts_of(node))
+    return found | {("resources", n, 1): number_text(number) for n, (_, number) in amounts}
 
 
 def _differences(old: Formula, new: Formula) -> Iterator[tuple[Way, Formula, Formula]]:
@@ -146,10 +150,8 @@ def _differences(old: Formula, new: Formula) -> Iterator[tuple[Way, Formula, For
         open_ += [((*way, n), *pair) for n, pair in enumerate(pairs)]
 
 
-def _entries(
-    original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
-) -> Iterator[tuple[document.Path, str]]:
-    """What other entries of the file have to say; sizes and starts of swarms never change."""
+def _team_entries(original: Mission, changed: Mission) -> Iterator[tuple[document.Path, str]]:
+    """What the entries of the team have to say, all of them where there are more than before."""
     entries = robot_entries(original)
     if entries and len(original.team) != len(changed.team):
         members = (flow(group_entry(changed.team[n])) for n in robot_entries(changed))
@@ -159,6 +161,16 @@ def _entries(
             if original.team[number] != changed.team[number]:
                 path = file_path(original, SoftConstraint("team", (number,)))[:-1]
                 yield path, flow(group_entry(changed.team[number]))
+
+
+def _entries(
+    original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
+) -> Iterator[tuple[document.Path, str]]:
+    """What other entries of the file have to say; sizes and starts of swarms never change."""
+    yield from _team_entries(original, changed)
+    for number, resource in enumerate(changed.resources):
+        if resource != original.resources[number]:
+            yield ("resources", number), flow(resource_entry(resource))
     for constraint in group_bounds(original):
         bound = Number("swarm", constraint.key)
         if (value := bound.get(changed)) != bound.get(original):

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.exact import exact
 from tsplan.explanation.explanation import SoftConstraint
-from tsplan.explanation.whynot.edits import deadline, literal
-from tsplan.explanation.whynot.mission_numbers import Edit, Number
+from tsplan.explanation.whynot.edits import deadline
+from tsplan.explanation.whynot.mission_numbers import Edit, Number, literal
 from tsplan.explanation.whynot.occurrences import Occurrence, node_at, nodes_along, occurrences
 from tsplan.explanation.whynot.signal_constraints import system_side
 from tsplan.explanation.whynot.signal_numbers import MAX, MIN, alike, grain, scale, width_of

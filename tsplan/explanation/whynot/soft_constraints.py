@@ -40,15 +40,22 @@ def formula_groups(mission: AnyMission) -> tuple[tuple[SoftConstraint, ...], ...
 def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
     """Everything that bounds the plans beside the formula, what matters most to people first.
 
-    How many robots an entry of the team has and where they start can be taken out, and of a swarm
-    how it may divide and its head-room; its size and its start stay, and so does the map, but for
-    its capacities (those of edges by the direction that comes first) and for states without a wait.
+    How many robots an entry of the team has, where they start and how much they carry can be taken
+    out, and how much there is of a resource; of a swarm how it may divide and its head-room. Its
+    size and its start stay, and so does the map, but for its capacities (those of edges by the
+    direction that comes first) and for states without a wait.
     """
     system = mission.system
     entries = robot_entries(mission)
     return (
         *(SoftConstraint("team", (number,)) for number in entries),
         *(SoftConstraint("start", (number,)) for number in entries),
+        *(
+            SoftConstraint("carries", (number,))
+            for number in entries
+            if mission.team[number].carries
+        ),
+        *(SoftConstraint("stock", (item.name,)) for item in mission.resources),
         *((WAITING,) if without_wait(system) else ()),
         *group_bounds(mission),
         *(
@@ -87,11 +94,14 @@ def file_path(mission: Mission, constraint: SoftConstraint) -> Path:
         return ("map", "waiting")
     if kind == "capacity":
         return ("map", "states", key[0], "capacity") if len(key) == 1 else ("map", "edges")
+    if kind == "stock":
+        return ("resources", [item.name for item in mission.resources].index(key[0]))
     if kind == "swarm":
         word = {"most": "max_subswarms", "least": "min_subswarm", "margin": "margin"}[key[1]]
         names = [group.class_name for group in mission.team]
         return (*_entry_path(mission, names.index(key[0])), word) if key[0] else (word,)
-    return (*_entry_path(mission, key[0]), "count" if kind == "team" else "at")
+    words = {"team": "count", "start": "at", "carries": "carries"}
+    return (*_entry_path(mission, key[0]), words[kind])
 
 
 def _entry_path(mission: Mission, number: int) -> Path:

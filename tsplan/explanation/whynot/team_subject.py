@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.edits import candidates, rank, touched
 from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.explanation.whynot.mission_numbers import ORDER
 from tsplan.explanation.whynot.relaxing import any_plan, bounded_above, relaxed
+from tsplan.explanation.whynot.shortages import undeliverable
 from tsplan.explanation.whynot.soft_constraints import named_facts, robot_entries
 from tsplan.explanation.whynot.subject import Subject
 from tsplan.mission import Mission
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from tsplan.explanation.explanation import Fact, SoftConstraint
     from tsplan.explanation.part_words import Wording
     from tsplan.explanation.whynot.mission_numbers import Edit, Number
-    from tsplan.explanation.whynot.subject import Constraints
+    from tsplan.explanation.whynot.subject import Constraints, Question
     from tsplan.plans.plan import Plan
     from tsplan.run.problem import Problem
 
@@ -69,6 +70,10 @@ class Teams(Subject[Mission]):
     def facts(self) -> Iterator[Fact]:
         """Arithmetic on who is needed where, and on who can be there when."""
         return facts_of(self.context)
+
+    def measured(self, ask: Callable[[Question], Any]) -> Iterator[Fact]:
+        """How much of the resources that tasks need can be there in time at best."""
+        return undeliverable(self.context, ask)
 
     def candidates(self, conflict: Constraints) -> list[Edit]:
         """Everything that can be tried against one conflict; of entries, those of the mission."""

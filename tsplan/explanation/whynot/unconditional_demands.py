@@ -9,10 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from math import ceil, floor
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeAlias
 
-from tsplan.explanation.whynot.occurrences import Occurrence, Way, numbered_counts
+from tsplan.exact import exact
+from tsplan.explanation.whynot.occurrences import Occurrence, Way, numbered_amounts, numbered_counts
 from tsplan.logic import (
     Always,
     And,
@@ -68,6 +70,40 @@ class Demand:
     def total(self) -> int:
         """How many different agents a lower bound needs at once."""
         return self.amount * len(self.states) if self.reach == "each" else self.amount
+
+
+@dataclass(frozen=True, slots=True)
+class AmountDemand:
+    """A task needs an `amount` of a resource at each of its states, whenever it is executed.
+
+    It is executed at some step `span.first .. span.last`, and again at each of the `span.lasts`
+    steps that follow.
+    """
+
+    occurrence: Occurrence
+    task: Task
+    resource: str
+    amount: Fraction
+    states: tuple[str, ...]
+    span: Span
+
+    @property
+    def executions(self) -> int:
+        """How often it is executed at each state."""
+        return self.span.lasts + 1
+
+
+def amount_demands(mission: Mission) -> tuple[AmountDemand, ...]:
+    """The amounts of resources that the mission's formula asks for in any case."""
+    return tuple(
+        AmountDemand(
+            part, node, name, exact(amount), tuple(mission.system.labels[node.label]), when
+        )
+        for way, node, when, _ in required((), mission.formula, Span(0, 0))
+        if isinstance(node, Task)
+        for part, name, amount in numbered_amounts(node, way)
+        if amount
+    )
 
 
 def demands(mission: Mission) -> tuple[Demand, ...]:
