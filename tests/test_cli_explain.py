@@ -33,11 +33,22 @@ spec:
 objective: [travel]
 """
 KINDS = {
-    "fact": {"scarcity", "swarm", "reach", "capacity", "contradiction", "room", "timing"},
+    "fact": {
+        "scarcity",
+        "swarm",
+        "reach",
+        "capacity",
+        "contradiction",
+        "room",
+        "timing",
+        "delivery",
+    },
     "tight": {"tight", "slack"},
-    "part": {"formula", "team", "start", "capacity", "swarm"},
+    "part": {"formula", "team", "start", "carries", "stock", "capacity", "swarm"},
     "change": {
         "add_agents",
+        "add_stock",
+        "carry_more",
         "extend_deadline",
         "shorten_task",
         "lower_need",
@@ -136,6 +147,7 @@ def test_json(folder, capsys):
         ("office_lift", None),
         pytest.param("reef_thin", "swarm", marks=pytest.mark.long),
         ("rescue_late", "reach"),
+        ("site_late", "delivery"),
     ],
 )
 def test_the_environments_name_their_cause(name, kind, capsys):

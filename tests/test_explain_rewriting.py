@@ -18,7 +18,7 @@ from tsplan.testing import random_task_mission
 
 FOLDER = Path(__file__).parents[1] / "environments"
 QUICK = ("farm_overbooked", "office_closed", "office_double", "office_lift", "rescue_late")
-INFEASIBLE = sampled([*QUICK, "reef_thin"], QUICK)
+INFEASIBLE = sampled([*QUICK, "site_late", "reef_thin"], QUICK)
 TEXT = """\
 format: tsplan-mission/1
 name: small      # keep me

@@ -13,14 +13,14 @@ from tests.deliveries import GARDEN, building, site
 from tests.legible import assert_legible
 from tsplan.checking.plan_check import certify
 from tsplan.draw.palette import Palette
-from tsplan.draw.path_map import strands_of
+from tsplan.draw.path_map import load_texts, strands_of
 from tsplan.draw.stock_chart import MOST_ROWS, beside, shown_rows
 from tsplan.draw.tracks import tracks
 from tsplan.draw.views import draw_page
 from tsplan.errors import InputError
 from tsplan.explanation.why.stock_lines import stock_lines
 from tsplan.mission import Group, Resource
-from tsplan.plans.supplies import loads_of
+from tsplan.plans.supplies import Cargo, loads_of
 from tsplan.viewer.page_data import page_data
 
 matplotlib = pytest.importorskip("matplotlib")
@@ -131,6 +131,30 @@ def test_what_is_not_there_is_seen_to_be_missing():
     short, *_ = named(ax, "execution")
     other, *_ = named(plan.plot(mission, view="stocks")[1], "execution")
     assert short.get_facecolor() != other.get_facecolor()
+
+
+def test_what_was_never_there_is_drawn_as_nothing():
+    mission, plan = building()
+    extra = Cargo("man-2", 0, "drill", 1.0)  # there is only one, and man-1 has it
+    figure, ax = replace(plan, cargo=(*plan.cargo, extra)).plot(mission, view="stocks")
+    shade, *_ = named(ax, "lacking")
+    assert (shade.get_x(), shade.get_width()) == (0.5, 7)
+    heights = [line.get_ydata() for line in named(ax, "stock")]
+    assert all(np.ptp(np.floor(height)) == 0 for height in heights)  # each within its row
+    assert_legible(figure)
+
+
+def test_many_paths_say_what_is_carried_in_all():
+    mission, plan = building()
+    found = strands_of(
+        [track for track in tracks(plan, mission) for _ in range(20)],
+        7,
+        Palette.of(mission),
+        loads_of(plan.cargo),
+    )
+    assert found[1]
+    man = found[0][0].passages["yard", "wall"]
+    assert load_texts(man, joined=True)[0] == "40 brick, 20 drill"
 
 
 def test_of_many_rows_those_that_are_needed_stay():

@@ -44,6 +44,7 @@ _TEXT = TINY + 0.8
 
 _APART = (1.0, 5.0)  # points from the lanes to a mark
 _FURTHER = (*_APART, 8.5, 16.0)  # and to a load, which may stand below the marks
+_LONGEST = 32  # characters of a line of what is carried
 _MOST_LOADS = 3  # that are written at one passage
 
 Pair = tuple[str, str]
@@ -90,8 +91,8 @@ def draw_paths(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
         _draw_strand(drawn, strand, [_shift(lanes[pair], number) for pair in strand.passages])
     if not joined and not drawn.dense:
         _mark_arrivals(drawn, strands, lanes)
-    if not drawn.dense:
-        _mark_loads(drawn, strands, lanes)
+    if not drawn.dense and _few_loads(strands):
+        _mark_loads(drawn, strands, lanes, joined=joined)
     return finish(drawn, f"{plan.mission.name or mission.name}: paths", lanes)
 
 
@@ -222,38 +223,59 @@ def _ink(strand: Strand) -> str:
     return mixed(strand.paint.colour, "#000000", 0.55 if light else 0.35)
 
 
+def _few_loads(strands: Sequence[Strand]) -> bool:
+    """Whether something is carried, along so few ways that all of them can say so."""
+    return 0 < sum(bool(p.loads) for s in strands for p in s.passages.values()) <= _MOST_MARKS
+
+
 def _mark_loads(
-    drawn: DrawnMap, strands: Sequence[Strand], lanes: Mapping[Pair, tuple[int, ...]]
+    drawn: DrawnMap,
+    strands: Sequence[Strand],
+    lanes: Mapping[Pair, tuple[int, ...]],
+    *,
+    joined: bool,
 ) -> None:
     """What is carried along each way, beside its lanes where there is room, in one line or more."""
     for strand in strands:
-        style: dict[str, Any] = {"color": _ink(strand), "zorder": 5, "gid": "load"}
+        style: dict[str, Any] = {
+            "color": _ink(strand),
+            "zorder": 5,
+            "gid": "load",
+            "bbox": canvas.halo(),
+        }
         for pair, passage in strand.passages.items():
             outermost = _shift(lanes[pair], lanes[pair][-1])
-            for text in load_texts(passage):
+            for text in load_texts(passage, joined=joined):
                 centres = _beside(drawn, pair, outermost, text, _FURTHER)
                 if drawn.write_free(text, centres, _TEXT, **style):
                     break
 
 
-def load_texts(passage: Passage) -> tuple[str, ...]:
+def load_texts(passage: Passage, *, joined: bool = False) -> tuple[str, ...]:
     r"""What is carried along a way, in one line and in more.
 
-    The steps of arrival are said where it is not always the same.
+    Where it is not always the same the steps of arrival are said; of paths that are `joined`, how
+    much it is in all.
 
     >>> load_texts(Passage(1, [(4, True)], {4: {"brick": 2.0, "drill": 1.0}}))
     ('2 brick, 1 drill', '2 brick\n1 drill')
-    >>> load_texts(Passage(1, [(4, True), (8, True)], {8: {"brick": 2.0}}))
-    ('8: 2 brick',)
+    >>> two = Passage(1, [(4, True), (8, True)], {4: {"brick": 1.0}, 8: {"brick": 2.0}})
+    >>> load_texts(two), load_texts(two, joined=True)
+    (('4: 1 brick\n8: 2 brick',), ('3 brick',))
     """
-    every = {load_words(load) for load in passage.loads.values()}
-    steps = {step for step, _ in passage.arrivals}
-    if len(every) == 1 and steps <= set(passage.loads):
-        (load, *_) = passage.loads.values()
-        return tuple(dict.fromkeys((load_words(load), load_words(load, "\n"))))
-    said = [f"{step}: {load_words(load)}" for step, load in sorted(passage.loads.items())]
-    said = said if len(said) <= _MOST_LOADS else [*said[:_MOST_LOADS], "\u2026"]
-    return tuple(dict.fromkeys(("; ".join(said), "\n".join(said)))) if said else ()
+    loads = sorted(passage.loads.items())
+    same = {step for step, _ in passage.arrivals} <= set(passage.loads)
+    if same and len({load_words(load) for _, load in loads}) == 1:
+        load = loads[0][1]
+    elif joined and loads:
+        load = together(load for _, load in loads)
+    else:
+        said = [f"{step}: {load_words(load)}" for step, load in loads[:_MOST_LOADS]]
+        said += ["\u2026"] if len(loads) > _MOST_LOADS else []
+        return ("\n".join(canvas.shortened(line, _LONGEST) for line in said),) if said else ()
+    lines = [canvas.shortened(load_words({name: load[name]}), _LONGEST) for name in load]
+    whole = load_words(load)
+    return tuple(dict.fromkeys(([whole] if len(whole) <= _LONGEST else []) + ["\n".join(lines)]))
 
 
 def _beside(
@@ -284,6 +306,7 @@ def _entries(moving: Sequence[Track], strands: Sequence[Strand], *, joined: bool
     if strands:
         what = "the more agents, the wider" if joined else "numbers: steps of arrival"
         shown.append(Entry.nothing(what))
-    if any(passage.loads for strand in strands for passage in strand.passages.values()):
-        shown.append(Entry.nothing("numbers with names: what is carried"))
+    if _few_loads(strands):
+        what = "all that is carried" if joined else "what is carried"
+        shown.append(Entry.nothing(f"numbers with names: {what}"))
     return shown

@@ -90,9 +90,11 @@ def _draw_row(ax: Any, place: int, row: StockLine) -> None:
     for first, last in runs(np.flatnonzero(row.needs > 0)):
         short = row.needs[first : last + 1] > row.amounts[first : last + 1] + _LITTLE * most
         shade_steps(ax, place, (first, last), MISSED if short.any() else CHOSEN, "execution")
+    for lacking in runs(np.flatnonzero(row.amounts < -_LITTLE * most)):
+        shade_steps(ax, place, lacking, MISSED, "lacking")
     ax.axhline(base, color=LINE, linewidth=0.5)
     steps = np.arange(len(row.amounts) + 1) - HALF
-    amounts = np.append(row.amounts, row.amounts[-1])
+    amounts = np.maximum(np.append(row.amounts, row.amounts[-1]), 0.0)
     look = {"step": "post", "color": _STOCK, "alpha": 0.28, "linewidth": 0}
     ax.fill_between(steps, base, height(amounts), **look)
     ax.step(steps, height(amounts), where="post", color=_STOCK, linewidth=1.1, gid="stock")
@@ -111,7 +113,7 @@ def _write_amounts(ax: Any, row: StockLine, most: float, base: float) -> None:
     for first, after in pairwise(changes.tolist()):
         amount = float(row.amounts[first])
         words = number(round(amount, 6))
-        if not amount or canvas.text_size(words, SMALL)[0] > step_points * (after - first) - 2:
+        if amount <= 0 or canvas.text_size(words, SMALL)[0] > step_points * (after - first) - 2:
             continue
         inside = amount >= _INSIDE * most
         style = {"va": "top" if inside else "baseline", "fontsize": SMALL, "color": _STOCK}
@@ -176,7 +178,7 @@ def _beside_width(row: StockLine) -> float:
 def _entries(rows: Sequence[StockLine]) -> list[Entry]:
     if not rows:
         return []
-    short = any((row.needs > row.amounts + _LITTLE).any() for row in rows)
+    short = any((np.maximum(row.needs, 0) > row.amounts + _LITTLE).any() for row in rows)
     used = [
         Entry.line("needed by executions", **NEED),
         Entry.patch("used up, or a tool in use", facecolor=CHOSEN),
