@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from math import floor
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tsplan.explanation.part_words import amount_words, stock_words
 from tsplan.explanation.whynot.amount_numbers import resource_of, unit_of
@@ -27,7 +28,9 @@ if TYPE_CHECKING:
     from tsplan.explanation.whynot.unconditional_demands import AmountDemand
     from tsplan.mission import Mission, Resource
 
-MOST_QUESTIONS = 6
+_ROUNDING = 1e-6  # of a unit, by which solvers may fall short of one
+
+MOST_QUESTIONS = 3
 """Amounts at states by steps that a solver is asked for."""
 
 
@@ -134,25 +137,45 @@ def _loads(number: int) -> str:
 
 
 def undeliverable(context: Context, ask: Callable[[Mission], Any]) -> Iterator[Fact]:
-    """Amounts that cannot be at a state in time, whatever else is left undone: by solves."""
-    asked = 0
-    for need in context.amounts:
+    """Amounts that cannot be at a state in time, whatever else is left undone: by solves.
+
+    First come those of which the least can be there by the bound, measured by what is needed. No
+    more are asked for once one takes too long.
+    """
+    questions = sorted(_open(context), key=lambda question: question.ease)
+    for _, need, state, wanted, step in questions[:MOST_QUESTIONS]:
         resource = resource_of(context.mission, need.resource)
         unit = unit_of(context.mission, resource)
+        found = ask(gathering(context.mission, resource.name, (state, step), unit))
+        most = None if found is None else _most_found(found, unit)
+        if most is None:
+            return
+        if most[0] < wanted:
+            can = f"{'' if most[1] else 'at most '}{number_text(float(most[0]))} can be"
+            text = f"{_asked(need, wanted, state, step)}, and {can}"
+            yield context.fact("delivery", text, [need], *named_facts(context.mission))
+
+
+class _Question(NamedTuple):
+    """Whether so much can be at a state by a step; `ease` is how often by the bound."""
+
+    ease: Fraction
+    need: AmountDemand
+    state: str
+    wanted: Fraction
+    step: int
+
+
+def _open(context: Context) -> Iterator[_Question]:
+    """Amounts of which the bound does not tell that they cannot be there, nor what lies there."""
+    for need in context.amounts:
+        resource = resource_of(context.mission, need.resource)
         bounds = HaulageBounds(context, resource)
         for state in need.states:
             for wanted, step in _by_steps(need, resource):
-                if bounds.most(state, step).amount < wanted or asked >= MOST_QUESTIONS:
-                    continue  # that is a fact already
-                asked += 1
-                found = ask(gathering(context.mission, resource.name, (state, step), unit))
-                most = None if found is None else _most_found(found, unit)
-                if most is not None and most[0] < wanted:
-                    sure = "" if most[1] else "at most "
-                    text = f"{_asked(need, wanted, state, step)}, and {sure}"
-                    text += f"{number_text(float(most[0]))} can be"
-                    yield context.fact("delivery", text, [need], *named_facts(context.mission))
-                    break
+                most = bounds.most(state, step)
+                if most.lying < wanted <= most.amount:
+                    yield _Question(most.amount / wanted, need, state, wanted, step)
 
 
 def gathering(mission: Mission, resource: str, place: tuple[str, int], unit: Fraction) -> Mission:
@@ -188,5 +211,5 @@ def _most_found(plan: Any, unit: Fraction) -> tuple[Fraction, bool] | None:
     (reserve,) = plan.objective
     if reserve.bound is None:
         return None
-    most = Fraction(reserve.bound).limit_denominator(10**6) + unit
-    return most, bool(reserve.proven)
+    # one resource flows between whole robots, so all that can be there is a multiple of the unit
+    return (floor(reserve.bound / float(unit) + _ROUNDING) + 1) * unit, bool(reserve.proven)
