@@ -268,14 +268,14 @@ def _read_executions(mission: Mission, plan: Plan) -> tuple[list[Use], list[str]
     known = {
         str(node): node
         for node in walk(mission.formula)
-        if isinstance(node, Task) and node.resources
+        if isinstance(node, Task) and (node.resources or mission.books)
     }
     uses, problems = [], []
     for item, times in Counter(plan.executions).items():
         what = f"{item.task} is executed at {item.state} at step {item.step}"
         task = known.get(item.task)
         if task is None:
-            problems.append(f"{what}, and the mission has no such task with resources")
+            problems.append(f"{what}, and the mission has no such task to execute")
             continue
         last = item.step + task.duration - (mission.task_interval != "closed")
         if item.state not in mission.system.labels.get(task.label, ()):

@@ -23,6 +23,7 @@ from tsplan.checking.claimed_values import (
     unproven,
 )
 from tsplan.checking.crowding import crowded
+from tsplan.checking.double_booking import double_booked
 from tsplan.checking.expected_traffic import TOLERANCE, ExpectedTraffic, read_policies
 from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.lateness import late
@@ -108,6 +109,7 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
         *crowded(traffic),
         *broken_bounds(traffic),
         *unsupplied(traffic),
+        *double_booked(traffic),
         *_short_delay(traffic),
         *_disorderly(traffic),
         *_broken_formula(traffic),

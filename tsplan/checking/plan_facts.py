@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from tsplan.checking.claimed_values import shown
 from tsplan.plans.summary import infinite_word
+from tsplan.words import many
 
 if TYPE_CHECKING:
     from tsplan.checking.measures import Number
     from tsplan.checking.traffic import Traffic
     from tsplan.plans.plan import Plan
+
+
+_BOOKED: Mapping[str, str] = MappingProxyType(
+    {
+        "exclusive": "{} at every step have agents that serve no other task then",
+        "per-label": "{} at every step have agents that serve no other label of the state then",
+    }
+)
+"""What is told of executions whose agents are booked."""
 
 
 def facts_of(plan: Plan, traffic: Traffic, values: Mapping[str, Number]) -> tuple[str, ...]:
@@ -56,6 +67,8 @@ def _rules(plan: Plan, traffic: Traffic) -> Iterator[str]:
         count = len(traffic.ledger.uses)
         yield f"{count} task{'s have' if count != 1 else ' has'} what they need when executed"
         yield "no robot carries more than it can, and no state is left with less than nothing"
+    if traffic.mission.books:
+        yield _BOOKED[traffic.mission.booking].format(many(len(traffic.ledger.uses), "execution"))
     if swarm is None:
         return
     least = min(group.size for group in traffic.groups)

@@ -8,10 +8,12 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from tsplan.encode.bookings import booking_rows
 from tsplan.encode.capacity_rows import capacity_rows
 from tsplan.encode.demand_rows import Built, DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
+from tsplan.encode.executions import PART as EXECUTIONS
 from tsplan.encode.executions import Executions
 from tsplan.encode.expected_rows import expected_rows, policy_rows
 from tsplan.encode.flow_network import ClassColumns, Network, flow
@@ -134,6 +136,8 @@ class _Assembly:
         mission = setting.mission
         aims = objectives_of(mission)
         own: dict[str, Any] = {aim.name: aim.columns(setting, network, draft) for aim in aims}
+        own[EXECUTIONS] = executed
+        booking_rows(mission, executed, network, draft)
         made = {}
         if setting.changes:
             own[STRUCTURES] = rebuilding(setting.changes, network, draft)

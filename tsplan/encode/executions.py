@@ -1,7 +1,7 @@
-"""When tasks with resources are executed: 0/1 columns, and how formulas ask for them.
+"""When tasks are executed: 0/1 columns, and how formulas ask for them.
 
 There is a column for every task, state of its label and step. What it takes from the stocks there
-is said in `tsplan.encode.stocks`.
+is said in `tsplan.encode.stocks`, and which agents it needs for itself in `tsplan.encode.bookings`.
 """
 
 from __future__ import annotations
@@ -35,6 +35,20 @@ class Timed(NamedTuple):
 
 
 Executions: TypeAlias = Mapping[Executed, Timed]
+
+PART = "executions"
+"""The name of this part among those of a model."""
+
+_HELD = 1e-6  # less than a whole execution by this is one: the tolerance of the solvers
+
+
+def executed_at(executions: Executions, values: Floats) -> list[tuple[Execution, int, int]]:
+    """The task, state and step of every execution at a point."""
+    return [
+        (bound.task, bound.state, timed.first + int(place))
+        for bound, timed in executions.items()
+        for place in np.flatnonzero(values[timed.columns] > 1 - _HELD)
+    ]
 
 
 @dataclass(frozen=True, eq=False)

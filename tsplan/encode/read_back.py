@@ -11,6 +11,8 @@ import numpy as np
 from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Point, Setting
+from tsplan.encode.executions import PART as EXECUTIONS
+from tsplan.encode.executions import Executions, executed_at
 from tsplan.encode.map_reduction import Reduced, whole
 from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import Stocks
@@ -204,8 +206,8 @@ def modules_at(setting: Setting, point: Point) -> list[PoolMoves]:
 
 def executions_of(point: Point) -> list[tuple[Execution, int, int]]:
     """The task, state and step of every execution at a point."""
-    made: Stocks | None = point.encoded.own_columns.get(STOCKS)
-    return [] if made is None else made.executed(point.values)
+    made: Executions = point.encoded.own_columns.get(EXECUTIONS, {})
+    return executed_at(made, point.values)
 
 
 def carried_at(setting: Setting, point: Point) -> Iterator[Carried]:

@@ -28,6 +28,7 @@ from tsplan.encode.executions import (
     Timed,
     beyond,
     earliest,
+    executed_at,
     execution_columns,
     latest,
 )
@@ -41,8 +42,6 @@ from tsplan.mission import Mission, Resource
 
 PART = "stocks"
 """The name of this part among those of a model."""
-
-_HELD = 1e-6  # less than a whole execution by this is one: the tolerance of the solvers
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +88,7 @@ class Stocks:
 
     def least_left(self, values: Floats) -> float:
         """What is left at the executions of a point beside what they need; infinite without any."""
-        done = self.executed(values)
+        done = executed_at(self.executions, values)
         left = [np.inf]
         for stock in self.stocks:
             name, consumed = stock.resource.name, stock.resource.consumed
@@ -118,14 +117,6 @@ class Stocks:
     def whole(self) -> bool:
         """Whether all that is used comes in whole pieces."""
         return all(stock.resource.indivisible for stock in self.stocks)
-
-    def executed(self, values: Floats) -> list[tuple[Execution, int, int]]:
-        """The task, state and step of every execution at a point."""
-        return [
-            (bound.task, bound.state, timed.first + int(place))
-            for bound, timed in self.executions.items()
-            for place in np.flatnonzero(values[timed.columns] > 1 - _HELD)
-        ]
 
 
 def executed_columns(

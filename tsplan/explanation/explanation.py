@@ -20,6 +20,7 @@ PartKind: TypeAlias = Literal[
     "start",
     "carries",
     "stock",
+    "booking",
     "waiting",
     "capacity",
     "swarm",

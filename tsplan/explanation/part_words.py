@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, get_args
 
 from tsplan.explanation.explanation import Part, PartKind, Place, SoftConstraint
@@ -39,6 +40,14 @@ if TYPE_CHECKING:
 
 _KINDS: tuple[PartKind, ...] = get_args(PartKind)
 """The order in which parts of a conflict are said."""
+
+
+_BOOKED: Mapping[str, str] = MappingProxyType(
+    {
+        "exclusive": "an agent serves one task at a time, with one capability (booking: exclusive)",
+        "per-label": "different labels of a state have different agents (booking: per-label)",
+    }
+)
 
 
 def agents(number: int, capability: str | None) -> str:
@@ -146,6 +155,8 @@ class TeamWording(Wording):
         if kind == "waiting":
             where = listed(without_wait(self.mission.system))
             return f"nobody can wait at {where}: no edge leads from there to itself"
+        if kind == "booking":
+            return _BOOKED[self.mission.booking]
         if kind == "swarm":
             return self._group_bound(*key)
         if kind == "capacity":

@@ -170,9 +170,10 @@ class Task(Formula):
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Execution(Formula):
-    """A task with resources is executed now, at every state with the task's label.
+    """A task is executed now, at every state with the task's label.
 
-    Nothing in a text is read as this: it is a part of what a task with resources translates to.
+    Nothing in a text is read as this: it is a part of what a task translates to that has resources
+    or agents of its own.
     `task` is the text of the task. Its needs hold, and tools are in use, from now on to `last`.
     """
 

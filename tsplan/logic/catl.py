@@ -32,12 +32,14 @@ TaskInterval: TypeAlias = Literal["closed", "half-open"]
 INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
 
 
-def translate(formula: Formula, interval: TaskInterval = "closed") -> Formula:
+def translate(
+    formula: Formula, interval: TaskInterval = "closed", *, executed: bool = False
+) -> Formula:
     """The formula without tasks and limits.
 
     `T(d,A,{(c,m),...})` becomes `G[0,d]` of the conjunction of `min(A,c) >= m`; `half-open` ends
     one step sooner. `L(A,{(c,m),...})` becomes the conjunction of `max(A,c) <= m`. A task with
-    resources also becomes the `Execution` of it.
+    resources also becomes the `Execution` of it; where tasks are `executed`, every task does.
 
     Raises FormulaError for tasks of duration 0 where the interval is half-open.
 
@@ -55,8 +57,14 @@ def translate(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     ]
     if findings:
         raise FormulaError(findings)
-    plain: Formula = fold(formula, lambda node, below: counted(node, below, interval))
-    return plain
+
+    def plain(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        if executed and isinstance(node, Task):
+            return _execution(node, interval)
+        return counted(node, below, interval)
+
+    made: Formula = fold(formula, plain)
+    return made
 
 
 def _untranslatable(node: Task, interval: TaskInterval) -> list[Finding]:
@@ -88,14 +96,24 @@ def _(
 
 @counted.register
 def _(node: Task, _below: tuple[Formula, ...], interval: TaskInterval) -> Formula:
-    last = node.duration if interval == "closed" else node.duration - 1
+    return _execution(node, interval) if node.resources else _staffed(node, interval)
+
+
+def _last(node: Task, interval: TaskInterval) -> int:
+    """How many steps after its first one a task ends."""
+    return node.duration if interval == "closed" else node.duration - 1
+
+
+def _staffed(node: Task, interval: TaskInterval) -> Formula:
+    """A task has its agents as long as it lasts."""
     staffed = (Count("min", node.label, name, ">=", number) for name, number in node.needs)
-    throughout = Always(0, last, conjunction(staffed))
-    if not node.resources:
-        return throughout
-    return conjunction(
-        (throughout, Execution(str(node), node.label, node.needs, node.resources, last))
-    )
+    return Always(0, _last(node, interval), conjunction(staffed))
+
+
+def _execution(node: Task, interval: TaskInterval) -> Formula:
+    """A task has its agents and is executed."""
+    done = Execution(str(node), node.label, node.needs, node.resources, _last(node, interval))
+    return conjunction((_staffed(node, interval), done))
 
 
 @counted.register

@@ -25,7 +25,7 @@ class CountTrace:
     `counts[capability]` is an array (..., states, steps) of whole numbers, `counts[None]` that of
     all agents; a capability that is absent counts 0 everywhere. `labels[label]` holds the places of
     the label's states along the states axis. Axes before these two are a batch. `executions` has,
-    by the text of a task with resources, where and when it is executed: Booleans of that shape.
+    by the text of a task, where and when it is executed: Booleans of that shape.
     `most` are the counts that bounds from above are held against, where these are others, as where
     agents may be late: then `counts` are those that are sure and `most` those that are possible.
     """

@@ -34,6 +34,7 @@ from tsplan.mission.resources import Carries, Resource
 from tsplan.mission.team import Agent, Group
 from tsplan.mission.values import parts_from_values
 from tsplan.mission.vocabulary import (
+    Booking,
     Dynamics,
     Language,
     PolicyKind,
@@ -60,7 +61,9 @@ class Mission(MissionParts):
     map asks for it. The `swarm` rules say which classes are swarms, whose agents move as
     sub-swarms. `resources` are what tasks may need beside robots, and `modular` says what the
     modules of modular robots can become. The formula holds even where every agent is up to `delay`
-    steps late at any time. On a map of actions with uncertain outcomes numbers are `expected` ones.
+    steps late at any time. `booking` says whether an agent counts for all tasks at its state, for
+    those of one label, or for one alone. On a map of actions with uncertain outcomes numbers are
+    `expected` ones.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
 
@@ -91,7 +94,11 @@ class Mission(MissionParts):
 
         A percentage is one of all agents that its atom counts.
         """
-        return self._resolved(logic.translate(self.formula, interval=self.task_interval))
+        return self._resolved(self.translated(self.formula))
+
+    def translated(self, formula: Formula) -> Formula:
+        """A formula of the mission without tasks, which are executed where agents are booked."""
+        return logic.translate(formula, interval=self.task_interval, executed=self.books)
 
     def _resolved(self, formula: Formula) -> Formula:
         """A formula without percentages, which only missions with swarms have."""
@@ -186,6 +193,7 @@ class Mission(MissionParts):
         max_subswarms: int | None = None,
         margin: str | int | None = None,
         delay: int | None = None,
+        booking: Booking | None = None,
         formula: str | bool | Formula | Sequence[str | bool] | None = None,
         must: str | bool | Formula | Sequence[str | bool] | None = None,
         prefer: Iterable[Preference | Mapping[str, Any]] = (),
@@ -233,6 +241,7 @@ class Mission(MissionParts):
             "max_subswarms": max_subswarms,
             "margin": margin,
             "delay": delay,
+            "booking": booking,
             "spec": {key: value for key, value in spec.items() if value is not None},
             "objective": None if objective is None else list(objective),
             "task_interval": task_interval,

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from tsplan.errors import nearest
 from tsplan.logic import Formula
+from tsplan.mission.booking_checks import Booked, booking_faults
 from tsplan.mission.configuration_checks import Building, carriers, module_faults
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.expectation_checks import chance_faults, expectation_faults
@@ -63,6 +64,7 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
             modular=bool(mission.modular),
         ),
         *late_faults(mission.delay, mission.horizon),
+        *booking_faults(_booked(mission), mission.objective, [mission.formula]),
         *_formula_faults(mission, mission.formula, whole="satisfaction" not in mission.objective),
         *(
             fault
@@ -84,7 +86,16 @@ def _formula_faults(
 
 def _carrying(mission: MissionParts) -> Carrying:
     entries = carriers(_entries(mission), mission.modular)
-    return Carrying(mission.resources, entries, mission.system)
+    return Carrying(mission.resources, entries, mission.system, mission.books)
+
+
+def _booked(mission: MissionParts) -> Booked:
+    return Booked(
+        mission.booking,
+        swarms=mission.swarm is not None,
+        delay=mission.delay,
+        expected=mission.expected is not None,
+    )
 
 
 def _entries(mission: MissionParts) -> list[Entry]:

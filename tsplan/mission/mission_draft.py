@@ -16,6 +16,7 @@ from tsplan.errors import InputError, MissionError
 from tsplan.logic import Formula, parse_with_places
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
+from tsplan.mission.booking_checks import Booked, booking_faults
 from tsplan.mission.configuration_checks import Building, carriers, module_faults
 from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.costs import cost_faults
@@ -165,11 +166,6 @@ class _Draft(Filing):
         return self.modular or ModuleRules()
 
     @property
-    def _carrying(self) -> Carrying:
-        entries = None if self.entries is None else carriers(self.entries, self.rules)
-        return Carrying(self.resources, entries, self.system)
-
-    @property
     def team(self) -> tuple[Group, ...] | None:
         """The groups, as far as they are known."""
         return None if self.entries is None else tuple(group for _, group in self.entries)
@@ -262,7 +258,7 @@ class _Draft(Filing):
         """Report what does not fit together, as far as the parts are known."""
         faults = list(self._agent_faults(file))
         if self.resources is not None:
-            faults += resource_faults(self._carrying, self.objective(file), self.swarm)
+            faults += resource_faults(self._carrying(file), self.objective(file), self.swarm)
         faults += delay_faults(
             file.delay,
             self.objective(file),
@@ -270,13 +266,15 @@ class _Draft(Filing):
             expected=self.expected is not None,
             modular=bool(self.rules),
         )
+        formulas = [formula for _, formula in self.formulas.all()]
+        faults += booking_faults(self._booked(file), self.objective(file), formulas)
         horizons = []
         for where, formula in self.formulas.all():
             team = None if self.team is None else self.rules.possible(self.team)
             found = [*formula_faults(formula, self.system, team, self.swarm)]
             found += horizon_faults(formula, file.task_interval, file.horizon)
             whole = where == self.formulas.where and self.order(file, where) is None
-            found += spending_faults(formula, self._carrying, whole=whole)
+            found += spending_faults(formula, self._carrying(file), whole=whole)
             faults += moved(found, where)
             horizons.append(formula_horizon(formula, file.task_interval) or 0)
         self.horizon = max(horizons, default=0) if file.horizon is None else file.horizon
@@ -290,6 +288,18 @@ class _Draft(Filing):
                 late += moved(weight_faults(formula, self.order(file, where)), where)
             for fault in late:
                 self.file(fault)
+
+    def _carrying(self, file: MissionFile) -> Carrying:
+        entries = None if self.entries is None else carriers(self.entries, self.rules)
+        return Carrying(self.resources, entries, self.system, file.booking != "shared")
+
+    def _booked(self, file: MissionFile) -> Booked:
+        return Booked(
+            file.booking,
+            swarms=self.swarm is not None,
+            delay=file.delay,
+            expected=self.expected is not None,
+        )
 
     def order(self, file: MissionFile, where: Place) -> Order | None:
         """The order in which the formula at a place may hold in part, None where it may not."""
@@ -323,6 +333,7 @@ class _Draft(Filing):
             modular=self.rules,
             expected=self.expected,
             delay=file.delay,
+            booking=file.booking,
             satisfaction=objective_order(file.objective or ()),
             prefer=self.preferences(file.spec.prefer),
             weights=settled(self.weights),

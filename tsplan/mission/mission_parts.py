@@ -15,7 +15,7 @@ from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resources import Resource
 from tsplan.mission.team import Expectation, Group, SwarmBounds, SwarmRules
-from tsplan.mission.vocabulary import Language, Order, TaskInterval
+from tsplan.mission.vocabulary import Booking, Language, Order, TaskInterval
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
 
@@ -61,6 +61,7 @@ class MissionParts:
     modular: ModuleRules = field(default_factory=ModuleRules)
     expected: Expectation | None = None
     delay: int = 0
+    booking: Booking = "shared"
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()
     weights: Mapping[str, Weight] = field(default_factory=dict, compare=False, repr=False)
@@ -74,6 +75,11 @@ class MissionParts:
         """What says how far counts are kept away from what the formula needs, if anything does."""
         rules = self.swarm or self.expected
         return rules if rules is not None and rules.margin else None
+
+    @property
+    def books(self) -> bool:
+        """Whether every task is executed, with agents that are booked for it."""
+        return self.booking != "shared"
 
     def group_bounds(self, class_name: str) -> SwarmBounds | None:
         """How a class may divide into sub-swarms; None for ordinary robots."""

@@ -23,7 +23,16 @@ from tsplan.limits import (
     MOST_WEIGHT,
     Range,
 )
-from tsplan.mission.vocabulary import FORMAT, ORDERS, Dynamics, Language, PolicyKind, TaskInterval
+from tsplan.mission.vocabulary import (
+    BOOKINGS,
+    FORMAT,
+    ORDERS,
+    Booking,
+    Dynamics,
+    Language,
+    PolicyKind,
+    TaskInterval,
+)
 from tsplan.mission.weight_entries import weights_of_entry
 
 _SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
@@ -65,6 +74,13 @@ def _aim(value: Any) -> Any:
         remedy = nearest(str(order), ORDERS)
         raise complaint(f"{shown(order)} is no order of satisfaction", remedy)
     return f"satisfaction: {order}"
+
+
+def _booking(value: Any) -> Any:
+    """How agents are booked for tasks."""
+    if value not in BOOKINGS:
+        raise complaint(f"{shown(value)} is no way to book agents", nearest(str(value), BOOKINGS))
+    return value
 
 
 def _load(value: Any) -> Any:
@@ -198,6 +214,7 @@ class MissionFile(Part):
     min_subswarm: Any = None  # belongs into a swarm, which the reader says
     margin: Annotated[Any, BeforeValidator(_margin)] = 0
     delay: Whole = 0
+    booking: Annotated[Booking, BeforeValidator(_booking)] = "shared"
     spec: Spec
     objective: list[Annotated[Name, BeforeValidator(_aim)]] | None = None
     task_interval: TaskInterval = "closed"

@@ -75,6 +75,8 @@ def _lines(mission: MissionParts, map_file: str | None) -> Iterator[str]:
     yield f"objective: {flow(aims)}"
     if mission.delay:
         yield f"delay: {mission.delay}"
+    if mission.books:
+        yield f"booking: {mission.booking}"
     if mission.task_interval != "closed":
         yield f"task_interval: {mission.task_interval}"
     yield f"horizon: {mission.horizon}"

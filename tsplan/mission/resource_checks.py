@@ -1,4 +1,7 @@
-"""Whether resources fit together with map, team and tasks: names, amounts, where tasks stand."""
+"""Whether resources fit together with map, team and tasks: names, amounts, where tasks stand.
+
+Tasks that book agents are executed as those with resources are, and may stand where these may.
+"""
 
 from __future__ import annotations
 
@@ -23,11 +26,12 @@ _AMOUNT = Range(0, LARGEST)
 
 @dataclass(frozen=True)
 class Carrying:
-    """Resources, who carries them and the map, as far as they are known."""
+    """Resources, who carries them and the map, as far as they are known; whether tasks book."""
 
     resources: Sequence[Resource] | None
     entries: Sequence[Carrier] | None
     system: TransitionSystem | None
+    books: bool = False
 
 
 def resource_faults(
@@ -96,20 +100,23 @@ def _broken(name: str, amount: float) -> tuple[str, str]:
 def spending_faults(formula: Formula, carrying: Carrying, *, whole: bool) -> Iterator[Fault]:
     """Tasks whose resources nobody knows or has, and tasks with resources out of place.
 
-    They may be named where the formula holds as a `whole`, and under no negation.
+    They may be named where the formula holds as a `whole`, and under no negation; so may all tasks
+    that book agents.
     """
     for node in logic.walk(formula):
-        if isinstance(node, logic.Task) and node.resources:
+        if isinstance(node, logic.Task) and (node.resources or carrying.books):
             yield from _spent(node, carrying)
             yield from _uncarried(node, carrying)
             if not whole:
-                what = f"'{node}' needs resources, and what holds in part is planned without any"
+                has = "needs resources" if node.resources else "books agents"
+                what = f"'{node}' {has}, and what holds in part is planned without any"
                 yield Fault(FORMULA, what, "let it be what must hold as a whole", node=node)
-    for node in _negated(formula):
-        what = (
-            f"'{node}' is under a negation: a task with resources is executed or not, never shunned"
-        )
-        yield Fault(FORMULA, what, "remove its resources, or the negation", node=node)
+    for node in _negated(formula, books=carrying.books):
+        kind, less = "with resources", "remove its resources"
+        if not node.resources:
+            kind, less = "that books agents", "write 'booking: shared'"
+        what = f"'{node}' is under a negation: a task {kind} is executed or not, never shunned"
+        yield Fault(FORMULA, what, f"{less}, or remove the negation", node=node)
 
 
 def _spent(node: logic.Task, carrying: Carrying) -> Iterator[Fault]:
@@ -161,8 +168,8 @@ def _nobody(name: str, entries: Sequence[Carrier]) -> bool:
     )
 
 
-def _negated(formula: Formula) -> list[logic.Task]:
-    """The tasks with resources that stand under an odd number of negations somewhere."""
+def _negated(formula: Formula, *, books: bool) -> list[logic.Task]:
+    """The tasks that are executed and stand under an odd number of negations somewhere."""
     found: dict[logic.Task, None] = {}
     seen: set[tuple[Formula, bool]] = set()
     waiting = [(formula, True)]
@@ -171,7 +178,7 @@ def _negated(formula: Formula) -> list[logic.Task]:
         if (node, positive) in seen:
             continue
         seen.add((node, positive))
-        if isinstance(node, logic.Task) and node.resources and not positive:
+        if isinstance(node, logic.Task) and (node.resources or books) and not positive:
             found[node] = None
         for number, child in enumerate(node.children):
             turned = isinstance(node, logic.Not) or (isinstance(node, logic.Implies) and not number)

@@ -1,4 +1,4 @@
-"""The words of missions: format, languages, readings of tasks, orders of satisfaction."""
+"""The words of missions: format, languages, readings of tasks, who serves them, what holds."""
 
 from __future__ import annotations
 
@@ -8,11 +8,13 @@ Language: TypeAlias = Literal["catl", "mtl", "stl", "wmtl"]
 TaskInterval: TypeAlias = Literal["closed", "half-open"]
 Dynamics: TypeAlias = Literal["certain", "expected"]
 PolicyKind: TypeAlias = Literal["randomised", "deterministic"]
+Booking: TypeAlias = Literal["shared", "per-label", "exclusive"]
 Order: TypeAlias = Literal["weighted", "hierarchical", "depth"]
 
 FORMAT = "tsplan-mission/1"
 LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl", "wmtl")
 TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
+BOOKINGS: tuple[Booking, ...] = ("shared", "per-label", "exclusive")
 ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
 
 

@@ -213,7 +213,7 @@ class Plan(Record, display.Displayed):
     these that count and do. `rebuilt` says which structures become which.
 
     The plan of a mission with resources has the `executions` of tasks, the `cargo` of every agent
-    and the `stocks` that follow from both.
+    and the `stocks` that follow from both; where agents are booked it has executions, too.
     Where moves are uncertain there are `policies`, and no agents: numbers are expected ones.
 
     Raises PlanError for a status that contradicts `stopped_by` or the presence of paths.

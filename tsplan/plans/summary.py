@@ -123,7 +123,7 @@ def objective_line(item: ObjectiveValue, infinite: str = "unbounded", noun: str 
 
 
 def supply_lines(plan: Plan) -> list[str]:
-    """Which tasks with resources are executed where and when, and what is carried for that."""
+    """Which tasks are executed where and when, and what is carried for that."""
     lines = [
         f"  executed at {item.state} at step {item.step}: {shorten(item.task, _LONGEST)}"
         for item in plan.executions[:MOST_PARTS]

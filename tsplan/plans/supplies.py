@@ -1,4 +1,4 @@
-"""What a plan says of resources: executions of tasks, what every robot carries, what lies where."""
+"""What a plan says of tasks that are executed, what every robot carries, and what lies where."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ AgentLoads: TypeAlias = "Mapping[tuple[str, int], Loads]"
 
 @dataclass(frozen=True, slots=True)
 class ExecutedTask(Record):
-    """A task with resources, by its text, is executed at a state at a step."""
+    """A task, by its text, is executed at a state at a step."""
 
     task: Word
     state: Word

@@ -16,7 +16,7 @@ from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.checking.traffic import read_traffic
 from tsplan.logic.atoms import Count, Linear
-from tsplan.logic.catl import resolve_percent, translate
+from tsplan.logic.catl import resolve_percent
 from tsplan.logic.causes import Steps
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import And
@@ -142,7 +142,7 @@ def _demands(mission: Mission) -> Iterator[tuple[str | None, Formula]]:
     apart = mission.partial and isinstance(goal, And)
     yield from ((None, part) for part in (goal.children if apart else (goal,)))
     for soft in mission.prefer:
-        plain = translate(soft.formula, interval=mission.task_interval)
+        plain = mission.translated(soft.formula)
         yield soft.name, simplify(positive(resolve_percent(plain, mission.having)))
 
 

@@ -31,6 +31,7 @@ from tsplan.logic import (
     Limit,
     Task,
     Until,
+    conjunction,
     fold,
     positive,
     resolve_percent,
@@ -140,7 +141,7 @@ def tightened(mission: Mission, level: int) -> Formula:
 
 def _tighter(mission: Mission, node: Formula, level: int) -> Formula:
     """One part with `level` to spare; what tasks and limits cannot say is said by counts."""
-    if isinstance(node, Task):
+    if isinstance(node, Task) and not mission.books:
         return replace(node, needs=tuple((name, m + level) for name, m in node.needs))
     if isinstance(node, Limit):
         needs = node.needs or ((None, 0),)
@@ -159,7 +160,9 @@ def _tighter(mission: Mission, node: Formula, level: int) -> Formula:
         return replace(part, bound=part.bound + (level if part.relation == ">=" else -level))
 
     plain = translate(node, interval=mission.task_interval)
-    return fold(positive(resolve_percent(plain, mission.having)), atom)
+    counted: Formula = fold(positive(resolve_percent(plain, mission.having)), atom)
+    # agents are booked for what a task needs, whoever else is there
+    return conjunction((node, counted)) if isinstance(node, Task) else counted
 
 
 # --- how much tighter numbers could be -----------------------------------------------------------

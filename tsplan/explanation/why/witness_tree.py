@@ -21,7 +21,7 @@ from tsplan.explanation.why.staffing import Presence, Staff
 from tsplan.explanation.why.stock_lines import Supply, supplies
 from tsplan.explanation.why.supply_words import supply_lines
 from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
-from tsplan.logic.catl import resolve_percent, translate
+from tsplan.logic.catl import resolve_percent
 from tsplan.logic.causes import NO_STEPS, NONE, Steps, Values, cause_of
 from tsplan.logic.evaluation import margins
 from tsplan.logic.nodes import Always, And, Eventually, Formula, Implies, Or, Release, Until
@@ -274,7 +274,7 @@ def meanings(mission: Mission, formula: Formula) -> Mapping[Formula, Formula]:
         if node.children:
             found[node] = node.over(found[child] for child in node.children)
             continue
-        plain = translate(node, interval=mission.task_interval)
+        plain = mission.translated(node)
         found[node] = resolve_percent(plain, mission.having)
     return found
 

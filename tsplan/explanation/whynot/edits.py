@@ -37,7 +37,12 @@ from tsplan.explanation.whynot.occurrences import (
     separable,
 )
 from tsplan.explanation.whynot.relaxing import useful_number
-from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, of_occurrence
+from tsplan.explanation.whynot.soft_constraints import (
+    BOOKING,
+    WAITING,
+    occurrence_of,
+    of_occurrence,
+)
 from tsplan.logic import Eventually, Percent, Task, Until
 from tsplan.logic import labels as labels_of
 from tsplan.ts.waits import without_wait
@@ -73,10 +78,10 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
     if kind == "agents":
         kinds: tuple[PartKind, ...] = ("team", "start") if number.get(mission) == 0 else ("team",)
         return frozenset(SoftConstraint(name, key[:1]) for name in kinds)
-    if kind == "wait":
-        return frozenset({WAITING})
     if kind in ("stock", "carries"):
         return frozenset({SoftConstraint("stock" if kind == "stock" else "carries", key[:1])})
+    if kind in ("wait", "booking"):
+        return frozenset({WAITING if kind == "wait" else BOOKING})
     part = SoftConstraint("capacity" if kind == "capacity" else "swarm", key)
     return frozenset() if kind == "edge" else frozenset({part})
 
@@ -114,6 +119,8 @@ def _against(
             yield from more_carried(context.mission, key[0])
         case "stock":
             yield from more_stock(context.mission, key[0])
+        case "booking":
+            yield _shared_agents(context.mission)
         case "waiting":
             yield from _waits(context, conflict)
         case "swarm":
@@ -205,6 +212,12 @@ def _more_agents(
     for state in open_[:MOST_PLACES]:
         text = f"add {{added}} of class {literal(group.class_name)} at '{literal(state)}'"
         yield Edit(Number("agents", (entry, state)), "add_agents", most, text)
+
+
+def _shared_agents(mission: Mission) -> Edit:
+    """Agents count for everything that is asked at their state."""
+    text = f"let agents serve several tasks at once (`booking: shared`, not {mission.booking})"
+    return Edit(Number("booking", ()), "share_agents", 1, text, 1, -1)
 
 
 def _more_capacity(mission: Mission, ends: tuple[str, ...]) -> Edit:

@@ -36,6 +36,7 @@ ChangeKind: TypeAlias = Literal[
     "loosen_bound",
     "more_subswarms",
     "shorten_task",
+    "share_agents",
     "waiting",
     "edge",
     "add_agents",
@@ -57,6 +58,7 @@ NumberKind: TypeAlias = Literal[
     "agents",
     "stock",
     "carries",
+    "booking",
     "capacity",
     "edge",
     "wait",
@@ -82,9 +84,10 @@ class Number(NamedTuple):
     a state; of what an entry `carries`, its number and the resource, which is empty for one hold;
     of a `capacity`, a state or the two ends of an edge; of an `edge`, whose duration is meant,
     these ends; of a bound of a `swarm`, its name and which one; of a `wait`, the state where there
-    is one (1) or none (0), or nothing for all states at once. Over signals: of a `side` of the
-    bounds of a signal or control, and of where it may `begin`, its name and which end (0, 1); of a
-    `limit`, its number; of the `last` step of the mission, nothing.
+    is one (1) or none (0), or nothing for all states at once; of `booking`, which is 1 where agents
+    are booked and 0 where they are shared, nothing. Over signals: of a `side` of the bounds of a
+    signal or control, and of where it may `begin`, its name and which end (0, 1); of a `limit`, its
+    number; of the `last` step of the mission, nothing.
     """
 
     kind: NumberKind
@@ -230,6 +233,16 @@ def _put_agents(mission: Mission, value: int, entry: int, state: str) -> Mission
     return replace(mission, team=tuple(team), warnings=())
 
 
+def _booked(mission: Mission) -> int:
+    return int(mission.books)
+
+
+def _put_booked(mission: Mission, value: int) -> Mission:
+    """Agents that are shared, or booked as they are."""
+    booking = mission.booking if value else "shared"
+    return replace(mission, booking=booking, warnings=())
+
+
 # --- the map -----------------------------------------------------------------------------------
 
 
@@ -326,6 +339,7 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
         "agents": (_agents, _put_agents),
         "stock": (stock, put_stock),
         "carries": (carried, put_carried),
+        "booking": (_booked, _put_booked),
         "capacity": (_capacity, _put_capacity),
         "edge": (_duration, _put_duration),
         "wait": (_waits, _put_waits),

@@ -19,7 +19,12 @@ from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.amount_numbers import useful_amount, useful_hold, with_carries
 from tsplan.explanation.whynot.mission_numbers import remapped, with_bound
 from tsplan.explanation.whynot.occurrences import without
-from tsplan.explanation.whynot.soft_constraints import WAITING, occurrence_of, robot_entries
+from tsplan.explanation.whynot.soft_constraints import (
+    BOOKING,
+    WAITING,
+    occurrence_of,
+    robot_entries,
+)
 from tsplan.limits import MOST_ROBOTS
 from tsplan.logic import Always, Count, Execution, walk
 from tsplan.mission.resources import most_carried
@@ -61,6 +66,7 @@ def relaxed(
         text=str(formula),
         system=_roomier(mission.system, gone),
         swarm=rules,
+        booking="shared" if BOOKING in gone else mission.booking,
     )
     if any(item.kind in ("team", "start") for item in gone):
         return _from_depots(left, gone, tuning)
@@ -123,8 +129,9 @@ def useful_number(mission: Mission) -> int:
     """As many robots of one kind as any plan could use.
 
     Whoever serves no atom can be left out. At one step those of one state (or of the states of a
-    label, for a sum) serve the largest need for each capability; where nothing is bounded from
-    above and waiting is free they can stay there for good, otherwise others may come at every step.
+    label, for a sum) serve the largest need for each capability, and where agents are booked the
+    needs of all that may be executed then; where nothing is bounded from above and waiting is free
+    they can stay there for good, otherwise others may come at every step.
     """
     needs: dict[tuple[str, str | None, str], int] = {}
     for node in walk(mission.goal):
@@ -136,6 +143,10 @@ def useful_number(mission: Mission) -> int:
         amount * (1 if function == "sum" else len(labels[label]))
         for (label, _, function), amount in needs.items()
     )
+    for node in walk(mission.goal) if mission.books else ():
+        if isinstance(node, Execution):
+            asked = sum(number for _, number in node.needs)
+            total += asked * (node.last + 1) * len(labels[node.label])
     for_good = waits_everywhere(mission) and not bounded_above(mission)
     steps = 1 if for_good else mission.horizon + 1
     useful = total * steps + _useful_carriers(mission)

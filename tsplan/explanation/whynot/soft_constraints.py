@@ -18,6 +18,10 @@ WAITING = SoftConstraint("waiting", ())
 """That nobody can wait at the states without an edge to themselves."""
 
 
+BOOKING = SoftConstraint("booking", ())
+"""That agents are booked for tasks."""
+
+
 def of_occurrence(occurrence: Occurrence) -> SoftConstraint:
     """The constraint of a part of the formula."""
     return SoftConstraint("formula", tuple(occurrence))
@@ -43,7 +47,8 @@ def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
     How many robots an entry of the team has, where they start and how much they carry can be taken
     out, and how much there is of a resource; of a swarm how it may divide and its head-room. Its
     size and its start stay, and so does the map, but for its capacities (those of edges by the
-    direction that comes first) and for states without a wait.
+    direction that comes first) and for states without a wait. Agents that are booked for tasks can
+    be shared.
     """
     system = mission.system
     entries = robot_entries(mission)
@@ -56,6 +61,7 @@ def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
             if mission.team[number].carries
         ),
         *(SoftConstraint("stock", (item.name,)) for item in mission.resources),
+        *((BOOKING,) if mission.books else ()),
         *((WAITING,) if without_wait(system) else ()),
         *group_bounds(mission),
         *(
@@ -92,6 +98,8 @@ def file_path(mission: Mission, constraint: SoftConstraint) -> Path:
     kind, key = constraint
     if kind == "waiting":
         return ("map", "waiting")
+    if kind == "booking":
+        return ("booking",)
     if kind == "capacity":
         return ("map", "states", key[0], "capacity") if len(key) == 1 else ("map", "edges")
     if kind == "stock":
