@@ -1,7 +1,9 @@
-"""Random missions with resources, and the best of all joint plans with cargo of the tiny ones.
+"""Random missions whose tasks are executed, and the best of all joint plans of the tiny ones.
 
-Nothing of the brute force knows the encoding: agents walk as edges say, and at every step each
-choice of executions and of loads is tried.
+They have resources, or agents that are booked for tasks, or both. Nothing of the brute force knows
+the encoding: agents walk as edges say, and at every step each choice of executions and of loads is
+tried. Whether the agents at a state are enough for all that runs there is found by trying one agent
+after the other for one need after the other.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from tsplan.logic import Task, walk
 from tsplan.logic.evaluation import robustness
 from tsplan.logic.traces import CountTrace
 from tsplan.mission import Resource
+from tsplan.mission.vocabulary import Booking
 from tsplan.ts import Edge, State, TransitionSystem
 
 SENSE = {"availability": -1, "travel": 1, "haulage": 1, "reserve": -1, "agents": 1, "makespan": 1}
@@ -42,17 +45,7 @@ def random_resource_mission(
     names = [f"s{number}" for number in range(states)]
     labels = {name: set(random.choice(["a", "b", ""])) for name in names}
     labels[names[0]], labels[names[-1]] = {"a"}, {"b"}
-    labels = {name: found - {""} for name, found in labels.items()}
-    edges = {(name, name): 1 for name in names}
-    for source, target in pairwise(names):
-        edges[source, target] = random.choice([1, 1, 1, 2])
-        edges[target, source] = random.choice([1, 1, 1, 2])
-    if random.random() < 0.4:
-        edges[names[0], names[-1]] = random.choice([1, 2, 3])
-    system = TransitionSystem.build(
-        [State(name, frozenset(labels[name])) for name in names],
-        [Edge(*ends, duration) for ends, duration in edges.items()],
-    )
+    system = _map(random, labels)
     resources = _resources(random, names, most, parted=parted)
     team, left = [], random.randint(1, robots)
     while left:
@@ -77,6 +70,83 @@ def random_resource_mission(
         formula=_formula(random, resources, (dry or "ab"), horizon),
         objective=objective,
         horizon=horizon,
+    )
+
+
+def random_booked_mission(
+    seed: int, booking: Booking, *, robots: int = 3, steps: int = 3
+) -> Mission:
+    """A mission of three states that asks for several tasks at once; some have resources, too."""
+    random = Random(seed)
+    names = ["s0", "s1", "s2"]
+    labels = {name: set(random.choice(["a", "", ""])) for name in names}
+    labels["s2"] = {"a", "b"}
+    system = _map(random, labels, back=0.15)
+    resources = _resources(random, names, 2, parted=False) if random.random() < 0.2 else []
+    team = []
+    for number in range(random.choice([robots - 1, robots, robots])):
+        able = random.choice([["u", "v"], ["u", "v"], ["u"], ["v", "w"], ["u", "v", "w"]])
+        at = random.choice(["s0", "s1", "s2"])
+        team.append({"class": f"k{number}", "at": at, "capabilities": able})
+        if resources:
+            team[-1]["carries"] = random.choice([1, 2])
+    objective = random.sample(["availability", "travel", "makespan", "agents"], 2)
+    return Mission.of(
+        map=system,
+        team=team,
+        resources=resources,
+        booking=booking,
+        formula=_tasks_at_once(random, [item["name"] for item in resources], steps),
+        objective=objective,
+        horizon=steps,
+    )
+
+
+def _tasks_at_once(random: Random, resources: list[str], horizon: int) -> str:
+    """Tasks that get in each other's way, and counts that do not care."""
+
+    def task(longest: int = 1) -> str:
+        names = random.sample("uv", random.choice([1, 1, 1, 2]))
+        needs = ",".join(f"({name},{random.choice([1, 1, 1, 1, 2])})" for name in names)
+        label = random.choice(["b", "b", "s2", "s2", "a"])
+        amounts = (
+            f",{{({random.choice(resources)},1)}}" if resources and random.random() < 0.5 else ""
+        )
+        return f"T({random.randint(0, longest)},{label},{{{needs}}}{amounts})"
+
+    def part() -> str:
+        last, kind = horizon - 1, random.random()
+        if kind < 0.5:
+            return f"F[0,{last}] {task()}"
+        if kind < 0.6:
+            return f"G[{last},{last + (random.random() < 0.3)}] {task(0)}"
+        if kind < 0.8:
+            return f"F[{last - 1},{last}] ({task()} && {task()})"
+        if kind < 0.85:
+            return f"({task(0)} || F[0,{last}] {task()})"
+        if kind < 0.92:
+            return f"((sum(s2) <= 1) U[0,{last}] {task()})"
+        return f"(!(sum(s2,u) >= 1) || F[0,{last}] {task()})"
+
+    return " && ".join(part() for _ in range(random.choice([1, 2, 2, 3])))
+
+
+def _map(random: Random, labels: dict[str, set[str]], back: float = 1.0) -> TransitionSystem:
+    """A chain of states with these labels, and perhaps a shortcut from end to end.
+
+    One can also go back along an edge of it, or perhaps so.
+    """
+    names = list(labels)
+    edges = {(name, name): 1 for name in names}
+    for source, target in pairwise(names):
+        edges[source, target] = random.choice([1, 1, 1, 2])
+        if back == 1.0 or random.random() < back:
+            edges[target, source] = random.choice([1, 1, 1, 2])
+    if random.random() < 0.4:
+        edges[names[0], names[-1]] = random.choice([1, 2, 3])
+    return TransitionSystem.build(
+        [State(name, frozenset(found)) for name, found in labels.items()],
+        [Edge(*ends, duration) for ends, duration in edges.items()],
     )
 
 
@@ -166,7 +236,7 @@ class Depot:
         self.tasks = {
             str(node): node
             for node in walk(mission.formula)
-            if isinstance(node, Task) and node.resources
+            if isinstance(node, Task) and (node.resources or mission.booking != "shared")
         }
         self.carries = [group.carries for group in mission.team for _ in range(group.count)]
         self.staffed = plan.trace().counts
@@ -196,6 +266,15 @@ class Depot:
             for name, number in task.needs
         )
 
+    def options(self, step: int) -> list[tuple[str, str]]:
+        """Tasks and states that have their robots, were they shared."""
+        return [
+            (text, state)
+            for text, task in self.tasks.items()
+            for state in self.mission.system.labels[task.label]
+            if self.able(task, state, step)
+        ]
+
     def loads(self, robot: int) -> list[tuple[int, ...]]:
         carries, resources = self.carries[robot], self.mission.resources
         if isinstance(carries, tuple):
@@ -206,17 +285,31 @@ class Depot:
         return [load for load in every if sum(load) <= room]
 
     def executions(self, here: Now, step: int) -> Iterator[Now]:
-        options = [
-            (text, state)
-            for text, task in self.tasks.items()
-            for state in self.mission.system.labels[task.label]
-            if self.able(task, state, step)
-        ]
+        options = self.options(step)
         for chosen in product([False, True], repeat=len(options)):
             made = {(*option, step) for option, so in zip(options, chosen, strict=True) if so}
+            if not self.served(here.done.executed | made, step):
+                continue
             after = self.executed(here, frozenset(made), step)
             if after is not None:
                 yield after
+
+    def served(self, executed: frozenset[tuple[str, str, int]], begin: int) -> bool:
+        """Whether agents are enough for all that runs from a step on, as they are booked."""
+        if self.mission.booking == "shared":
+            return True
+        for step, state in product(range(begin, self.mission.horizon + 1), self.states):
+            running = [
+                task
+                for text, at, begun in executed
+                for task in [self.tasks[text]]
+                if at == state and begun <= step <= begun + task.duration
+            ]
+            pairs = zip(self.mission.agents, self.plan.paths, strict=True)
+            here = [agent.capabilities for agent, path in pairs if path.states[step] == state]
+            if not (seated if self.mission.booking == "exclusive" else labelled)(running, here):
+                return False
+        return True
 
     def executed(self, here: Now, made: frozenset[tuple[str, str, int]], step: int) -> Now | None:
         lying, least = [list(row) for row in here.lying], here.done.reserve
@@ -260,7 +353,7 @@ class Depot:
                     lying[r][at] -= pieces
                     haulage += pieces * duration
                     coming |= {(step + duration, r, to, pieces, number)} if pieces else set()
-            if min(map(min, lying)) >= 0:
+            if min(map(min, lying), default=0) >= 0:
                 done = Done(here.done.executed, haulage, here.done.reserve)
                 yield Now(tuple(map(tuple, lying)), frozenset(coming), done)
 
@@ -272,6 +365,51 @@ class Depot:
         return Now(tuple(map(tuple, lying)), coming, here.done)
 
 
+def most_options(mission: Mission) -> int:
+    """At how many steps and states tasks could be executed in one joint plan, at most."""
+    plans = (Depot(mission, plan, 1.0) for plan in joint_plans(mission))
+    steps = range(mission.horizon + 1)
+    return max(sum(len(depot.options(step)) for step in steps) for depot in plans)
+
+
+def seated(running: list[Task], agents: list[frozenset[str]]) -> bool:
+    """Whether every need gets an agent of its own, by trying."""
+    seats = [name for task in running for name, number in task.needs for _ in range(number)]
+
+    def filled(place: int, free: tuple[int, ...]) -> bool:
+        return place == len(seats) or any(
+            seats[place] in agents[one] and filled(place + 1, tuple(n for n in free if n != one))
+            for one in free
+        )
+
+    return len(seats) <= len(agents) and filled(0, tuple(range(len(agents))))
+
+
+def labelled(running: list[Task], agents: list[frozenset[str]]) -> bool:
+    """Whether every label can have its largest need of each capability by itself."""
+    for name in {name for task in running for name, _ in task.needs}:
+        largest = {
+            label: max(dict(task.needs).get(name, 0) for task in running if task.label == label)
+            for label in {task.label for task in running}
+        }
+        if sum(largest.values()) > sum(name in able for able in agents):
+            return False
+    return True
+
+
+def worth_judging(mission: Mission, outcomes: set[Done]) -> Iterator[Done]:
+    """The outcomes; where nothing is moved, only those that execute as much as can be."""
+    if mission.resources:
+        yield from outcomes
+        return
+    by_size = sorted(outcomes, key=lambda done: -len(done.executed))
+    most: list[frozenset[tuple[str, str, int]]] = []
+    for done in by_size:
+        if not any(done.executed <= other for other in most):
+            most.append(done.executed)
+            yield done
+
+
 def best(mission: Mission, unit: float = 1.0) -> tuple[float, ...] | None:
     """The best objective values, signed to be minimised; None if there is no plan."""
     found = None
@@ -279,7 +417,7 @@ def best(mission: Mission, unit: float = 1.0) -> tuple[float, ...] | None:
     for plan in joint_plans(mission):
         counts = plan.trace()
         judged: dict[frozenset[tuple[str, str, int]], float] = {}
-        for done in Depot(mission, plan, unit).outcomes():
+        for done in worth_judging(mission, Depot(mission, plan, unit).outcomes()):
             if done.executed not in judged:
                 tables: dict[str, np.ndarray] = {}
                 for text, state, step in done.executed:

@@ -130,7 +130,7 @@ def _exclusive(needs: Sequence[Need], place: _Place, draft: Draft, rows: Block) 
     """Every need has agents of its own."""
     asked = dict.fromkeys(need.capability for need in needs)
     kinds = place.kinds(asked)
-    sets = telling_sets(kinds, asked)
+    sets = telling_sets(kinds, asked, MOST_SETS)
     if sets is None:
         _assigned(needs, kinds, draft, rows)
         return
@@ -163,12 +163,12 @@ def _assigned(
 
 
 def telling_sets(
-    abilities: Collection[Ability], asked: Collection[str], most: int = MOST_SETS
+    abilities: Collection[Ability], asked: Collection[str], most: int
 ) -> list[Ability] | None:
     """The sets of capabilities that have to be compared with agents; None if more than `most`.
 
     >>> both, lift = frozenset({"lift", "look"}), frozenset({"lift"})
-    >>> [sorted(chosen) for chosen in telling_sets([both, lift], ["lift", "look"])]
+    >>> [sorted(chosen) for chosen in telling_sets([both, lift], ["lift", "look"], 9)]
     [['lift', 'look'], ['look']]
     """
     having = {name: [ability for ability in abilities if name in ability] for name in asked}

@@ -43,6 +43,9 @@ _FIELDS = (
     "horizon",
     "objective",
     "swarm",
+    "resources",
+    "delay",
+    "booking",
     "expected",
     "prefer",
     "satisfaction",
@@ -176,6 +179,8 @@ def _entries(
         if (value := bound.get(changed)) != bound.get(original):
             text = "null" if value is None else margin_text(value)
             yield file_path(original, constraint), text
+    if original.booking != changed.booking:
+        yield ("booking",), changed.booking
     if original.system != changed.system:  # a changed map is written into the mission
         lines = map_to_yaml(changed.system).splitlines()
         yield ("map",), "".join(f"\n  {line}" for line in lines) + "\n"
