@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import inf
 from pathlib import Path
 
 import pytest
@@ -161,6 +162,8 @@ def test_the_random_missions_are_of_all_kinds():
     for seed in range(40):
         made = random_booked_mission(seed, "shared")
         found.append([travel(replace(made, booking=b, objective=("travel",))) for b in BOOKINGS])
+    worth = [[inf if value is None else value for value in values] for values in found]
+    assert all(values == sorted(values) for values in worth)  # who is exclusive is also by label
     assert sum(None not in values for values in found) >= 10
     assert sum(shared != labels for shared, labels, _ in found) >= 2
     assert sum(labels != exclusive for _, labels, exclusive in found) >= 5
@@ -212,6 +215,15 @@ def test_bad_input_has_its_place(formula, change, place, words):
 def test_preferences_execute_nothing():
     text = TEXT.replace("  formula: 'FORMULA'", f"  must: true\n  prefer: [{{formula: '{LAY}'}}]")
     assert any("books agents, and what holds in part" in line for line in refused(text))
+
+
+@pytest.mark.parametrize("encoding", ["tight", "reference"])
+def test_what_is_preferred_counts_whoever_is_there(encoding):
+    wishes = "[{formula: 'F[2,2] sum(yard) >= 2', weight: 2}, {formula: 'F[2,2] sum(wall) >= 4'}]"
+    text = TEXT.replace("  formula: 'FORMULA'", f"  must: '{TWO}'\n  prefer: {wishes}")
+    plan = tsplan.plan(mission_from_text(text), encoding=encoding)
+    assert [item.met for item in plan.preferences] == [True, False]
+    assert plan.objective[1].value == 4
 
 
 def test_a_booking_of_nothing_is_warned_of():

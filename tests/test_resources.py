@@ -130,6 +130,28 @@ def test_half_a_piece_of_room_carries_nothing_of_it():
         assert tsplan.plan(made).status == status
 
 
+def test_what_is_preferred_may_be_elsewhere():
+    wish = "prefer: [{formula: 'F[2,2] sum(yard) >= 2'}]"
+    text = TEXT.replace("formula: 'FORMULA'", f"must: '{ONCE}'\n  {wish}")
+    plan = tsplan.plan(mission_from_text(text))
+    assert plan.status == "optimal"
+    assert values(plan) == {"preferences": 1, "haulage": 4, "travel": 4}
+
+
+def test_robots_that_start_elsewhere_in_an_explanation_carry_what_they_can():
+    made = mission(
+        "F[0,2] T(0, wall, {}, {(brick, 2)})",
+        ("{class: truck, at: yard", "{class: truck, at: tower"),
+        ("{brick: 1, water: 0.5, drill: 1}", "{drill: 1}"),
+    )
+    explained = tsplan.explain(made)
+    kinds = [part.kind for conflict in explained.conflicts for part in conflict.parts]
+    assert "start" in kinds  # from the yard it could be done
+    added = next(change for change in explained.changes if change.kind == "add_agents")
+    assert added.proven
+    assert added.mission.team[-1].carries == 4
+
+
 # --- missions ----------------------------------------------------------------------------------
 
 

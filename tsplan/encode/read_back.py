@@ -101,6 +101,8 @@ def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
     possible: dict[str | None, Floats] = {None: np.zeros(shape)}
     executions: dict[str, Bools] = {}
     for task, state, when in executions_of(point):
+        if state not in watched:
+            continue  # of a task that this formula does not name
         done = executions.setdefault(task.task, np.zeros(shape, dtype=np.bool_))
         done[np.searchsorted(watched, state), when] = True
     delay = point.encoded.setting.delay

@@ -183,6 +183,7 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
     # leaving a depot late may be as good as waiting where a robot starts; but bounded swarms are
     # sub-swarms in their depots, too
     harmless = mission.swarm is None and waits_everywhere(mission) and not bounded_above(mission)
+    near = harmless and not mission.resources  # which lie where nobody is counted
     system = mission.system
     states, edges, team = [*system.states.values()], [*system.edges.values()], []
     open_: list[str] = []
@@ -190,7 +191,7 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
     for number, group in enumerate(mission.team):
         sized = SoftConstraint("team", (number,)) not in gone
         starts = []
-        for place, (count, targets) in enumerate(_starts(mission, gone, number, near=harmless)):
+        for place, (count, targets) in enumerate(_starts(mission, gone, number, near=near)):
             name = f"depot {number}.{place}"
             while name in system.states:
                 name += "'"
