@@ -152,8 +152,10 @@ def _assigned(
 ) -> None:
     """A flow: agents of every ability go to capabilities, as many as are needed for each."""
     going: dict[str, list[int]] = {need.capability: [] for need in needs}
+    most = float(sum(need.number * len(need.columns) for need in needs))
     for ability, kind in kinds.items():
-        columns = draft.columns(len(ability))
+        # whole by themselves, and said to be: HiGHS 1.15.1 refuted a model with others by mistake
+        columns = draft.columns(len(ability), upper=most, integer=True)
         for capability, column in zip(sorted(ability), columns.tolist(), strict=True):
             going[capability].append(column)
         rows.add((0, kind.columns, 1.0), (0, columns, -1.0), lower=-float(kind.fixed))
