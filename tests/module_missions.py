@@ -19,7 +19,8 @@ import numpy as np
 
 from tsplan import Mission
 from tsplan.exact import exact
-from tsplan.logic.evaluation import robustness
+from tsplan.logic import Always, And, Eventually, Formula, Or, Task, translate
+from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.traces import CountTrace
 from tsplan.ts import Edge, State, TransitionSystem
 
@@ -91,14 +92,17 @@ def random_module_mission(seed: int, *, steps: int = 4, modules: int = 4, **othe
     ]
     if random.random() < 0.25:
         team.append({"class": "cart", "at": random.choice("pq"), "capabilities": ["u"]})
-    named = [name for name in SENSE if name != "performance" or "performance" in others]
+    named = [name for name in SENSE if name != "performance"]
+    objective = random.sample(named, random.choice([1, 2, 2, 3]))
+    if "performance" in others:
+        objective.insert(random.randint(0, len(objective)), "performance")
     return Mission.of(
         map=TransitionSystem.build(states, made),
         team=team,
         configurations=shapes,
         reconfigure=rules,
         formula=_formula(random, horizon),
-        objective=random.sample(named, random.choice([1, 2, 2, 3])),
+        objective=objective,
         horizon=horizon,
         **others,
     )
@@ -280,6 +284,52 @@ class World:
         capacity = ((count[s.name], s.capacity) for s in self.mission.system.states.values())
         return all(most is None or number <= most for number, most in capacity)
 
+    def value(self, node: Formula, step: int, past: Past) -> float:
+        """What the best way to meet a formula is worth at a step, by its definition."""
+        window = range(step + getattr(node, "low", 0), step + getattr(node, "high", 0) + 1)
+        match node:
+            case And():
+                return sum(self.value(child, step, past) for child in node.children)
+            case Or():
+                return max(self.value(child, step, past) for child in node.children)
+            case Always():
+                return sum(self.value(node.child, late, past) for late in window)
+            case Eventually():
+                return max(self.value(node.child, late, past) for late in window)
+            case Task():
+                done = self.done(node, step, past)
+                return done if self.truth(node, step, past) else -inf
+        return 0.0 if self.truth(node, step, past) else -inf
+
+    def truth(self, node: Formula, step: int, past: Past) -> bool:
+        return bool(holds(translate(node), self.trace(past))[step])
+
+    def done(self, task: Task, step: int, past: Past) -> float:
+        """The best of all choices of who serves which need of a task at each of its states."""
+        worth = dict(dict(self.mission.modular.performance).get(task.label, ()))
+        total = 0.0
+        for state in self.mission.system.labels[task.label]:
+            there = [
+                {kind: count for kind, where, count in entry if where == state}
+                for entry in past[step : step + task.duration + 1]
+            ]
+            bodies = [
+                kind
+                for kind in self.shapes
+                for _ in range(min(entry.get(kind, 0) for entry in there))
+            ]
+            needs = [None, *(name for name, _ in task.needs)]
+            total += max(
+                sum(worth.get(kind, 0.0) for kind, need in zip(bodies, choice, strict=True) if need)
+                for choice in product(needs, repeat=len(bodies))
+                if all(choice.count(name) <= number for name, number in task.needs)
+                and all(
+                    need is None or need in self.able(kind)
+                    for kind, need in zip(bodies, choice, strict=True)
+                )
+            )
+        return total
+
     def trace(self, past: tuple[tuple[tuple[str, str, int], ...], ...]) -> CountTrace:
         """The counts of everything that was."""
         names = list(self.mission.system.states)
@@ -296,6 +346,9 @@ class World:
             for label, states in self.mission.system.labels.items()
         }
         return CountTrace(counts, labels)
+
+
+Past = tuple[tuple[tuple[str, str, int], ...], ...]
 
 
 def best(mission: Mission) -> tuple[float, ...] | None:
@@ -324,6 +377,8 @@ def best(mission: Mission) -> tuple[float, ...] | None:
         bodies = [*situation.here, *(body for _, body in situation.coming)]
         idle = sum(world.modules(body.kind) for body in bodies if not body.moved)
         known = {"availability": slack[situation.past], "agents": mission.size - idle}
+        if "performance" in mission.objective:
+            known["performance"] = world.value(mission.formula, 0, situation.past)
         for spent in spents:
             values = {**spent._asdict(), **known}
             mine = tuple(SENSE[name] * float(values[name]) for name in mission.objective)

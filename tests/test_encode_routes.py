@@ -11,8 +11,8 @@ from tests.seeds import seed_blocks
 from tests.test_encode_agree import answer
 from tsplan import Mission
 from tsplan.encode.assemble import tight
-from tsplan.encode.model_objectives import Travel
 from tsplan.encode.preparation import prepare
+from tsplan.encode.priced_objectives import Travel
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem

@@ -7,8 +7,8 @@ import numpy as np
 from tsplan import Mission, plan
 from tsplan.encode.assemble import tight
 from tsplan.encode.encoded import Encoded
-from tsplan.encode.model_objectives import Travel
 from tsplan.encode.preparation import prepare
+from tsplan.encode.priced_objectives import Travel
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.milp.lp import WarmLP
 from tsplan.mission import Group

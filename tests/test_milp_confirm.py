@@ -15,8 +15,8 @@ from scipy import sparse
 import tsplan
 from tsplan.clock import Clock
 from tsplan.encode.assemble import tight
-from tsplan.encode.model_objectives import Travel
 from tsplan.encode.preparation import prepare
+from tsplan.encode.priced_objectives import Travel
 from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs

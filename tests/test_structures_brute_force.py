@@ -2,28 +2,42 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 import tsplan
 from tests.module_missions import TooManyError, best, random_module_mission, worth
 from tests.seeds import seed_blocks
 
+PERFORMANCE = {"a": {"one": 1, "duo": 0.5, "trio": 2.5}, "b": {"duo": 2, "trio": 1}}
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(40), range(40, 2000), 10))
+
+def compare(seed: int, **others: Any) -> None:
+    mission = random_module_mission(seed, **others)
+    try:
+        expected = best(mission)
+    except TooManyError:
+        return
+    for encoding in ("tight", "reference"):
+        plan = tsplan.plan(mission, encoding=encoding)
+        if expected is None:
+            assert plan.status == "infeasible", (seed, encoding, mission.text)
+            continue
+        assert plan.status == "optimal", (seed, encoding, mission.text)
+        values = {item.name: item.value for item in plan.objective}
+        assert worth(mission, values) == pytest.approx(expected, abs=1e-9), (seed, encoding)
+        assert not tsplan.check(mission, plan).findings
+        assert tsplan.Plan.from_json(plan.to_json()) == plan
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(8), range(8, 2000), 8))
 def test_structures_are_planned_as_well_as_by_trying_everything(seeds: list[int]) -> None:
     for seed in seeds:
-        mission = random_module_mission(seed)
-        try:
-            expected = best(mission)
-        except TooManyError:
-            continue
-        for encoding in ("tight", "reference"):
-            plan = tsplan.plan(mission, encoding=encoding)
-            if expected is None:
-                assert plan.status == "infeasible", (seed, encoding, mission.text)
-                continue
-            assert plan.status == "optimal", (seed, encoding, mission.text)
-            values = {item.name: item.value for item in plan.objective}
-            assert worth(mission, values) == pytest.approx(expected, abs=1e-9), (seed, encoding)
-            assert tsplan.check(mission, plan).accepted
-            assert tsplan.Plan.from_json(plan.to_json()) == plan
+        compare(seed)
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(3000, 3003), range(3003, 3300), 8))
+def test_structures_perform_as_well_as_by_trying_everything(seeds: list[int]) -> None:
+    for seed in seeds:
+        compare(seed, steps=3, performance=PERFORMANCE)

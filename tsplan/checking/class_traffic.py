@@ -20,9 +20,9 @@ class ClassTraffic:
     `segments` are their times on edges, `present` their stays at states up to the horizon, and
     `moving` is how many of them ever make a move that is no wait: by their paths, or as few as can
     be where there are only moves. A swarm has `moves`, the segments as a plan writes them.
-    `bundles` are the agents with their paths. Of structures of modules, which move by the costs and
-    durations of a configuration, `factor` is by how much more their edges cost, and `moving` counts
-    the modules that start in them.
+    `bundles` are the agents with their paths. Structures of modules are of a configuration, their
+    `shape`: `factor` is by how much more their edges cost, and `moving` counts the modules that
+    start in them.
     """
 
     class_name: str
@@ -32,3 +32,4 @@ class ClassTraffic:
     moves: tuple[Move, ...] = ()
     bundles: tuple[Bundle, ...] = ()
     factor: Fraction = Fraction(1)
+    shape: str = ""

@@ -6,19 +6,25 @@ values are exact: costs are the decimal numbers that the map's file writes.
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeAlias
 
+import numpy as np
+
 from tsplan.checking.satisfaction_check import slack_of
 from tsplan.exact import exact
 from tsplan.mission.objectives import OBJECTIVES, objectives_for
+from tsplan.mission.performances import Kind, Performances, performance_of
 from tsplan.plans.moves import splits
+from tsplan.plans.presence import state_counts
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from tsplan.checking.traffic import Traffic
+    from tsplan.milp.model import Floats
 
 Number: TypeAlias = Fraction | float
 Measure: TypeAlias = "Callable[[Traffic], Number | None]"
@@ -73,6 +79,24 @@ def energy(traffic: Traffic) -> Fraction | None:
     return cost(traffic) + sum(exact(item.rule.cost) for item in traffic.rebuilds)
 
 
+def performance(traffic: Traffic) -> Fraction | None:
+    """What the best way to meet the formula is worth, by how well structures do it."""
+    mission, states = traffic.mission, tuple(traffic.mission.system.states)
+    if not mission.modular.performance or mission.partial:
+        return None
+    there: dict[Kind, Floats] = {}
+    for item in traffic.classes:
+        for able in {presence.capabilities for presence in item.present if item.shape}:
+            mine = (presence for presence in item.present if presence.capabilities == able)
+            count = state_counts(mine, states, traffic.horizon).astype(np.float64)
+            kind = Kind(item.shape, able)
+            there[kind] = count + there.get(kind, 0.0)
+    value = performance_of(mission, traffic.trace, there)
+    if not math.isfinite(value):
+        return None  # the formula does not hold
+    return Performances(mission.modular).unit * Fraction(value)
+
+
 def risk(traffic: Traffic) -> Fraction:
     """-log of the probability that no move fails, each edge's in millionths."""
     risks = (item.agents * item.times * item.edge.risk for item in traffic.segments)
@@ -123,6 +147,7 @@ _REGISTER: dict[str, Measure] = {
     "travel": travel,
     "cost": cost,
     "energy": energy,
+    "performance": performance,
     "risk": risk,
     "haulage": haulage,
     "reserve": reserve,

@@ -247,4 +247,5 @@ def _traffic(reading: _Reading) -> Iterator[ClassTraffic]:
             ),
             len(moved & starting),
             factor=exact(shape.cost),
+            shape=name,
         )

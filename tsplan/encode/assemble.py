@@ -33,8 +33,8 @@ from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import demanded_columns, executed_columns, stocks
-from tsplan.encode.structures import PART as STRUCTURES
-from tsplan.encode.structures import growth_rows, rebuilding
+from tsplan.encode.structure_flows import PART as STRUCTURES
+from tsplan.encode.structure_flows import growth_rows, rebuilding
 from tsplan.encode.switches import Switch
 from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
 from tsplan.logic import Formula
@@ -135,7 +135,9 @@ class _Assembly:
         setting, draft = self._setting, self._draft
         mission = setting.mission
         aims = objectives_of(mission)
-        own: dict[str, Any] = {aim.name: aim.columns(setting, network, draft) for aim in aims}
+        own: dict[str, Any] = {
+            aim.name: aim.columns(setting, network, executed, draft) for aim in aims
+        }
         own[EXECUTIONS] = executed
         booking_rows(mission, executed, network, draft)
         made = {}

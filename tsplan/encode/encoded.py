@@ -20,7 +20,7 @@ from tsplan.encode.flow_network import Network, unroll
 from tsplan.encode.groups.group_rows import Swarm
 from tsplan.encode.map_reduction import Reduced
 from tsplan.encode.memory import Watch
-from tsplan.encode.structures import Change
+from tsplan.encode.structure_flows import Change
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Formula, conjunction, simplify, tighten
 from tsplan.logic.margin import shifted

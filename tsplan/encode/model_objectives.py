@@ -8,7 +8,7 @@ check, which does not believe what is said here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
@@ -16,9 +16,8 @@ from types import MappingProxyType
 import numpy as np
 
 from tsplan.encode.amount_objectives import Haulage, Reserve
-from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.executions import beyond
+from tsplan.encode.executions import Executions, beyond
 from tsplan.encode.expressions import Own
 from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.encode.groups.group_sizes import sizes, smallest, with_smallest
@@ -31,89 +30,14 @@ from tsplan.encode.objective_kinds import (
     TargetObjective,
 )
 from tsplan.encode.own_constraints import resolve
+from tsplan.encode.performance_objective import Performance
+from tsplan.encode.priced_objectives import Cost, Energy, Risk, Travel
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
-from tsplan.encode.structures import PART as STRUCTURES
-from tsplan.encode.structures import Rebuilding
-from tsplan.exact import exact
 from tsplan.logic import Execution, walk
 from tsplan.milp.model import INFINITY, Draft, Floats, Ints
 from tsplan.milp.target import CLOSED, Target
 from tsplan.mission import Mission
-from tsplan.ts.edges import RISKS
-
-
-class Travel(ModelObjective):
-    """Agent-steps spent in moves that are not waits."""
-
-    name = "travel"
-    grouping = Grouping.FEW_MOVES
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The duration of every move."""
-        return _priced(encoded, lambda item: item.graph.travel)
-
-
-class Cost(ModelObjective):
-    """Summed edge costs of all moves; waits are free unless their edge says otherwise."""
-
-    name = "cost"
-    priced = True
-
-    def reducible(self, setting: Setting) -> bool:
-        """Only where quick ways are cheap: each class pays the same for every step of a move."""
-        return all(_even(item.graph) for item in setting.classes)
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The cost of every edge in whole units."""
-        return _priced(encoded, lambda item: item.graph.cost)
-
-    def target(self, setting: Setting, encoded: Encoded) -> Target:
-        """Costs in the map's own unit."""
-        return Target(self.vector(setting, encoded), setting.mission.cost_unit)
-
-
-def _even(graph: ClassGraph) -> bool:
-    """Whether all edges cost the same for each step that they last, exactly; waits cost nothing."""
-    ride = graph.rides
-    costs = [Fraction(cost) for cost in graph.cost[ride].tolist()]
-    steps = graph.travel[ride].tolist()
-    rates = {cost / step for cost, step in zip(costs, steps, strict=True) if step}
-    return len(rates) <= 1 and not any(c for c, step in zip(costs, steps, strict=True) if not step)
-
-
-class Energy(Cost):
-    """Costs of moves, and of structures that are rebuilt."""
-
-    name = "energy"
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The cost of every edge and of every reconfiguration in whole units."""
-        vector = super().vector(setting, encoded)
-        made: Rebuilding | None = encoded.own_columns.get(STRUCTURES)
-        if made is not None:
-            unit = setting.mission.cost_unit
-            rules = setting.mission.modular.reconfigurations
-            made.price(vector, [float(exact(rule.cost) / unit) for rule in rules])
-        return vector
-
-
-class Risk(ModelObjective):
-    """-log of the probability that no move of the plan fails."""
-
-    name = "risk"
-
-    def reducible(self, setting: Setting) -> bool:
-        """Only where no move can fail."""
-        return not any(item.graph.risk.any() for item in setting.classes)
-
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The risk of every edge in millionths."""
-        return _priced(encoded, lambda item: item.graph.risk)
-
-    def target(self, setting: Setting, encoded: Encoded) -> Target:
-        """Risks in their own unit."""
-        return Target(self.vector(setting, encoded), Fraction(1, RISKS))
 
 
 class MovingAgents(TargetObjective):
@@ -121,7 +45,9 @@ class MovingAgents(TargetObjective):
 
     name = "agents"
 
-    def columns(self, setting: Setting, network: Network, draft: Draft) -> list[Ints]:
+    def columns(
+        self, setting: Setting, network: Network, executed: Executions, draft: Draft
+    ) -> list[Ints]:
         """Columns that count the agents of each class and start that wait there to the end."""
         return [stayers(item, network.horizon, draft) for item in network.classes]
 
@@ -370,6 +296,7 @@ for _each in (
     Haulage(),
     Reserve(),
     Energy(),
+    Performance(),
     Makespan(),
     Splits(),
     GroupMoves(),
@@ -388,14 +315,6 @@ def objectives_of(mission: Mission) -> tuple[StageObjective, ...]:
     named = model_objective if mission.expected is None else EXPECTED.get
     found = map(named, mission.objective)
     return tuple(objective for objective in found if objective is not None)
-
-
-def _priced(encoded: Encoded, price: Callable[[ClassColumns], Floats | Ints]) -> Floats:
-    """What every flow column costs, where each edge has a price."""
-    vector = np.zeros(encoded.model.size.columns)
-    for item in encoded.network.classes:
-        item.price(vector, price(item))
-    return vector
 
 
 def stayers(item: ClassColumns, horizon: int, draft: Draft) -> Ints:

@@ -13,6 +13,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from tsplan.encode.encoded import Encoded, Point, Setting
+from tsplan.encode.executions import Executions
 from tsplan.encode.flow_network import Network
 from tsplan.milp.model import Draft, Floats
 from tsplan.milp.target import Target
@@ -56,7 +57,9 @@ class StageObjective(ABC):
         """Whether quickest ways between the states that matter lose no better plan."""
         return True
 
-    def columns(self, setting: Setting, network: Network, draft: Draft) -> Any:
+    def columns(
+        self, setting: Setting, network: Network, executed: Executions, draft: Draft
+    ) -> Any:
         """Columns that a model needs only for this objective, in a form of its own."""
         return np.empty(0, dtype=np.int64)
 

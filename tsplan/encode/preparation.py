@@ -18,7 +18,7 @@ from tsplan.encode.late_modes import with_modes, with_standing
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import states_of, terms_of
-from tsplan.encode.structures import Change, structure_classes
+from tsplan.encode.structure_flows import Change, structure_classes
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Execution, Formula, capabilities, positive, simplify, walk
 from tsplan.milp.model import Bools

@@ -90,6 +90,18 @@ def availability(setting: Setting, point: Point) -> float:
     return float(robustness(setting.judged, trace)[..., 0])
 
 
+def present_of(setting: Setting, point: Point) -> list[Floats]:
+    """Agents of every class at every state and step."""
+    watched = np.arange(len(setting.arrays.names))
+    found = []
+    for item, moves in moves_of(point):
+        present = np.zeros((len(watched), setting.horizon + 1))
+        present[:, 0] = item.graph.start[watched]
+        _add(present, watched, _arrivals(item.graph, moves, settled=True))
+        found.append(present)
+    return found
+
+
 def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
     """The counts that the moves imply at the labels of a formula."""
     system = setting.mission.system

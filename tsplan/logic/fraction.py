@@ -72,7 +72,7 @@ def tree_of(formula: Formula, interval: TaskInterval = "closed") -> Formula:
     >>> print(tree_of(parse("a R[0,3] b")))
     G[0,3] b || (b U[0,2] (a && b))
     """
-    tree = fold(positive_atoms(translate(formula, interval)), _without_release)
+    tree = fold(positive_atoms(translate(formula, interval)), without_release)
     if not any(isinstance(node, nodes.Whole) for node in walk(tree)):
         return tree
     plain = fold_all(tree, _plain)
@@ -94,7 +94,8 @@ def _plain(node: Formula, below: tuple[Formula, ...]) -> Formula:
     return node.assembled(node.parameters[:-1], below)
 
 
-def _without_release(node: Formula, below: tuple[Formula, ...]) -> Formula:
+def without_release(node: Formula, below: tuple[Formula, ...]) -> Formula:
+    """A node over children without release, which is said by what holds instead."""
     if not isinstance(node, nodes.Release):
         return node.over(below)
     left, right = below

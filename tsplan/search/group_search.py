@@ -16,8 +16,9 @@ from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import even_shares, smallest
 from tsplan.encode.groups.token_flow import tokens
-from tsplan.encode.model_objectives import GroupMoves, Travel
+from tsplan.encode.model_objectives import GroupMoves
 from tsplan.encode.objective_kinds import Grouping
+from tsplan.encode.priced_objectives import Travel
 from tsplan.encode.switches import Switch
 from tsplan.milp.confirmation import tried
 from tsplan.milp.model import Floats, Model

@@ -15,9 +15,10 @@ import numpy as np
 from tsplan.clock import Clock, Halted
 from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.model_objectives import Availability, Delay, ExpectedTravel, Splits, Travel
+from tsplan.encode.model_objectives import Availability, Delay, ExpectedTravel, Splits
 from tsplan.encode.objective_kinds import LevelObjective, StageObjective, TargetObjective
 from tsplan.encode.preparation import delayed
+from tsplan.encode.priced_objectives import Travel
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
 from tsplan.milp.target import CLOSED
