@@ -36,16 +36,18 @@ def random_resource_mission(
     steps: int = 4,
     most: int = 3,
     parted: bool = False,
+    restless: bool = False,
 ) -> Mission:
     """A mission with one or two resources, of which there are `most` at a state.
 
-    With `parted`, any amounts of one resource may be carried, in halves at the start.
+    With `parted`, any amounts of one resource may be carried, in halves at the start; `restless`
+    robots can wait at some states alone.
     """
     random = Random(seed)
     names = [f"s{number}" for number in range(states)]
     labels = {name: set(random.choice(["a", "b", ""])) for name in names}
     labels[names[0]], labels[names[-1]] = {"a"}, {"b"}
-    system = _map(random, labels)
+    system = _map(random, labels, restless=restless)
     resources = _resources(random, names, most, parted=parted)
     team, left = [], random.randint(1, robots)
     while left:
@@ -131,10 +133,13 @@ def _tasks_at_once(random: Random, resources: list[str], horizon: int) -> str:
     return " && ".join(part() for _ in range(random.choice([1, 2, 2, 3])))
 
 
-def _map(random: Random, labels: dict[str, set[str]], back: float = 1.0) -> TransitionSystem:
+def _map(
+    random: Random, labels: dict[str, set[str]], back: float = 1.0, *, restless: bool = False
+) -> TransitionSystem:
     """A chain of states with these labels, and perhaps a shortcut from end to end.
 
-    One can also go back along an edge of it, or perhaps so.
+    One can also go back along an edge of it, or perhaps so. If `restless` there are states at which
+    nobody can wait.
     """
     names = list(labels)
     edges = {(name, name): 1 for name in names}
@@ -144,6 +149,9 @@ def _map(random: Random, labels: dict[str, set[str]], back: float = 1.0) -> Tran
             edges[target, source] = random.choice([1, 1, 1, 2])
     if random.random() < 0.4:
         edges[names[0], names[-1]] = random.choice([1, 2, 3])
+    for name in names if restless else ():
+        if random.random() < 0.6:
+            del edges[name, name]
     return TransitionSystem.build(
         [State(name, frozenset(found)) for name, found in labels.items()],
         [Edge(*ends, duration) for ends, duration in edges.items()],

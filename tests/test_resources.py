@@ -152,6 +152,19 @@ def test_robots_that_start_elsewhere_in_an_explanation_carry_what_they_can():
     assert added.mission.team[-1].carries == 4
 
 
+def test_carriers_that_cannot_wait_may_be_on_their_way_at_the_end():
+    formula = "F[0,4] T(0, wall, {}, {(brick, 2)})"
+    made = mission(
+        formula,
+        ("waiting: true", "waiting: false"),
+        ("duration: 1, both", "duration: 2, both"),
+        ("horizon: 8", "horizon: 5"),
+    )
+    plan = tsplan.plan(made)
+    assert plan.status == "optimal"
+    assert plan.objective == tsplan.plan(made, encoding="reference").objective
+
+
 # --- missions ----------------------------------------------------------------------------------
 
 

@@ -215,7 +215,7 @@ class _Assembly:
         for number in numbers:
             graph = (setting.reduced if reduced else setting.classes)[number].graph
             robots = setting.classes[number].bounds is None
-            finish = ~graph.wait if reduced and setting.monotone and robots else None
+            finish = graph.avoidable if reduced and setting.monotone and robots else None
             before = self._draft.column_count
             laid = flow(graph, finish, setting.horizon, self._draft)
             self._flows.append(np.arange(before, self._draft.column_count))

@@ -115,6 +115,18 @@ class ClassGraph:
         return len(self.start) if self.layer is None else len(self.start) - 1
 
     @property
+    def avoidable(self) -> Bools:
+        """Which edges are moves from where agents can as well wait for a step.
+
+        What rebuilds structures is not: all edges of one reconfiguration are entered at once.
+        """
+        ride = np.zeros(len(self.tail), dtype=np.bool_)
+        ride[self.rides] = True
+        waiting = np.zeros(len(self.start), dtype=np.bool_)
+        waiting[self.tail[ride & (self.travel == 0) & (self.duration == 1)]] = True
+        return ride & ~self.wait & waiting[self.tail]
+
+    @property
     def travel(self) -> Ints:
         """For how many steps agents move along each edge, or are rebuilt."""
         if self.modes is not None:
