@@ -158,6 +158,80 @@ def partial(order: str, seed: int, objective: Sequence[str] = ()) -> Mission:
 
 
 @dataclass(frozen=True)
+class Works:
+    """The sizes of a mission with resources."""
+
+    map: int = 10
+    agents: int = 100
+    resources: int = 10
+    tasks: int = 8
+    horizon: int = 60
+    classes: int = 5
+
+
+def resources(works: Works, seed: int, objective: Sequence[str] = ("travel",)) -> Mission:
+    """Building sites on a grid that want robots and materials, some of them one after the other.
+
+    Every fifth resource is a tool, every third can be parted. Classes carry in compartments, in one
+    hold, or both kinds of robots are among them; there is twice as much of what is used up as all
+    tasks want, and of every tool as much as the one task that wants most of it.
+    """
+    random = Random(f"resources {works} {seed}")
+    labels = [f"l{number}" for number in range(works.tasks)]
+    system = grid_map(works.map, works.map, labels, random)
+    names = [f"r{number}" for number in range(works.resources)]
+    tools = {name for number, name in enumerate(names) if number % 5 == 4}
+    parted = {name for number, name in enumerate(names) if number % 3 == 1} - tools
+    wanted: dict[str, list[int]] = {name: [] for name in names}
+    parts = []
+    for number, label in enumerate(labels):
+        amounts = []
+        for name in random.sample(names, min(random.randint(2, 3), len(names))):
+            wanted[name].append(1 if name in tools else random.randint(1, 6))
+            amounts.append(f"({name},{wanted[name][-1]})")
+        need = random.randint(1, max(works.agents // 20, 1))
+        staff = f"(c{random.randrange(3)},{need})"
+        task = f"T({random.randint(1, 3)},{label},{{{staff}}},{{{','.join(amounts)}}})"
+        middle, last = works.horizon // 2, works.horizon - 4
+        # sites come in pairs: of every second pair the second site waits for the first
+        window = (f"[0,{last}]", f"[0,{middle}]", f"[{middle},{last}]", f"[0,{last}]")[number % 4]
+        parts.append(f"F{window} {task}")
+    states = list(system.states)
+    stocks = []
+    for name in names:
+        most = max(wanted[name], default=1) if name in tools else 2 * sum(wanted[name]) or 1
+        half = most // 2 if name not in tools else 0
+        places = random.sample(states, 2)
+        at = {places[0]: most - half, **({places[1]: half} if half else {})}
+        stocks.append(
+            {
+                "name": name,
+                "at": at,
+                "indivisible": name not in parted,
+                "consumed": name not in tools,
+            }
+        )
+    team = []
+    for number in range(works.classes):
+        count = works.agents // works.classes + (number < works.agents % works.classes)
+        able = {f"c{number % 3}", f"c{random.randrange(3)}"}
+        carries: object = random.randint(2, 6)
+        if number % 2:
+            carries = {name: random.randint(1, 3) for name in names}
+        team.append(Group.of(f"class{number}", {random.choice(states): count}, able, carries))
+    return Mission.of(
+        map=system,
+        team=team,
+        resources=stocks,
+        formula=" && ".join(parts),
+        language="catl",
+        objective=tuple(objective),
+        horizon=works.horizon,
+        name=f"resources {works.map}x{works.map} {works.agents} agents seed {seed}",
+    )
+
+
+@dataclass(frozen=True)
 class Scale:
     """The axes of the scaling family and where they rest when another one moves."""
 

@@ -15,6 +15,8 @@ from tsplan.checking.plan_check import check
 from tsplan.errors import MissionError
 from tsplan.mission import Resource, mission_from_text
 from tsplan.plans.supplies import Cargo, ExecutedTask
+from tsplan.search import stages
+from tsplan.search.straight_plans import StraightPlans
 
 TEXT = """\
 format: tsplan-mission/1
@@ -305,6 +307,29 @@ def test_both_encodings_agree_on_random_missions(seeds: list[int], parted: bool)
         assert plans[0].status == plans[1].status
         told = [[inf if o.value is None else o.value for o in plan.objective] for plan in plans]
         assert told[0] == pytest.approx(told[1], rel=1e-6), made.text
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(7000, 7020), range(7020, 7400), 10))
+@pytest.mark.parametrize("parted", [False, True])
+def test_straight_ways_cost_no_better_plan(monkeypatch, seeds: list[int], parted: bool) -> None:
+    monkeypatch.setattr(stages, "LARGE", -1)
+    found = 0
+    flows = StraightPlans.flows
+
+    def counted(*given):
+        nonlocal found
+        for item in flows(*given):
+            found += 1
+            yield item
+
+    monkeypatch.setattr(StraightPlans, "flows", counted)
+    for seed in seeds:
+        made = random_resource_mission(seed, states=4, robots=4, steps=6, most=4, parted=parted)
+        plans = [tsplan.plan(made, without=names) for names in ((), ("straight",))]
+        assert plans[0].status == plans[1].status
+        told = [[inf if o.value is None else o.value for o in plan.objective] for plan in plans]
+        assert told[0] == pytest.approx(told[1], rel=1e-6), made.text
+    assert found
 
 
 def test_the_random_missions_are_of_all_kinds():

@@ -145,7 +145,9 @@ class _Assembly:
             own[STRUCTURES] = rebuilding(setting.changes, network, draft)
             made["rebuilt"] = own[STRUCTURES].columns
         if mission.resources:
-            own[STOCKS] = stocks(mission, executed, network, setting.arrays, draft)
+            straight = setting.straight
+            made_of = mission, executed, network, setting.arrays, draft
+            own[STOCKS] = stocks(*made_of, straight=straight)
             made["loads"] = own[STOCKS].pieces
         return {"own_columns": own, **made}
 

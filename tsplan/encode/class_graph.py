@@ -103,6 +103,7 @@ class ClassGraph:
     outcomes: Outcomes | None = None  # where edges are actions; `head` is some other state then
     modes: Modes | None = None
     layer: Layer | None = None
+    entries: tuple[Ints, Ints] | None = None  # first and last step at which each edge is entered
 
     @property
     def wait(self) -> Bools:

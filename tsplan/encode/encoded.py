@@ -20,6 +20,8 @@ from tsplan.encode.flow_network import Network, unroll
 from tsplan.encode.groups.group_rows import Swarm
 from tsplan.encode.map_reduction import Reduced
 from tsplan.encode.memory import Watch
+from tsplan.encode.stocks import PART as STOCKS
+from tsplan.encode.stocks import Stocks
 from tsplan.encode.structure_flows import Change
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Formula, conjunction, simplify, tighten
@@ -49,6 +51,7 @@ class Setting:
     level: int = 0  # the availability that is asked for beside that
     delay: int = 0  # how many steps late agents may be
     changes: tuple[Change, ...] = ()  # by which structures of modules become others
+    straight: bool = False  # resources lie only where they began and where they are wanted
 
     def atoms(self, network: Network, later: int = 0) -> Atoms:
         """How atoms are encoded over a network; with `later`, what can hold if agents are so."""
@@ -125,6 +128,19 @@ class Encoded:
     def loosened(self) -> Ints:
         """Those of them that are nearly always whole once all others are."""
         return np.concatenate([self.flows, self.loads])
+
+    @property
+    def carrying(self) -> bool:
+        """Whether some agents can carry something that is of use."""
+        made: Stocks | None = self.own_columns.get(STOCKS)
+        return made is not None and bool(made.loads)
+
+    @cached_property
+    def moves(self) -> Ints:
+        """The columns of agents that enter edges which are no waits."""
+        unrolled = [(item.graph, *item.unrolled()) for item in self.network.classes]
+        moving = [column[graph.travel[edge] > 0] for graph, edge, _, column in unrolled]
+        return np.concatenate([*moving, _NO_INTS])
 
 
 @dataclass(frozen=True, eq=False)

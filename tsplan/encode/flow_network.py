@@ -315,6 +315,8 @@ def laid_out(
     if finish is not None:
         last = np.where(finish, horizon - graph.duration, last)
     first = arrival[graph.tail] if graph.layer is None else graph.layer.begins
+    if graph.entries is not None:
+        first, last = np.maximum(first, graph.entries[0]), np.minimum(last, graph.entries[1])
     if graph.outcomes is not None:
         ending = graph.outcomes.ending
         first = np.where(ending, np.maximum(first, horizon), first)

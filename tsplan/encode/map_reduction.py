@@ -111,6 +111,7 @@ def _assemble(
         cost=np.concatenate([graph.cost[own], cost]),
         risk=np.concatenate([graph.risk[own], risk]),
         group=np.concatenate([graph.group[own], np.full(len(tail), -1)]),
+        carries=graph.carries,
     )
     every = (*own.reshape(-1, 1), *paths)
     if graph.modes is not None:

@@ -113,17 +113,17 @@ def _on_reduced_maps(setting: Setting) -> Setting:
     """The setting on reduced maps, or as it is where these would not be exact."""
     if not all(objective.reducible(setting) for objective in objectives_of(setting.mission)):
         return setting
-    interests = [_interest(setting, item.graph) for item in setting.classes]
-    limited = any(interest.limited.any() for interest in interests)
+    interests = [interest(setting, item.graph) for item in setting.classes]
+    limited = any(matters.limited.any() for matters in interests)
     if setting.delay and setting.arrays.group_capacity:
         return setting
     reduced: list[Reduced] = []
-    for item, interest in zip(setting.classes, interests, strict=True):
+    for item, matters in zip(setting.classes, interests, strict=True):
         # where groups split and merge, and where cargo is handed over, is seen on the whole map
         if item.bounds is not None or item.graph.carries != ():
             reduced.append(whole(item.graph))
             continue
-        short = reduce(item.graph, interest, setting.horizon, setting.clock)
+        short = reduce(item.graph, matters, setting.horizon, setting.clock)
         if short is None:
             return setting
         reduced.append(short)
@@ -131,7 +131,7 @@ def _on_reduced_maps(setting: Setting) -> Setting:
     return replace(setting, reduced=tuple(reduced), monotone=monotone)
 
 
-def _interest(setting: Setting, graph: ClassGraph) -> Interest:
+def interest(setting: Setting, graph: ClassGraph) -> Interest:
     """Which states the problem counts agents of a class at, and which it limits."""
     system, arrays, ability = setting.mission.system, setting.arrays, graph.capabilities
     wanted, limited = watched_states(setting.goal, ability, system, arrays)

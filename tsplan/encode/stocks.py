@@ -181,10 +181,19 @@ def _span(timed: Timed) -> tuple[int, int]:
 
 
 def stocks(
-    mission: Mission, executions: Executions, network: Network, arrays: MapArrays, draft: Draft
+    mission: Mission,
+    executions: Executions,
+    network: Network,
+    arrays: MapArrays,
+    draft: Draft,
+    *,
+    straight: bool = False,
 ) -> Stocks:
-    """The columns and rows of stocks for the executions that a model has."""
-    return _StockRows(mission, executions, network, arrays, draft).stocks
+    """The columns and rows of stocks for the executions that a model has.
+
+    With `straight` nothing is laid down but where it began or where it is wanted, a restriction.
+    """
+    return _StockRows(mission, executions, network, arrays, draft, straight=straight).stocks
 
 
 class _StockRows:
@@ -197,7 +206,10 @@ class _StockRows:
         network: Network,
         arrays: MapArrays,
         draft: Draft,
+        *,
+        straight: bool,
     ) -> None:
+        self._straight = straight
         self._executions = executions
         self._network = network
         self._arrays = arrays
@@ -235,6 +247,9 @@ class _StockRows:
             wanted[bound.state] = max(wanted.get(bound.state, 0), done)
         first = earliest(resource, self._network, self._arrays)
         last = latest(wanted, resource, self._network, self._arrays)
+        if self._straight:
+            begun = [self._arrays.number[state] for state, amount in resource.at if amount]
+            last[np.setdiff1d(np.arange(len(last)), [*wanted, *begun])] = -1
         spans = np.maximum(last - first + 1, 0)
         columns = self._draft.columns(int(spans.sum()), upper=float(resource.total))
         return Stock(resource, first, last, np.cumsum(spans) - spans, columns)

@@ -3,12 +3,14 @@
 Each class is then a network flow of its own, and what is left fractional is how several classes
 share a task: half an agent of each. Raising one such share to the next whole number settles the
 others along the same paths, so a few warm LPs are enough where an integer program of all flows
-may take minutes. It is a heuristic: the point it finds need not be the best one, and it may find
-none.
+may take minutes. Where robots carry things what is left fractional is the room that loads take, in
+many moves at once; several of them are raised together then. It is a heuristic: the point it finds
+need not be the best one, and it may find none.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,6 +26,7 @@ from tsplan.search.effort import Effort
 
 _LEAST_TRIES = 20
 _SECONDS = 5.0  # for one attempt
+_SHARE = 0.25  # of the moves of carriers that are fractions are raised at once: there are many
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,16 +43,21 @@ class Rounding:
 
         `lp` is the relaxation of the model; its bounds are restored before returning.
         """
-        indicators, flows = self.encoded.indicators, self.encoded.repaired
-        if not len(fractional(values, flows)):
+        encoded, indicators = self.encoded, self.encoded.indicators
+        if not len(fractional(values, encoded.repaired)):
             return values
         fixed = np.round(values[indicators])
         lp.bounds(indicators, fixed, fixed)
-        raised: dict[int, tuple[float, float]] = {}
+        carrying = encoded.carrying
+        share = _SHARE if carrying else 0.0
+        raising = _Raising(lp, model, self.clock.within(_SECONDS), share)
         try:
-            return _raised(lp, model, flows, raised, self.clock.within(_SECONDS))
+            # who goes where settles what is carried
+            found = raising.whole(encoded.moves) if carrying else values
+            return None if found is None else raising.whole(encoded.repaired)
         finally:
-            columns = np.concatenate([indicators, np.array(list(raised), dtype=np.int64)])
+            raised = np.array(list(raising.bounds), dtype=np.int64)
+            columns = np.concatenate([indicators, raised])
             lp.bounds(columns, model.lower[columns], model.upper[columns])
 
     def best(self, model: Model, values: Floats, start: Floats | None) -> Floats | None:
@@ -66,36 +74,56 @@ class Rounding:
         return tried(self.effort.solver, model, options)
 
 
-def _raised(
-    lp: WarmLP,
-    model: Model,
-    flows: Ints,
-    bounds: dict[int, tuple[float, float]],
-    clock: Clock,
-) -> Floats | None:
-    """Raise the flow nearest below a whole number; lower it where that is impossible.
+class _Raising:
+    """Raises fractions of one program to whole numbers; `bounds` are what columns are held between.
 
-    `bounds` are filled in with what the flows are held between.
+    A `share` of those that are left is raised at once, at least one of them.
     """
-    last: tuple[int, float, float] | None = None
-    for _ in range(max(_LEAST_TRIES, len(flows) // 1000)):
-        result = lp.solve(time_limit=clock.left)
-        if result.status == "optimal":
-            assert result.values is not None
-            open_ = fractional(result.values, flows)
-            if not len(open_):
-                return result.values
-            part = result.values[open_] % 1.0
-            column = int(open_[np.argmax(part)])  # the one that lacks least to a whole number
-            low, high = bounds.get(column, (model.lower[column], model.upper[column]))
-            value = float(result.values[column])
-            last = (column, low, float(np.floor(value)))
-            bounds[column] = float(np.ceil(value)), high
-        elif result.status == "infeasible" and last is not None:
-            column, low, high = last
-            bounds[column] = low, high
-            last = None
-        else:
-            break
-        lp.bounds([column], *bounds[column])
-    return None
+
+    def __init__(self, lp: WarmLP, model: Model, clock: Clock, share: float) -> None:
+        self.bounds: dict[int, tuple[float, float]] = {}
+        self._lp = lp
+        self._model = model
+        self._clock = clock
+        self._share = share
+
+    def whole(self, columns: Ints) -> Floats | None:
+        """Raise those nearest below a whole number; lower one where that is impossible."""
+        values, most = np.empty(0), len(columns)
+        before: dict[int, tuple[float, float]] = {}  # the bounds of those raised last
+        for _ in range(max(_LEAST_TRIES, len(columns) // 1000)):
+            result = self._lp.solve(time_limit=self._clock.left)
+            if result.status == "optimal":
+                assert result.values is not None
+                values = result.values
+                open_ = fractional(values, columns)
+                if not len(open_):
+                    return values
+                most = max(min(int(self._share * len(open_)), most), 1)
+                order = np.argsort(-(values[open_] % 1.0), kind="stable")
+                before = self._raise(open_[order[:most]].tolist(), values)
+            elif result.status == "infeasible" and len(before) > 1:
+                self._hold(before)
+                most = len(before) // 2  # what lacks least is told first
+                before = self._raise(list(before)[:most], values)
+            elif result.status == "infeasible" and before:
+                ((column, (low, _)),) = before.items()
+                self._hold({column: (low, float(np.floor(values[column])))})
+                before = {}
+            else:
+                break
+        return None
+
+    def _raise(self, columns: list[int], values: Floats) -> dict[int, tuple[float, float]]:
+        """Raise columns; the bounds they had."""
+        low, high = self._model.lower, self._model.upper
+        before = {
+            column: self.bounds.get(column, (low[column], high[column])) for column in columns
+        }
+        self._hold({c: (float(np.ceil(values[c])), most) for c, (_, most) in before.items()})
+        return before
+
+    def _hold(self, bounds: Mapping[int, tuple[float, float]]) -> None:
+        self.bounds.update(bounds)
+        pairs = np.array(list(bounds.values()))
+        self._lp.bounds(list(bounds), pairs[:, 0], pairs[:, 1])

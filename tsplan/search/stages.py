@@ -28,9 +28,12 @@ from tsplan.search.group_search import GroupSearch
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.search.question import Kept, Question, start_in
 from tsplan.search.search import Search
+from tsplan.search.straight_plans import StraightPlans
 from tsplan.search.tidying import tidied
 
 _CHAIN_SECONDS = 15.0
+LARGE = 100_000
+"""Nonzeros from which on missions with resources are first planned by straight ways."""
 _HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands allow
 
 
@@ -50,6 +53,7 @@ class Stages(Lexicographic[Point, StageObjective]):
 
     def __post_init__(self) -> None:
         super().__init__(self.clock)
+        self._straight = StraightPlans(self.effort)
         self.setting = replace(self.setting, clock=self.clock)
 
     # --- stages --------------------------------------------------------------------------------
@@ -79,6 +83,8 @@ class Stages(Lexicographic[Point, StageObjective]):
         if not 0 < ideal < np.inf:
             return None
         kept = self._kept.and_also(first, ideal)
+        if self._large(self._encoded(kept)):  # straight ways find a plan soon
+            return None
         found = self._ask(Question(self._guide, kept, None, first=True, seconds=_HOPE_SECONDS))
         return None if found.values is None else found
 
@@ -172,7 +178,8 @@ class Stages(Lexicographic[Point, StageObjective]):
             self._hear(question, point, question.shown(target, bound))
 
         clock = self.clock if question.seconds is None else self.clock.within(question.seconds)
-        search = Search(encoded, target, self._effort(whole), clock, report)
+        effort = self._effort(whole)
+        search = Search(encoded, target, effort, clock, report)
         search.know(bound)
         if (
             whole.shared
@@ -185,7 +192,21 @@ class Stages(Lexicographic[Point, StageObjective]):
         if self.known is not None and self.point is None:
             search.scout = lambda: self.known
         start = None if question.first else start_in(encoded, self.point)
+        if self._large(whole):
+            for flows in self._straight.flows(question, whole, clock):
+                search.adopt(flows)
         return search.minimise(start, first=question.first)
+
+    def _large(self, encoded: Encoded) -> bool:
+        """Whether a plan with resources is better looked for by straight ways first."""
+        return (
+            self.tight
+            and Switch.STRAIGHT in self.effort.switches
+            and bool(self.setting.mission.resources)
+            and not encoded.setting.delay
+            and not encoded.refuted
+            and encoded.model.matrix.nnz > LARGE
+        )
 
     def _hear(self, question: Question, point: Point | None, bound: float | None) -> None:
         """Keep a point, and tell of it and of a bound in the own unit of what is told."""
