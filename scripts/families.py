@@ -174,7 +174,7 @@ def resources(works: Works, seed: int, objective: Sequence[str] = ("travel",)) -
 
     Every fifth resource is a tool, every third can be parted. Classes carry in compartments, in one
     hold, or both kinds of robots are among them; there is twice as much of what is used up as all
-    tasks want, and of every tool as much as the one task that wants most of it.
+    tasks want, and of every tool twice as much as the one task that wants most of it.
     """
     random = Random(f"resources {works} {seed}")
     labels = [f"l{number}" for number in range(works.tasks)]
@@ -199,14 +199,11 @@ def resources(works: Works, seed: int, objective: Sequence[str] = ("travel",)) -
     states = list(system.states)
     stocks = []
     for name in names:
-        most = max(wanted[name], default=1) if name in tools else 2 * sum(wanted[name]) or 1
-        half = most // 2 if name not in tools else 0
-        places = random.sample(states, 2)
-        at = {places[0]: most - half, **({places[1]: half} if half else {})}
+        half = max(wanted[name], default=1) if name in tools else sum(wanted[name])
         stocks.append(
             {
                 "name": name,
-                "at": at,
+                "at": dict.fromkeys(random.sample(states, 2), half or 1),
                 "indivisible": name not in parted,
                 "consumed": name not in tools,
             }

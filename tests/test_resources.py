@@ -10,9 +10,15 @@ import pytest
 import tsplan
 from tests.resource_missions import SENSE, random_resource_mission
 from tests.seeds import seed_blocks
-from tsplan import Group, Mission
+from tsplan import Group, Mission, logic
 from tsplan.checking.plan_check import check
+from tsplan.encode.assemble import tight
+from tsplan.encode.model_objectives import model_objective
+from tsplan.encode.preparation import prepare
+from tsplan.encode.still_flows import needed, still_model
 from tsplan.errors import MissionError
+from tsplan.milp.solution import Options
+from tsplan.milp.solver import solver
 from tsplan.mission import Resource, mission_from_text
 from tsplan.plans.supplies import Cargo, ExecutedTask
 from tsplan.search import stages
@@ -330,6 +336,34 @@ def test_straight_ways_cost_no_better_plan(monkeypatch, seeds: list[int], parted
         told = [[inf if o.value is None else o.value for o in plan.objective] for plan in plans]
         assert told[0] == pytest.approx(told[1], rel=1e-6), made.text
     assert found
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(8000, 8020), range(8020, 8400), 10))
+def test_what_must_be_moved_at_all_bounds_what_is_moved(seeds: list[int]) -> None:
+    reached = []
+    for seed in seeds:
+        made = random_resource_mission(seed, states=4, robots=3, steps=6, parted=seed % 3 == 0)
+        for name in ("travel", "haulage"):
+            asked = replace(made, objective=(name,))
+            plan = tsplan.plan(asked)
+            if plan.status != "optimal":
+                continue
+            encoded = tight(prepare(asked))
+            vector = model_objective(name).target(encoded.setting, encoded).vector
+            model = still_model(encoded, vector)
+            least = solver("highs").solve(model, Options()).objective
+            assert least <= plan.objective[0].value + 1e-6, made.text
+            reached.append(least / max(plan.objective[0].value, 1e-6))
+    assert max(reached) == pytest.approx(1.0)
+
+
+def test_what_is_asked_for_in_any_case():
+    a, b, c = (logic.at_least(label) for label in "abc")
+    assert needed((a & b).always(0, 2).eventually(1, 5)) == {a: 3, b: 3}
+    assert needed((a & b) | (a.eventually(0, 3) & c)) == {a: 1}
+    assert needed(c.until(a.eventually(0, 2), 1, 4)) == {a: 1}
+    assert needed(a.release(b, 0, 3)) == {}
+    assert needed(a.eventually(0, 3).always(0, 9)) == {a: 1}
 
 
 def test_the_random_missions_are_of_all_kinds():

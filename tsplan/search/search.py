@@ -79,25 +79,27 @@ class Search:
         self._first = first
         if start is not None:
             self._accept(start)
-        if not self._done:
+        if not self.done:
             self._send(self.scout)
-        if not self._done and self._effort.switches & {Switch.DIVE, Switch.TREE}:
+        if not self.done and self._effort.switches & {Switch.DIVE, Switch.TREE}:
             try:
                 self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
                 self._lp = None
-        if not self._done and not self._clock.over:
+        if not self.done and not self._clock.over:
             self._by_solver(self._clock)
         return self._found()
 
     @property
-    def _done(self) -> bool:
+    def done(self) -> bool:
         """Whether the question is answered."""
         return self._refuted or self._closed or (self._first and self._values is not None)
 
     def know(self, bound: float) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""
-        self._bound = max(self._bound, bound)
+        if bound > self._bound:
+            self._bound = bound
+            self._report(None, None if self._values is None else self._value, bound)
 
     def dive_for(self, pick: Picker) -> Floats | None:
         """The point that a dive by `pick` finds, however often it goes wrong, or None."""
@@ -200,11 +202,11 @@ class Search:
         if root.status != "optimal":
             return
         self._raise_bound(root.objective)
-        if not self._done:
+        if not self.done:
             self._send(self.rescue)
-        if not self._done and Switch.DIVE in self._effort.switches:
+        if not self.done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
-        if not self._done and Switch.TREE in self._effort.switches:
+        if not self.done and Switch.TREE in self._effort.switches:
             self._grow(lp)
 
     def _none_below(self, cutoff: float | None) -> None:
@@ -236,7 +238,7 @@ class Search:
                 self._keep(dived.values)
             if dived.refuted:
                 self._none_below(cutoff)
-            if self._done:
+            if self.done:
                 break
 
     def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
@@ -265,9 +267,9 @@ class Search:
         tree = BranchAndBound(lp, encoded.indicators, encoded.choices, self._target, root)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         self._take_turns(tree, _TURNS)
-        if not self._done:
+        if not self.done:
             explored = self._climb(tree, budget)
-            if not self._done and self._nearly(explored, root.objective):
+            if not self.done and self._nearly(explored, root.objective):
                 self._climb(tree, budget)
 
     def _take_turns(self, tree: BranchAndBound, seconds: float) -> None:
@@ -281,10 +283,10 @@ class Search:
         while self._model.matrix.nnz <= _SMALL and not self._clock.over:
             self._climb(tree, seconds, most)
             spent = self._clock.elapsed - self._began
-            if self._done or spent > seconds:
+            if self.done or spent > seconds:
                 return
             self._by_solver(self._clock.within(max(spent, _SPRINT)))
-            if self._done:
+            if self.done:
                 return
             most *= 4
 
@@ -322,7 +324,7 @@ class Search:
         near = self._rounding.near(self._warm(), self._model, values)
         if near is not None:
             self._accept(near)
-        if not self._done:
+        if not self.done:
             best = self._rounding.best(self._model, values, self._values)
             if best is not None:
                 self._accept(best)
@@ -348,7 +350,7 @@ class Search:
                 self._whole(solution.values)
             elif solution.values is not None:
                 self._keep(solution.values)
-            if self._done or clock.over:
+            if self.done or clock.over:
                 return
         self._ask(model, clock)
 

@@ -28,12 +28,14 @@ from tsplan.search.group_search import GroupSearch
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.search.question import Kept, Question, start_in
 from tsplan.search.search import Search
+from tsplan.search.still_bound import still_bound
 from tsplan.search.straight_plans import StraightPlans
 from tsplan.search.tidying import tidied
 
 _CHAIN_SECONDS = 15.0
 LARGE = 100_000
 """Nonzeros from which on missions with resources are first planned by straight ways."""
+_SHARE = 0.2  # of the time that is left, for one level of a large mission
 _HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands allow
 
 
@@ -135,21 +137,30 @@ class Stages(Lexicographic[Point, StageObjective]):
         assert self.point is not None
         value = objective.worth(self.setting, self.point)
         sign, ideal = 1 if objective.rises else -1, bound
-        while sign * (bound - value) > 0 and not self.clock.over:
-            probe = value + sign * ((abs(bound - value) + 1) // 2)
+        top = bound  # what is left open is not asked again
+        while sign * (top - value) > 0 and not self.clock.over:
+            probe = value + sign * ((abs(top - value) + 1) // 2)
             kept = self._kept.and_also(objective, probe)
-            question = Question(self._guide, kept, objective, first=True, bound=bound)
+            question = Question(self._guide, kept, objective, True, bound, self._patience)
             found = self.guarded(objective.name, partial(self._ask, question))
             if found is not None and found.values is not None:
                 value = objective.worth(self.setting, self.point)
             elif found is not None and found.proven:
-                bound = probe - sign
+                bound = top = probe - sign
             else:
                 self.stopping(found.stopped_by if found else None)
-                break
+                top = probe - sign
             self.tell(objective.name, None, value, bound)
         self._kept = self._kept.and_also(objective, value if np.isfinite(value) else ideal)
         return sign * max(sign * bound, sign * value)
+
+    @property
+    def _patience(self) -> float | None:
+        """Seconds for one level of a large mission, whose whole program leaves none for others."""
+        left, made = self.clock.left, self._made
+        if left is None or made is None or not self._large(made):
+            return None
+        return _SHARE * left
 
     # --- questions -----------------------------------------------------------------------------
 
@@ -193,9 +204,18 @@ class Stages(Lexicographic[Point, StageObjective]):
             search.scout = lambda: self.known
         start = None if question.first else start_in(encoded, self.point)
         if self._large(whole):
-            for flows in self._straight.flows(question, whole, clock):
-                search.adopt(flows)
+            self._begin(search, question, encoded, clock)
         return search.minimise(start, first=question.first)
+
+    def _begin(self, search: Search, question: Question, encoded: Encoded, clock: Clock) -> None:
+        """Give a search of a large mission with resources plans and a bound to begin with."""
+        for place, flows in enumerate(self._straight.flows(question, encoded, clock)):
+            search.adopt(flows)
+            if place == 0 and not question.first:
+                target = question.objective.target(self.setting, encoded)
+                search.know(still_bound(encoded, target, self.effort, clock))
+            if search.done:
+                break
 
     def _large(self, encoded: Encoded) -> bool:
         """Whether a plan with resources is better looked for by straight ways first."""

@@ -46,13 +46,14 @@ class StraightPlans:
         """Flows of the `encoded` model: those of a plan, and of better ones if asked for."""
         values = self._again(question, encoded)
         if values is None:
-            self._point = None
             with suppress(Halted):  # the search of the whole problem hears of that by itself
                 values = self._any(question, encoded, clock.within(_FIRST))
-            yield from self._told(encoded)
-        if values is not None and not question.first:
-            self._better(question, values, clock)
-            yield from self._told(encoded)
+        if values is None:
+            return
+        yield from self._told(encoded)
+        if not question.first:
+            for _ in self._better(question, values, clock):
+                yield from self._told(encoded)
 
     def _told(self, encoded: Encoded) -> Iterator[Floats]:
         flows = None if self._point is None else flows_in(encoded, self._point)
@@ -89,13 +90,16 @@ class StraightPlans:
                 return values
         return None
 
-    def _better(self, question: Question, values: Floats, clock: Clock) -> None:
+    def _better(self, question: Question, values: Floats, clock: Clock) -> Iterator[None]:
+        """Keep better and better points."""
         assert self._point is not None
         restricted, left = self._point.encoded, clock.left
         narrow = _narrowed(question, restricted)
         target = question.objective.target(restricted.setting, narrow)
         within = clock.within(_BETTER if left is None else min(_BETTER, _SHARE * left))
-        self._keep(restricted, Kernel(narrow, target, self._effort, within).better(values))
+        for better in Kernel(narrow, target, self._effort, within).better(values):
+            self._keep(restricted, better)
+            yield
 
     def _keep(self, restricted: Encoded, values: Floats) -> None:
         count = restricted.model.size.columns
