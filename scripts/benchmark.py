@@ -4,6 +4,7 @@
     python scripts/benchmark.py grid --sizes 5 --seeds 0-9 --compare reference --time-limit 60
     python scripts/benchmark.py scaling --axis agents --seeds 0-2 --plot out.png
     python scripts/benchmark.py swarm --sizes 30,100 --agents 120 --objective splits
+    python scripts/benchmark.py resources --sizes 10 --agents 100 --resources 10 --time-limit 60
     python scripts/benchmark.py signals --compare stlpy,sos1 --time-limit 60
     python scripts/benchmark.py signals --scenes either-or:T=40 door:T=50,n=3
     python scripts/benchmark.py control --scenes narrow:T=25 --seeds 0-9 --time-limit 0.5
@@ -30,7 +31,7 @@ import control_speed
 import families
 import signal_encodings
 import signal_scenes
-from benchmark_rows import Row, plot, ratios, table
+from benchmark_rows import Row, plot, processor, ratios, table
 
 import tsplan
 from tsplan.encode.assemble import tight
@@ -48,19 +49,28 @@ class Watch:
     def __init__(self) -> None:
         self.sign = 1
         self.first: float | None = None
+        self.first_cpu: float | None = None
+        self.began = time.process_time()
         self.root: float | None = None
 
     def __call__(self, event: Event) -> None:
         """Hear of one event."""
         if isinstance(event, Incumbent) and self.first is None:
             self.first = event.elapsed
+            self.first_cpu = self.cpu
         if isinstance(event, Bound | Incumbent) and event.bound is not None and self.root is None:
             self.root = event.bound
+
+    @property
+    def cpu(self) -> float:
+        """Processor seconds of this process since this was made."""
+        return time.process_time() - self.began
 
     def solving(self, progress: Progress) -> bool:
         """Hear of a solver's own progress."""
         if progress.objective is not None and self.first is None:
             self.first = progress.elapsed
+            self.first_cpu = self.cpu
         if progress.bound is not None and self.root is None:
             self.root = self.sign * progress.bound
         return False
@@ -105,6 +115,8 @@ def run(case: families.Case, options: argparse.Namespace, encoding: str) -> Row:
         integers=plan.size.integers,
         rows=plan.size.rows,
         extract=plan.timings.extract + plan.timings.verify,
+        cpu=watch.cpu,
+        first_cpu=watch.first_cpu,
     )
 
 
@@ -134,6 +146,7 @@ def cases(options: argparse.Namespace) -> Iterable[families.Case]:
             "decomposition": _decompositions,
             "swarm": _swarms,
             "partial": _partials,
+            "resources": _resources,
             "signals": _scenes,
         }
         yield from makers[options.family](options, seeds, objective)
@@ -169,6 +182,16 @@ def _partials(_: argparse.Namespace, seeds: Sequence[int], objective: Names) -> 
         for seed in seeds:
             made = families.partial(order, seed, objective)
             yield families.Case("partial", order, place, seed, made)
+
+
+def _resources(options: argparse.Namespace, seeds: Sequence[int], objective: Names) -> Made:
+    for size in numbers(options.sizes):
+        works = families.Works(
+            size, options.agents, options.resources, options.tasks, options.horizon
+        )
+        for seed in seeds:
+            made = families.resources(works, seed, objective)
+            yield families.Case("resources", f"{works.agents} agents, map", size, seed, made)
 
 
 def _scenes(options: argparse.Namespace, _: Sequence[int], __: Names) -> Made:
@@ -231,14 +254,17 @@ def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    choices = ["grid", "decomposition", "scaling", "swarm", "partial", "signals", "missions"]
-    made.add_argument("family", choices=[*choices, "control", "build"])
+    choices = ["grid", "decomposition", "scaling", "swarm", "partial", "resources", "signals"]
+    made.add_argument("family", choices=[*choices, "missions", "control", "build"])
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument(
         "--sizes", default="5,6", help="grid: rows and columns, such as 5,6 or 3-6; swarm: states"
     )
     made.add_argument("--seeds", default="0-9")
     made.add_argument("--agents", type=int, default=20)
+    made.add_argument("--resources", type=int, default=10, help="resources: how many")
+    made.add_argument("--tasks", type=int, default=8, help="resources: how many tasks")
+    made.add_argument("--horizon", type=int, default=60, help="resources: the last step")
     made.add_argument("--axis", choices=list(families.AXES), default="agents")
     made.add_argument(
         "--objective", default="travel", help="such as availability,travel; '' for none"
@@ -287,7 +313,8 @@ def main() -> None:
             first = "none" if row.first_plan is None else f"{row.first_plan:.3f}"
             print(
                 f"{case.mission.name} {encoding}: {row.status} {row.values} "
-                f"{row.seconds:.2f} s, first plan {first} s",
+                f"(bound {row.final_bound}) {row.seconds:.2f} s, first plan {first} s, "
+                f"{row.cpu:.1f} s of the processor",
                 file=sys.stderr,
             )
     if options.csv:
@@ -298,6 +325,7 @@ def main() -> None:
     packages = ", ".join(f"{name} {version(name)}" for name in ("highspy", "numpy", "scipy"))
     print(f"Python {platform.python_version()}, {packages}, {options.threads} threads\n")
     print(table(rows))
+    print(processor(rows))
     print(ratios(rows, options.encoding))
     if options.plot:
         plot(rows, options.plot)

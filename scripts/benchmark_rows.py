@@ -33,6 +33,8 @@ class Row:
     integers: int
     rows: int
     extract: float
+    cpu: float  # processor seconds of the whole run, and until the first plan
+    first_cpu: float | None
 
     @property
     def values(self) -> str:
@@ -71,6 +73,22 @@ def table(rows: Sequence[Row]) -> str:
             f"| {median(seconds):.2f} / {low:.2f}-{high:.2f} / {max(seconds):.2f} "
             f"| {_gap(members)} | {median(r.columns for r in members):.0f} "
             f"| {median(r.rows for r in members):.0f} |"
+        )
+    return "\n".join(lines)
+
+
+def processor(rows: Sequence[Row]) -> str:
+    """Processor seconds of each family and value, however busy the machine was."""
+    groups: dict[tuple[str, str, float, str], list[Row]] = {}
+    for row in rows:
+        groups.setdefault((row.family, row.axis, row.value, row.encoding), []).append(row)
+    lines = ["Processor seconds, median / worst:"]
+    for (family, axis, value, encoding), members in groups.items():
+        firsts = [row.first_cpu for row in members if row.first_cpu is not None] or [float("nan")]
+        total = [row.cpu for row in members]
+        lines.append(
+            f"{family} {axis} {value:g} {encoding}: first plan {median(firsts):.1f} / "
+            f"{max(firsts):.1f}, total {median(total):.1f} / {max(total):.1f}"
         )
     return "\n".join(lines)
 

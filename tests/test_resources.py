@@ -338,6 +338,30 @@ def test_straight_ways_cost_no_better_plan(monkeypatch, seeds: list[int], parted
     assert found
 
 
+def test_what_straight_ways_leave_out_is_found_all_the_same(monkeypatch):
+    """Each robot has to be back: things are handed over where nothing lies or is wanted."""
+    monkeypatch.setattr(stages, "LARGE", -1)
+    text = """
+format: tsplan-mission/1
+map:
+  waiting: true
+  states: {yard: {labels: [home]}, road: {}, wall: {labels: [site]}}
+  edges: [{from: yard, to: road, duration: 1, both_ways: true},
+    {from: road, to: wall, duration: 1, both_ways: true}]
+resources: [{name: brick, at: {yard: 1}, indivisible: true}]
+team:
+  - {class: keeper, at: yard, capabilities: [keep], carries: 1}
+  - {class: mason, at: wall, capabilities: [lay], carries: 1}
+spec:
+  language: catl
+  formula: 'G[2,2] T(0, home, {(keep, 1)}) && G[2,2] T(0, site, {(lay, 1)}, {(brick, 1)})'
+objective: [travel]
+"""
+    plan = tsplan.plan(mission_from_text(text))
+    assert plan.status == "optimal"
+    assert values(plan)["travel"] == 4
+
+
 @pytest.mark.parametrize("seeds", seed_blocks(range(8000, 8020), range(8020, 8400), 10))
 def test_what_must_be_moved_at_all_bounds_what_is_moved(seeds: list[int]) -> None:
     reached = []

@@ -33,7 +33,7 @@ from tsplan.search.straight_plans import StraightPlans
 from tsplan.search.tidying import tidied
 
 _CHAIN_SECONDS = 15.0
-LARGE = 100_000
+LARGE = 30_000
 """Nonzeros from which on missions with resources are first planned by straight ways."""
 _SHARE = 0.2  # of the time that is left, for one level of a large mission
 _HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands allow
