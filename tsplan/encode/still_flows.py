@@ -24,7 +24,18 @@ from tsplan.encode.encoded import Encoded
 from tsplan.encode.flow_network import ClassColumns
 from tsplan.encode.lanes import LaneTable, lane_table
 from tsplan.encode.stocks import PART, Loads, Stocks
-from tsplan.logic import Always, And, Eventually, Formula, Or, Until
+from tsplan.logic import (
+    Always,
+    And,
+    Constant,
+    Count,
+    Eventually,
+    Execution,
+    Formula,
+    Or,
+    Release,
+    Until,
+)
 from tsplan.milp.model import Draft, Floats, Ints, Model
 from tsplan.mission import Resource
 
@@ -45,11 +56,18 @@ def still_model(encoded: Encoded, prices: Floats) -> Model | None:
 
 @singledispatch
 def needed(node: Formula) -> Needed:
-    """The atoms that hold somewhere wherever a positive formula holds, and at how many steps.
+    """The atoms that hold somewhere wherever a positive formula holds, and at how many steps."""
+    raise TypeError(f"what is needed in any case is not known of {type(node).__name__}")
 
-    Nothing is known of classes that are not registered.
-    """
-    return {} if node.children else {node: 1}
+
+@needed.register
+def _(node: Count | Execution) -> Needed:
+    return {node: 1}
+
+
+@needed.register
+def _(_node: Constant | Release) -> Needed:
+    return {}  # what is released need not hold for long, and nothing is said of it
 
 
 @needed.register
