@@ -17,7 +17,7 @@ from tsplan.milp.target import Target
 from tsplan.search.effort import Effort
 
 _SECONDS = 5.0
-_SHARE = 1 / 8  # of the time that is left
+_SHARE = 1 / 4  # of the time that is left
 
 
 def still_bound(encoded: Encoded, target: Target, effort: Effort, clock: Clock) -> float:
