@@ -16,7 +16,7 @@ import numpy as np
 from tsplan.clock import Clock, Halted
 from tsplan.encode.assemble import tight
 from tsplan.encode.encoded import Encoded, Point
-from tsplan.encode.model_objectives import Travel
+from tsplan.encode.priced_objectives import Travel
 from tsplan.encode.straight_ways import flows_in, straightened
 from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
