@@ -131,8 +131,11 @@ def _on_reduced_maps(setting: Setting) -> Setting:
     return replace(setting, reduced=tuple(reduced), monotone=monotone)
 
 
-def interest(setting: Setting, graph: ClassGraph) -> Interest:
-    """Which states the problem counts agents of a class at, and which it limits."""
+def interest(setting: Setting, graph: ClassGraph, *, rebuilt: bool = True) -> Interest:
+    """Which states the problem counts agents of a class at, and which it limits.
+
+    With `rebuilt` those matter, too, where structures can be.
+    """
     system, arrays, ability = setting.mission.system, setting.arrays, graph.capabilities
     wanted, limited = watched_states(setting.goal, ability, system, arrays)
     for state, _ in arrays.capacity:
@@ -140,7 +143,7 @@ def interest(setting: Setting, graph: ClassGraph) -> Interest:
     for term in terms_of(setting.constraints):
         if is_counted(term.capability, ability):
             limited[states_of(term, system, arrays)] = True
-    if graph.layer is not None:
+    if graph.layer is not None and rebuilt:
         wanted[[change.state for change in setting.changes]] = True
     if graph.modes is None:
         return Interest(np.logical_or(wanted, limited), limited)

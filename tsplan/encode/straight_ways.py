@@ -5,11 +5,13 @@ model of it has a column for every resource on every edge at every step. A plan 
 Here robots go from one state that matters to another at a stretch, by a quickest way, and begin
 only every so many steps; things are laid down where they began and where they are wanted, and
 nowhere else. All plans of it are plans of the mission, so what it finds is a plan; what it leaves
-out may be better, so it proves nothing.
+out may be better, so it proves nothing. Structures of modules are rebuilt where some of them begin
+or are needed.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -29,11 +31,16 @@ def straightened(setting: Setting, every: int) -> Setting | None:
 
     Its classes are those of the setting on their reduced maps, so that its moves are edges of them.
     """
-    ends = _ends_of_loads(setting)
+    graphs = [base.graph for base in setting.reduced]
+    matter = [interest(setting, graph, rebuilt=False) for graph in graphs]
+    ends, meeting = _ends_of_loads(setting), _meeting(graphs, matter)
     classes, ways = [], []
-    for item, base in zip(setting.classes, setting.reduced, strict=True):
-        matters = interest(setting, base.graph)
-        found = _straight(setting, base.graph, matters, ends, every)
+    for item, base, matters in zip(setting.classes, setting.reduced, matter, strict=True):
+        goals = ends | (matters.relevant if base.graph.layer is None else meeting)
+        if base.graph.layer is None:
+            found = _straight(setting, base.graph, Interest(goals, matters.limited), every)
+        else:
+            found = _rebuilt(setting, base.graph, Interest(goals, matters.limited), every)
         if found is None:
             return None
         classes.append(replace(item, graph=base.graph))
@@ -66,11 +73,40 @@ def _ends_of_loads(setting: Setting) -> Bools:
     return ends
 
 
-def _straight(
-    setting: Setting, graph: ClassGraph, matters: Interest, ends: Bools, every: int
-) -> Reduced | None:
+def _meeting(graphs: Sequence[ClassGraph], matter: Sequence[Interest]) -> Bools:
+    """The states where structures may be rebuilt: where some of them begin or matter."""
+    found = np.zeros_like(matter[0].relevant)
+    for graph, matters in zip(graphs, matter, strict=True):
+        if graph.layer is not None:
+            found |= matters.relevant | (graph.start[:-1] > 0)
+    return found
+
+
+def _rebuilt(setting: Setting, graph: ClassGraph, matters: Interest, every: int) -> Reduced | None:
+    """Straight ways of structures, which are rebuilt where it matters and nowhere else."""
+    assert graph.layer is not None
+    nowhere = np.zeros(1, dtype=np.bool_)
+    able = graph.layer.reach[:-1] <= setting.horizon
+    matters = Interest(matters.relevant & able, matters.limited)
+    wide = Interest(*(np.append(part, nowhere) for part in (matters.relevant, matters.limited)))
+    rides = replace(graph.among(graph.rides), start=graph.start)
+    short = _straight(setting, rides, wide, every)
+    if short is None:
+        return None
+    half = np.arange(graph.layer.rides, len(graph.tail))
+    made = short.graph.with_edges_of(graph, half)
+    place = np.minimum(graph.tail[half], graph.head[half])  # nowhere comes after all states
+    begins = graph.layer.begins[half]
+    last = np.where(matters.relevant[place], setting.horizon - 1, -1)
+    assert short.graph.entries is not None
+    first, until = short.graph.entries
+    entries = np.append(first, begins), np.append(until, last)
+    return Reduced(replace(made, entries=entries), (*short.paths, *half.reshape(-1, 1)))
+
+
+def _straight(setting: Setting, graph: ClassGraph, matters: Interest, every: int) -> Reduced | None:
     """Unit waits where it matters, and an edge for every step at which a way may begin."""
-    relevant = matters.relevant | ends
+    relevant = matters.relevant
     kept = np.flatnonzero(relevant | (graph.start > 0))
     waits = np.flatnonzero(graph.wait & (graph.duration == 1) & np.isin(graph.tail, kept))
     if len(np.unique(graph.tail[waits])) < len(kept):

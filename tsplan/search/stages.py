@@ -211,18 +211,18 @@ class Stages(Lexicographic[Point, StageObjective]):
         """Give a search of a large mission with resources plans and a bound to begin with."""
         for place, flows in enumerate(self._straight.flows(question, encoded, clock)):
             search.adopt(flows)
-            if place == 0 and not question.first:
+            if place == 0 and not question.first and not self.setting.changes:
                 target = question.objective.target(self.setting, encoded)
                 search.know(still_bound(encoded, target, self.effort, clock))
             if search.done:
                 break
 
     def _large(self, encoded: Encoded) -> bool:
-        """Whether a plan with resources is better looked for by straight ways first."""
+        """Whether a plan is better looked for by straight ways first: of cargo or structures."""
         return (
             self.tight
             and Switch.STRAIGHT in self.effort.switches
-            and bool(self.setting.mission.resources)
+            and bool(self.setting.mission.resources or self.setting.changes)
             and not encoded.setting.delay
             and not encoded.refuted
             and encoded.model.matrix.nnz > LARGE
