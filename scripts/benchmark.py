@@ -5,6 +5,7 @@
     python scripts/benchmark.py scaling --axis agents --seeds 0-2 --plot out.png
     python scripts/benchmark.py swarm --sizes 30,100 --agents 120 --objective splits
     python scripts/benchmark.py resources --sizes 10 --agents 100 --resources 10 --time-limit 60
+    python scripts/benchmark.py modules --agents 12 --docks 2 --time-limit 60
     python scripts/benchmark.py signals --compare stlpy,sos1 --time-limit 60
     python scripts/benchmark.py signals --scenes either-or:T=40 door:T=50,n=3
     python scripts/benchmark.py control --scenes narrow:T=25 --seeds 0-9 --time-limit 0.5
@@ -147,6 +148,7 @@ def cases(options: argparse.Namespace) -> Iterable[families.Case]:
             "swarm": _swarms,
             "partial": _partials,
             "resources": _resources,
+            "modules": _modules,
             "signals": _scenes,
         }
         yield from makers[options.family](options, seeds, objective)
@@ -192,6 +194,14 @@ def _resources(options: argparse.Namespace, seeds: Sequence[int], objective: Nam
         for seed in seeds:
             made = families.resources(works, seed, objective)
             yield families.Case("resources", f"{works.agents} agents, map", size, seed, made)
+
+
+def _modules(options: argparse.Namespace, seeds: Sequence[int], objective: Names) -> Made:
+    for seed in seeds:
+        made = families.modules(options.agents, options.docks, seed, objective)
+        yield families.Case(
+            "modules", f"{options.docks} docks, modules", options.agents, seed, made
+        )
 
 
 def _scenes(options: argparse.Namespace, _: Sequence[int], __: Names) -> Made:
@@ -254,8 +264,9 @@ def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    choices = ["grid", "decomposition", "scaling", "swarm", "partial", "resources", "signals"]
-    made.add_argument("family", choices=[*choices, "missions", "control", "build"])
+    choices = ["grid", "decomposition", "scaling", "swarm", "partial", "resources"]
+    choices += ["modules", "signals", "missions", "control", "build"]
+    made.add_argument("family", choices=choices)
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument(
         "--sizes", default="5,6", help="grid: rows and columns, such as 5,6 or 3-6; swarm: states"
@@ -265,6 +276,9 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("--resources", type=int, default=10, help="resources: how many")
     made.add_argument("--tasks", type=int, default=8, help="resources: how many tasks")
     made.add_argument("--horizon", type=int, default=60, help="resources: the last step")
+    made.add_argument(
+        "--docks", type=int, default=2, help="modules: where structures are rebuilt, 0 for anywhere"
+    )
     made.add_argument("--axis", choices=list(families.AXES), default="agents")
     made.add_argument(
         "--objective", default="travel", help="such as availability,travel; '' for none"

@@ -228,6 +228,52 @@ def resources(works: Works, seed: int, objective: Sequence[str] = ("travel",)) -
     )
 
 
+_SHAPES = {
+    "single": {"modules": 1, "capabilities": ["look"]},
+    "line": {"modules": 3, "capabilities": ["lift"], "cost": 2.0, "duration": 1.5},
+    "ring": {"modules": 4, "capabilities": ["lift", "drill"], "cost": 2.5, "duration": 1.5},
+    "tower": {"modules": 6, "capabilities": ["reach"], "cost": 4.0, "duration": 2.0},
+}
+_RULES = [
+    {"from": "single", "to": "line", "duration": 2, "cost": 3},
+    {"from": "line", "to": "single", "duration": 1, "cost": 1},
+    {"from": {"line": 1, "single": 1}, "to": "ring", "duration": 3, "cost": 4},
+    {"from": "ring", "to": {"line": 1, "single": 1}, "duration": 1, "cost": 1},
+    {"from": {"line": 2}, "to": "tower", "duration": 3, "cost": 5},
+    {"from": "tower", "to": {"line": 2}, "duration": 1, "cost": 1},
+]
+
+
+def modules(count: int, docks: int, seed: int, objective: Sequence[str] = ("travel",)) -> Mission:
+    """Modular robots of four configurations on a 5x4 grid: three tasks in 40 steps.
+
+    Structures are rebuilt at so many docks, at the first of which all modules begin, or anywhere
+    without a dock.
+    """
+    random = Random(f"modules {count} {docks} {seed}")
+    sites = ["wall", "mast", "yard"]
+    system = grid_map(5, 4, [*sites, "dock0", *(f"dock{n}" for n in range(1, docks))], random)
+    (start, *_) = system.labels["dock0"]
+    where = {"at": [f"dock{number}" for number in range(docks)]} if docks else {}
+    needs = random.sample(["(lift,1)", "(lift,2)", "(drill,1)", "(reach,1)", "(look,3)"], 3)
+    windows = random.sample(["F[0,36]", "F[0,24]", "F[10,30]", "G[20,26] F[0,8]"], 3)
+    parts = [
+        f"{window} T({random.randint(1, 3)},{site},{{{need}}})"
+        for window, site, need in zip(windows, sites, needs, strict=True)
+    ]
+    return Mission.of(
+        map=system,
+        team=[{"class": "module", "count": count, "at": start, "configuration": "single"}],
+        configurations=_SHAPES,
+        reconfigure=[{**rule, **where} for rule in _RULES],
+        formula=" && ".join(parts),
+        language="catl",
+        objective=tuple(objective),
+        horizon=40,
+        name=f"modules {count} docks {docks} seed {seed}",
+    )
+
+
 @dataclass(frozen=True)
 class Scale:
     """The axes of the scaling family and where they rest when another one moves."""

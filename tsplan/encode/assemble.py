@@ -123,12 +123,21 @@ class _Assembly:
             replace(swarm, agents=self._laid[swarm.number]) for swarm in self._swarms
         )
         size_rows(self._swarms, draft)
-        executed = demanded_columns(witnesses.executions, witnesses.choices, draft)
+        executed = demanded_columns(
+            witnesses.executions, witnesses.choices, draft, self._free(network)
+        )
         own = self._parts(network, executed)
         if "rebuilt" in own:
             growth_rows(own["own_columns"][STRUCTURES], network, self._built, draft)
         encoded = self._encoded(network, witnesses, self._flows, decided=list(swarms.values()))
         return replace(encoded, occupied=occupied, families=tuple(families), **own)
+
+    def _free(self, network: Network) -> Executions | None:
+        """Columns of executions beyond what is demanded, which may perform better, or None."""
+        setting = self._setting
+        if "performance" not in setting.mission.objective:
+            return None
+        return executed_columns(setting.goal, setting.atoms(network), network, self._draft)[1]
 
     def _parts(self, network: Network, executed: Executions) -> dict[str, Any]:
         """What objectives and other parts have of their own in a model."""

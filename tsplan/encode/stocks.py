@@ -149,9 +149,15 @@ def executed_columns(
 
 
 def demanded_columns(
-    demands: Sequence[Demand], choices: SelectionColumns, draft: Draft
+    demands: Sequence[Demand],
+    choices: SelectionColumns,
+    draft: Draft,
+    free: Executions | None = None,
 ) -> Executions:
-    """Columns of the executions that are demanded, 1 where they are."""
+    """Columns of the executions that are demanded, 1 where they are.
+
+    With columns of executions that are `free` to be made, at least what is demanded is.
+    """
     asked: dict[Executed, list[Span]] = defaultdict(list)
     for need in demands:
         asked[need.bound].append(Span(need.first, need.last, need.selection))
@@ -159,7 +165,7 @@ def demanded_columns(
         bound: (min(s.first for s in found), max(s.last for s in found))
         for bound, found in asked.items()
     }
-    columns = execution_columns(spans, draft)
+    columns = execution_columns(spans, draft) if free is None else free
     for bound, found in asked.items():
         timed = columns[bound]
         asking: dict[int, list[Selection]] = {step: [] for step in range(*_span(timed))}
@@ -170,7 +176,7 @@ def demanded_columns(
             for selection in selections:
                 one = 0.0 if selection else 1.0
                 draft.sums(own, (0, selection, -1.0), lower=one, kind="executed")
-            if all(selections):  # nobody asks for it in any case
+            if free is None and all(selections):  # nobody asks for it in any case
                 anybody = tuple({column for selection in selections for column in selection})
                 draft.sums(own, (0, anybody, -1.0), lower=-np.inf, upper=0.0, kind="executed")
     return columns
