@@ -6,7 +6,8 @@ full graph through states that are not relevant. The idea and its conditions sta
 encoding notes (docs/encoding.md):
 
 * every kept state has a unit self-loop, so that waiting can be done at either end of a shortcut;
-* moves are paid by their duration, or not at all;
+* moves are paid by their duration, or not at all; where they are paid otherwise, and waiting is
+  free, all ways are kept of which no other is as quick and as cheap (`cheap_ways`);
 * a relevant state with an upper bound on its count (*limited*) also keeps the states next to it:
   an agent that must leave it may wait just outside.
 
@@ -21,9 +22,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tsplan.clock import Clock
+from tsplan.encode.cheap_ways import cheap_ways
 from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.shortcuts import Kept, shortcuts
-from tsplan.milp.model import Bools, Ints
+from tsplan.milp.model import Bools, Floats, Ints
 
 _CROWDED = 2  # shortcuts for each edge of the full graph: fewer are worth their shorter ways
 
@@ -38,10 +40,14 @@ class Reduced:
 
 @dataclass(frozen=True, eq=False)
 class Interest:
-    """Which states matter: `relevant` for any reason, `limited` because of an upper bound."""
+    """Which states matter: `relevant` for any reason, `limited` because of an upper bound.
+
+    `tolls` are what edges cost, each in a sense of its own, where quick ways may not be the best.
+    """
 
     relevant: Bools
     limited: Bools
+    tolls: tuple[Floats, ...] = ()
 
 
 def whole(graph: ClassGraph) -> Reduced:
@@ -60,7 +66,11 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) ->
         return _reduced(graph, interest, horizon, clock)
     rides = graph.layer.rides
     nowhere = np.zeros(1, dtype=np.bool_)
-    every = Interest(*(np.append(part, nowhere) for part in (interest.relevant, interest.limited)))
+    every = Interest(
+        np.append(interest.relevant, nowhere),
+        np.append(interest.limited, nowhere),
+        tuple(toll[:rides] for toll in interest.tolls),
+    )
     short = _reduced(graph.among(graph.rides), every, horizon, clock)
     if short is None:
         return None
@@ -83,7 +93,16 @@ def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) 
     # an agent may leave a limited state by a move that the horizon cuts short
     longest = np.inf if interest.limited.any() else float(horizon)
     kept = Kept(sources, relevant, relevant & ~interest.limited)
-    tail, head, paths = shortcuts(graph, kept, longest, clock)
+    if interest.tolls:
+        (toll,) = interest.tolls
+        if toll[graph.travel == 0].any():  # where agents wait matters
+            return None
+        found = cheap_ways(graph, kept, toll, longest, clock)
+        if found is None:
+            return whole(graph) if waiting.all() else None
+        tail, head, paths = found
+    else:
+        tail, head, paths = shortcuts(graph, kept, longest, clock)
     if len(paths) > _CROWDED * len(graph.tail) and waiting.all():
         return whole(graph)
     return _assemble(graph, sources, (tail, head), paths)

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.executions import Executions
 from tsplan.encode.flow_network import Network
@@ -54,8 +55,12 @@ class StageObjective(ABC):
         return self.grouping in (Grouping.PLACES, Grouping.TOKENS)
 
     def reducible(self, setting: Setting) -> bool:
-        """Whether quickest ways between the states that matter lose no better plan."""
+        """Whether ways between the states that matter that are quick or of less toll are enough."""
         return True
+
+    def toll(self, graph: ClassGraph) -> Floats | None:
+        """What every edge costs where a quicker way may be worse; None where none is."""
+        return None
 
     def columns(
         self, setting: Setting, network: Network, executed: Executions, draft: Draft

@@ -21,7 +21,7 @@ from tsplan.encode.own_constraints import states_of, terms_of
 from tsplan.encode.structure_flows import Change, structure_classes
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Execution, Formula, capabilities, positive, simplify, walk
-from tsplan.milp.model import Bools
+from tsplan.milp.model import Bools, Floats
 from tsplan.mission import Mission
 
 
@@ -113,7 +113,9 @@ def _on_reduced_maps(setting: Setting) -> Setting:
     """The setting on reduced maps, or as it is where these would not be exact."""
     if not all(objective.reducible(setting) for objective in objectives_of(setting.mission)):
         return setting
-    interests = [interest(setting, item.graph) for item in setting.classes]
+    interests = [_tolled(setting, item.graph) for item in setting.classes]
+    if any(len(interest.tolls) > 1 for interest in interests):
+        return setting  # ways may be quick, cheap or safe
     limited = any(matters.limited.any() for matters in interests)
     if setting.delay and setting.arrays.group_capacity:
         return setting
@@ -129,6 +131,16 @@ def _on_reduced_maps(setting: Setting) -> Setting:
         reduced.append(short)
     monotone = not limited and not setting.arrays.group_capacity
     return replace(setting, reduced=tuple(reduced), monotone=monotone)
+
+
+def _tolled(setting: Setting, graph: ClassGraph) -> Interest:
+    """Which states matter to a class, and what edges cost where quick ways may be worse."""
+    tolls: list[Floats] = []
+    for objective in objectives_of(setting.mission):
+        toll = objective.toll(graph)
+        if toll is not None and not any(np.array_equal(toll, other) for other in tolls):
+            tolls.append(toll)
+    return replace(interest(setting, graph), tolls=tuple(tolls))
 
 
 def interest(setting: Setting, graph: ClassGraph, *, rebuilt: bool = True) -> Interest:

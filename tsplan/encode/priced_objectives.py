@@ -35,9 +35,9 @@ class Cost(ModelObjective):
     name = "cost"
     priced = True
 
-    def reducible(self, setting: Setting) -> bool:
-        """Only where quick ways are cheap: each class pays the same for every step of a move."""
-        return all(_even(item.graph) for item in setting.classes)
+    def toll(self, graph: ClassGraph) -> Floats | None:
+        """The costs, unless a class pays the same for every step of a move."""
+        return None if _even(graph) else graph.cost
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """The cost of every edge in whole units."""
@@ -69,9 +69,9 @@ class Risk(ModelObjective):
 
     name = "risk"
 
-    def reducible(self, setting: Setting) -> bool:
-        """Only where no move can fail."""
-        return not any(item.graph.risk.any() for item in setting.classes)
+    def toll(self, graph: ClassGraph) -> Floats | None:
+        """The risks, if any."""
+        return graph.risk if graph.risk.any() else None
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
         """The risk of every edge in millionths."""

@@ -88,7 +88,7 @@ def _rebuilt(setting: Setting, graph: ClassGraph, matters: Interest, every: int)
     nowhere = np.zeros(1, dtype=np.bool_)
     able = graph.layer.reach[:-1] <= setting.horizon
     matters = Interest(matters.relevant & able, matters.limited)
-    wide = Interest(*(np.append(part, nowhere) for part in (matters.relevant, matters.limited)))
+    wide = Interest(np.append(matters.relevant, nowhere), np.append(matters.limited, nowhere))
     rides = replace(graph.among(graph.rides), start=graph.start)
     short = _straight(setting, rides, wide, every)
     if short is None:
