@@ -23,9 +23,12 @@ def random_rich_mission(seed: int) -> Mission:
     booking = random.choice(["shared", "shared", "per-label", "exclusive"])
     objective = _objective(random, resources=bool(resources), modules=modules)
     free = [name for name, state in system.states.items() if state.capacity is None]
+    team = _team(random, free, resources, modules=modules)
+    if modules:
+        team += _blocks(Random(f"blocks {seed}"), names[0])
     return Mission.of(
         map=system,
-        team=_team(random, free, resources, modules=modules),
+        team=team,
         resources=resources,
         formula=_formula(random, horizon, [item["name"] for item in resources], booking),
         booking=booking,
@@ -99,6 +102,16 @@ def _team(
         count = random.randint(2, 4) if kind == "one" else random.choice([2, 4])
         team.append({"class": "cube", "count": count, "at": names[0], "configuration": kind})
     return team
+
+
+def _blocks(random: Random, state: str) -> list[dict[str, Any]]:
+    """Perhaps modules of another class, which are in no structure with the others."""
+    if random.random() < 0.7:
+        return []
+    able = random.choice([[], ["v"]])
+    count = random.randint(1, 3)
+    made = {"class": "block", "count": count, "at": state, "capabilities": able}
+    return [{**made, "configuration": "one"}]
 
 
 def _modular(random: Random, resources: list[dict[str, Any]]) -> dict[str, Any]:
