@@ -18,6 +18,7 @@ from tsplan.encode.assemble import tight
 from tsplan.encode.preparation import prepare
 from tsplan.encode.priced_objectives import Travel
 from tsplan.errors import SolverError
+from tsplan.milp import highs
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.highs import Highs
 from tsplan.milp.model import Model
@@ -31,6 +32,7 @@ from tsplan.stopping import StoppedBy
 from tsplan.testing import random_mission
 
 ONCE_WRONG = sorted((Path(__file__).parent / "models").glob("*.json"))
+AGGREGATOR = Path(__file__).parent / "models" / "aggregator.json"
 
 
 def numbers(values: list[float | None], missing: float) -> np.ndarray:
@@ -64,6 +66,43 @@ def fits(name: str, model: Model) -> bool:
 def test_models_that_solvers_were_wrong_about(path: Path, name: str) -> None:
     model, start, optimum = read(path)
     found = confirmed(solver(name), model, Options(start=start, time_limit=30.0))
+    assert (found.status, found.objective) == (Status.OPTIMAL, optimum)
+
+
+@pytest.mark.parametrize("name", installed())
+def test_models_that_some_rule_of_presolve_is_wrong_about(name: str) -> None:
+    """Their neighbours are judged with presolve as without."""
+    model, _, _ = read(AGGREGATOR)
+    random = np.random.default_rng(3)  # HiGHS with all its rules calls a worse point optimal
+    seen = set()
+    for _ in range(10):
+        kept = np.flatnonzero(random.random(model.size.rows) > random.choice([0.0, 0.02, 0.1]))
+        costs = random.integers(0, 9, model.size.columns) * (
+            random.random(model.size.columns) < 0.3
+        )
+        near = replace(
+            model.with_objective(costs.astype(float)),
+            matrix=model.matrix[kept],
+            row_lower=model.row_lower[kept],
+            row_upper=model.row_upper[kept],
+            upper=np.where(random.random(model.size.columns) < 0.02, model.lower, model.upper),
+        )
+        expected = Highs().solve(near, Options(presolve=False))
+        found = confirmed(solver(name), near, Options())
+        assert (found.status, found.objective) == (expected.status, expected.objective)
+        seen.add(found.status)
+    assert Status.OPTIMAL in seen
+
+
+def test_presolve_alone_proves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """HiGHS with all its rules is wrong about this model with every seed, and is found out."""
+    model, start, optimum = read(AGGREGATOR)
+    monkeypatch.setattr(highs, "rules_off", lambda _: 0)
+    for seed in range(3):
+        assert (
+            Highs().solve(model, Options(seed=seed)).status is Status.INFEASIBLE
+        )  # else go by lies
+    found = confirmed(Highs(), model, Options(start=start))
     assert (found.status, found.objective) == (Status.OPTIMAL, optimum)
 
 
@@ -101,6 +140,10 @@ def refuted(question: Request, said: RawResult) -> RawResult:
 
 def outside(question: Request, said: RawResult) -> RawResult:
     return replace(said, values=said.values + 1.0)
+
+
+def trouble(question: Request, said: RawResult) -> RawResult:
+    raise SolverError("the arithmetic fails")
 
 
 def split(question: Request, said: RawResult) -> RawResult:
@@ -186,7 +229,17 @@ def test_infeasible_is_said_twice() -> None:
     model = replace(knapsack(2), row_upper=np.array([-1.0, 11.0]), lower=np.full(5, -0.1))
     liar = Liar({})
     assert confirmed(liar, model, Options()).status is Status.INFEASIBLE
-    assert len(liar.runs) == 2
+    assert [run.presolve for run in liar.runs] == [True, False]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_lies_that_presolve_tells_with_every_seed_are_no_proof(seed: int) -> None:
+    liar = Liar({0: refuted, 1: trouble, 2: refuted})
+    found = confirmed(liar, knapsack(seed), Options())
+    assert (found.status, found.stopped_by) == (Status.UNKNOWN, StoppedBy.PRECISION)
+    assert [run.presolve for run in liar.runs] == [True, False, True]
+    always = Liar({0: refuted, 1: refuted}, features=Highs.features - {"presolve"})
+    assert confirmed(always, knapsack(seed), Options()).status is Status.INFEASIBLE
 
 
 @pytest.mark.parametrize("step", [1.0, 0.0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from highspy import HighsModelStatus as Ended
 from scipy import sparse
 from scipy.optimize import linprog
 
@@ -217,3 +218,21 @@ def test_solving_again_costs_little(monkeypatch: pytest.MonkeyPatch) -> None:
         iterations += lp._highs.getInfo().simplex_iteration_count
     assert asked == []  # nobody is called back
     assert iterations < 200 * first / 4  # the last basis is gone on from
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_what_presolve_calls_infeasible_is_solved_without_it(seed: int, monkeypatch) -> None:
+    pair = Pair(seed, None)
+    right = pair.lp.solve()
+    fresh = Pair(seed, None).lp
+    run, presolved = fresh._run, []
+
+    def lying(until: float) -> Ended:
+        presolved.append(fresh._highs.getOptionValue("presolve")[1] != "off")
+        ended = run(until)
+        return Ended.kInfeasible if len(presolved) == 1 else ended
+
+    monkeypatch.setattr(fresh, "_run", lying)
+    found = fresh.solve()
+    assert (found.status, found.objective) == (right.status, pytest.approx(right.objective))
+    assert presolved == [True, False]

@@ -4,6 +4,11 @@ A solver that calls a point optimal with a bound that lies below it or with none
 infeasible, or returns a point that violates the model is asked again with other settings, each of
 them at most once. What two runs say alike counts; what stays unclear is a point and a bound, and no
 proof.
+
+Two runs that presolve alike are one witness: a rule of presolve that is wrong about a model is so
+with every seed. So "infeasible" counts only if a run without presolve says it too, where the solver
+can do without. As infeasible models are mostly so at their root, that costs little: 450 of them
+(planning, swarms, signals, explanations) took 5.0 seconds without presolve, 2.8 with it.
 """
 
 from __future__ import annotations
@@ -27,20 +32,28 @@ _SAME = 1e-6  # relative distance of values that count as the same
 class _Runs:
     """What the runs so far say together."""
 
+    optional: bool  # whether the solver can do without presolve
     point: Solution | None = None
     best: float = math.inf  # the value of the point
     bound: float = -math.inf
     refutations: int = 0
+    plain: bool = False  # whether a refutation came without presolve
     words: int = 0  # optima of the best point's value that no bound bears out
     trouble: SolverError | None = None
 
-    def take(self, solution: Solution) -> Solution | None:
-        """Take in one run; the answer, once it is clear."""
+    @property
+    def refuted(self) -> bool:
+        """Whether it is proven that there is no point."""
+        return self.refutations > 1 and (self.plain or not self.optional)
+
+    def take(self, solution: Solution, *, plain: bool) -> Solution | None:
+        """Take in one run, `plain` without presolve; the answer, once it is clear."""
         if solution.status is Status.INFEASIBLE:
             if self.point is not None:
                 raise SolverError("one run calls a model infeasible of which another has a point")
             self.refutations += 1
-            return solution if self.refutations > 1 else None
+            self.plain = self.plain or plain
+            return solution if self.refuted else None
         if solution.bound is not None and not solution.silent:
             self.bound = max(self.bound, solution.bound)
         value = math.inf if solution.objective is None else solution.objective
@@ -74,15 +87,15 @@ def confirmed(
     FEASIBLE or UNKNOWN with `StoppedBy.PRECISION` is the end of a search that could not be made
     clear. Raises SolverError where every run fails, and where two runs contradict each other.
     """
-    runs, count = _Runs(), 0
-    for setting in _settings(solver, options):
+    runs, count = _Runs("presolve" in solver.features), 0
+    for setting in _settings(solver, options, runs):
         count += 1
         try:
             solution = solver.solve(model, setting, watch)
         except SolverError as error:
             runs.trouble = error
             continue
-        answer = runs.take(solution)
+        answer = runs.take(solution, plain=not setting.presolve)
         if answer is not None:
             return answer
     if count == 1 and runs.refutations:
@@ -94,16 +107,21 @@ def confirmed(
     return runs.together()
 
 
-def _settings(solver: Solver, options: Options) -> Iterator[Options]:
-    """The options as given; then with another seed, and without presolve, both without a start."""
+def _settings(solver: Solver, options: Options, runs: _Runs) -> Iterator[Options]:
+    """The options as given; then with another seed, and without presolve, both without a start.
+
+    After a refutation the run without presolve comes first, as no proof does without it.
+    """
     began = time.perf_counter()
     yield options
     fresh = replace(options, start=None)
     others = []
     if "seed" in solver.features or options.start is not None:
         others.append(replace(fresh, seed=((options.seed or 0) + 1) % _SEEDS))
-    if "presolve" in solver.features:
+    if runs.optional:
         others.append(replace(fresh, presolve=False))
+    if runs.refutations:
+        others.reverse()
     for other in others:
         limit = options.time_limit
         left = None if limit is None else max(limit - (time.perf_counter() - began), 0.0)

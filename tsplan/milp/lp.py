@@ -22,6 +22,7 @@ from tsplan.process.watchdog import Watchdog
 with hushed():
     import highspy
     from highspy import HighsModelStatus as Ended
+    from highspy import HighsPresolveStatus as Presolved
 
 LPStatus: TypeAlias = Literal["optimal", "infeasible", "cutoff", "limit"]
 _ENDS: dict[Ended, LPStatus] = {
@@ -168,6 +169,8 @@ class WarmLP:
             # numerical trouble: forget the basis
             checked(self._highs.clearSolver(), "to forget the basis")
             ended = self._run(until)
+        if ended == Ended.kInfeasible and self._presolved:
+            ended = self._without_presolve(until)
         if ended not in _ENDS:
             words = self._highs.modelStatusToString(ended)
             raise SolverError(f"HiGHS could not solve a linear program: {words}")
@@ -247,10 +250,16 @@ class WarmLP:
         failed = returned == highspy.HighsStatus.kError
         return Ended.kSolveError if failed else self._highs.getModelStatus()
 
+    @property
+    def _presolved(self) -> bool:
+        """Whether the last run presolved; what presolve alone calls infeasible is no proof."""
+        return bool(self._highs.getModelPresolveStatus() != Presolved.kNotPresolved)
+
     def _without_presolve(self, until: float) -> Ended:
         set_option(self._highs, "presolve", "off")
         ended = self._run(until)
-        set_option(self._highs, "presolve", "choose")
+        if not self._left_running:
+            set_option(self._highs, "presolve", "choose")
         return ended
 
     def _watch(self, *, on: bool) -> None:

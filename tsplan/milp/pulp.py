@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
+from tsplan.milp.highs import rules_off
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.pulp_terms import UnclearError, load, pulp_module, raw_result
 from tsplan.milp.request import NativeRun, RawResult, Request
@@ -40,6 +41,11 @@ _LEAST_GAP = 1e-9
 _SLACK = 0.25  # seconds after its time limit until a backend is interrupted from outside
 _MOST = 0.9  # of a time limit, after which it is what stopped a backend that does not say
 _CBC = frozenset({"PULP_CBC_CMD", "COIN_CMD"})
+_WITHOUT_PRESOLVE: Mapping[str, Mapping[str, object]] = {
+    **{name: {"options": ["presolve off", "preprocess off"]} for name in _CBC},
+    "HiGHS": {"presolve": "off"},
+    "GUROBI": {"Presolve": 0},
+}
 
 
 class Pulp(Solver):
@@ -67,6 +73,7 @@ class Pulp(Solver):
         taken = {"start": "warmStart", "log": "logPath", "threads": "threads", "gap": "gapRel"}
         able = {feature for feature, word in taken.items() if word in known} | {"cutoff"}
         able |= {"seed"} if _seeded(name, 0, known) else set()
+        able |= {"presolve"} if name in _WITHOUT_PRESOLVE else set()
         return frozenset(able | {"first"} if name in _CBC else able)
 
     def availability(self) -> Availability:
@@ -213,10 +220,19 @@ class _Solve:
         if options.log is not None:
             asked["logPath"] = str(log)
         taken = {key: value for key, value in asked.items() if value is not None and key in known}
+        parts: list[Mapping[str, object]] = []
+        if self.backend == "HiGHS":
+            parts.append({"presolve_rule_off": rules_off(self.request.model)})
         if options.seed is not None:
-            taken |= _seeded(self.backend, options.seed, known)
+            parts.append(_seeded(self.backend, options.seed, known))
+        if not options.presolve:
+            parts.append(_WITHOUT_PRESOLVE.get(self.backend, {}))
         if options.first and self.backend in _CBC:
-            taken["options"] = [*_listed(taken.get("options")), "maxSolutions 1"]
+            parts.append({"options": ["maxSolutions 1"]})
+        for part in parts:
+            taken |= part
+        if words := [word for part in parts for word in _listed(part.get("options"))]:
+            taken["options"] = words
         return taken | _extra(self.backend, options.extra, known)
 
     def _asked(self, log: Path) -> bool:
