@@ -17,7 +17,8 @@ from typing import Any
 import tsplan
 from tsplan.draw.picture_files import save
 from tsplan.draw.views import draw_page
-from tsplan.plans.plan import Plan, Status
+from tsplan.plans.outcomes import Status
+from tsplan.plans.plan import Plan
 from tsplan.plans.summary import names, objective_line, outcome
 
 ROOT = Path(__file__).resolve().parent.parent

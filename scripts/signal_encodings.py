@@ -43,8 +43,8 @@ from tsplan.logic import (
 from tsplan.milp.model import INFINITY, Block, Draft, Floats, Ints, Model, Terms
 from tsplan.milp.solution import Options, Solution, Status, Watcher
 from tsplan.milp.solver import Solver, solver
-from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue
-from tsplan.plans.plan import Status as PlanStatus
+from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue
+from tsplan.plans.outcomes import Status as PlanStatus
 from tsplan.signals.aims import Aim
 from tsplan.signals.linear_system import System
 from tsplan.signals.linear_system import Terms as Named

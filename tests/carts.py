@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from tsplan.logic import Formula
-from tsplan.plans.plan import MissionRef, ObjectiveValue
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
 from tsplan.signals.aims import Aim
 from tsplan.signals.linear_system import Dynamics, Limit, System
 from tsplan.signals.region import Region

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
+from tsplan.plans.plan import Plan
 from tsplan.ts import Edge, State, TransitionSystem
 
 # p -> q takes 3 steps, p -> r and r -> q one; only at p and q agents can wait

@@ -23,7 +23,8 @@ from tsplan.errors import InputError, MissionError
 from tsplan.mission import Mission, Objective, objectives, register
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
+from tsplan.plans.plan import Plan
 from tsplan.plans.summary import print_summary
 from tsplan.protocol.margin_size import margin_for
 from tsplan.protocol.simulation import simulate

@@ -14,7 +14,8 @@ from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
+from tsplan.plans.plan import Plan
 from tsplan.plans.split_history import timeline
 from tsplan.ts import Edge, State, TransitionSystem
 

@@ -10,7 +10,8 @@ from tsplan.checking.plan_check import certify, check, objective_values
 from tsplan.errors import SolverError
 from tsplan.mission import Group, Mission
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
+from tsplan.plans.plan import Plan
 from tsplan.ts import Edge, State, TransitionSystem
 
 # p and q may hold two agents; one agent at a time may be between them; r is for flyers only

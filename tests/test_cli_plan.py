@@ -15,7 +15,7 @@ from tests.command_line import linux, started
 from tests.missions import MISSION
 from tsplan.cli import main
 from tsplan.cli.progress import Progress
-from tsplan.plans.plan import MissionRef
+from tsplan.plans.outcomes import MissionRef
 from tsplan.run.events import Bound, Incumbent, Stage
 
 
@@ -156,7 +156,8 @@ import sys, time
 import tsplan.run.planner
 from tsplan.cli import main
 from tsplan.run.events import Stage
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 
 def slow(mission, *, on_event, **options):
     told = False

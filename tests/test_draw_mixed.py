@@ -8,7 +8,8 @@ from tsplan.checking.plan_check import certify
 from tsplan.draw.tracks import tracks
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import AgentPlan, MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import AgentPlan, Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer.markers import Ground, markers
 from tsplan.viewer.page_data import page_data

@@ -13,7 +13,8 @@ from tests.walks import wandering
 from tsplan.draw.palette import Palette
 from tsplan.logic import parse
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
+from tsplan.plans.plan import Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 from tsplan.viewer import svg

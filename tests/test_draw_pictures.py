@@ -30,7 +30,8 @@ from tsplan.draw.views import VIEWS, draw_page, draw_view
 from tsplan.errors import InputError, PlanError
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 

@@ -16,7 +16,8 @@ from tsplan.draw.picture_files import content, save
 from tsplan.draw.starts import three_digits
 from tsplan.mission import Group, Mission
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer import page
 from tsplan.viewer.animation import Pace, animate

@@ -17,8 +17,8 @@ from tsplan.explanation.whynot import signal_subject
 from tsplan.explanation.whynot.changes import applied
 from tsplan.explanation.whynot.rewriting import rewritten
 from tsplan.explanation.whynot.signal_subject import Signals
-from tsplan.plans.plan import MissionRef
-from tsplan.plans.plan import Status as PlanStatus
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.outcomes import Status as PlanStatus
 from tsplan.signals.signal_files import signal_mission_from_text
 from tsplan.signals.trajectory import Trajectory
 from tsplan.stopping import StoppedBy

@@ -20,7 +20,8 @@ from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, R
 from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.plans.presence import state_counts
 from tsplan.testing.random_missions import LABELS, random_formula, random_map
 from tsplan.ts import Edge, State, TransitionSystem

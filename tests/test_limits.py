@@ -19,7 +19,7 @@ from tsplan.document import parse_document
 from tsplan.errors import MOST_TOLD, InputError, MapError, MissionError
 from tsplan.logic import CountTrace, holds
 from tsplan.mission import Preference, SwarmBounds, SwarmRules, mission_from_text
-from tsplan.plans.plan import ObjectiveValue
+from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.ts.builders import grid
 from tsplan.ts.io.lomap import lomap_to_yaml
 from tsplan.ts.io.map_files import map_from_document

@@ -18,7 +18,8 @@ from tsplan.errors import InputError, MissionError, SolverError
 from tsplan.exact import digits
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.run.events import Incumbent
 from tsplan.ts import Edge, State, TransitionSystem
 

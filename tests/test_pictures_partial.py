@@ -13,7 +13,8 @@ from tsplan.draw.palette import BAD, GOOD
 from tsplan.draw.tracks import tracks
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer.formula_rows import formula_parts
 from tsplan.viewer.page_data import page_data

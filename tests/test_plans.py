@@ -12,15 +12,8 @@ from hypothesis import strategies as st
 
 from tsplan.errors import PlanError
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import (
-    MissionRef,
-    ModelSize,
-    ObjectiveValue,
-    Plan,
-    SolverUse,
-    Status,
-    Timings,
-)
+from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status, Timings
+from tsplan.plans.plan import Plan
 from tsplan.plans.plan_file import load_plan, save_plan
 from tsplan.stopping import StoppedBy
 

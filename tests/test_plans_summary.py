@@ -12,7 +12,8 @@ from rich.console import Console
 from tsplan.draw.canvas import figure_class
 from tsplan.draw.matplotlib_loading import PlotUnavailableError
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, ObjectiveValue, Plan, SolverUse, Timings
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue, SolverUse, Timings
+from tsplan.plans.plan import Plan
 from tsplan.plans.summary import MOST_PATHS, names, objective_line, outcome, print_summary
 
 

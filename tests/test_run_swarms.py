@@ -13,7 +13,7 @@ from tsplan.cli import main
 from tsplan.errors import SolverError, TsplanError
 from tsplan.mission import Mission
 from tsplan.plans.decomposition import paths_of
-from tsplan.plans.plan import ObjectiveValue
+from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.run import mission_run, paths
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.search.lexicographic import Outcome

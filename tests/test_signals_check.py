@@ -25,7 +25,7 @@ from tests.seeds import quick
 from tsplan.errors import PlanError, SolverError
 from tsplan.logic import linear
 from tsplan.mission import Preference
-from tsplan.plans.plan import ObjectiveValue, Status
+from tsplan.plans.outcomes import ObjectiveValue, Status
 from tsplan.signals.aims import Aim
 from tsplan.signals.linear_system import Dynamics, System
 from tsplan.signals.signal_mission import SignalMission

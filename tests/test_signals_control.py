@@ -13,7 +13,7 @@ from tsplan.errors import InputError, MissionError, PlanError, SolverError
 from tsplan.logic import parse
 from tsplan.logic.evaluation import SignalTrace, holds, robustness
 from tsplan.milp.highs import Highs
-from tsplan.plans.plan import Status
+from tsplan.plans.outcomes import Status
 from tsplan.protocol.disturbances import simulate_controlled, simulate_disturbed
 from tsplan.run.problem import Tuning
 from tsplan.signals import Region, System, double_integrator, free_signals

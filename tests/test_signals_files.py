@@ -18,7 +18,7 @@ import tsplan
 from tests.missions import findings
 from tests.seeds import quick
 from tsplan.errors import InputError, PlanError
-from tsplan.plans.plan import MissionRef, ObjectiveValue, SolverUse, Status, Timings
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue, SolverUse, Status, Timings
 from tsplan.signals.trajectory import PartValue, Trajectory
 from tsplan.stopping import StoppedBy
 

@@ -16,7 +16,7 @@ from tsplan.draw.trajectory_views import TRAJECTORY_VIEWS, draw_trajectory
 from tsplan.errors import InputError, PlanError
 from tsplan.explanation.why.predicate_demands import predicate_demands
 from tsplan.logic import TRUE, Or, linear
-from tsplan.plans.plan import MissionRef, ObjectiveValue
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
 from tsplan.signals.linear_system import Dynamics, System
 from tsplan.signals.region import Region
 from tsplan.signals.signal_files import load_signal_mission

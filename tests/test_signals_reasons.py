@@ -15,7 +15,7 @@ from tsplan.logic import And, Iff, Implies, Linear, Not, horizon, linear, parse,
 from tsplan.logic.evaluation import holds, margins, robustness
 from tsplan.logic.traces import SignalTrace
 from tsplan.mission.mission_parts import Preference
-from tsplan.plans.plan import ObjectiveValue
+from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.protocol.disturbances import simulate_disturbed
 from tsplan.signals.linear_system import System
 from tsplan.signals.signal_mission import SignalMission

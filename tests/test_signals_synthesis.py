@@ -13,7 +13,7 @@ from tsplan.encode.witness import WitnessRules
 from tsplan.errors import MissionError
 from tsplan.logic import parse
 from tsplan.milp.solver import installed
-from tsplan.plans.plan import Status
+from tsplan.plans.outcomes import Status
 from tsplan.run.events import Bound, Incumbent
 from tsplan.signals import Region, System, double_integrator, free_signals
 from tsplan.signals.signal_model import signal_model
@@ -178,7 +178,7 @@ def test_preferred_formulas_beside_what_must():
     )
     found = tsplan.synthesise(mission)
     assert found.status is Status.OPTIMAL
-    assert found.objective[0] == tsplan.plans.plan.ObjectiveValue("preferences", 2.0, 2.0)
+    assert found.objective[0] == tsplan.plans.outcomes.ObjectiveValue("preferences", 2.0, 2.0)
 
 
 def test_a_run_tells_of_what_it_finds_and_stops_when_asked():

@@ -15,7 +15,8 @@ from tsplan.checking.plan_check import certify
 from tsplan.errors import MissionError, PlanError
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.protocol.margin_size import margin_for, shortfall
 from tsplan.protocol.simulation import Frequency, simulate
 from tsplan.ts import Edge, State, TransitionSystem

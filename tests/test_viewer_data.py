@@ -14,7 +14,8 @@ import tsplan
 from tests.viewing import HOSTILE, mission_on, plan_of, system
 from tests.walks import walking
 from tsplan.draw.tracks import tracks
-from tsplan.plans.plan import Plan, Status
+from tsplan.plans.outcomes import Status
+from tsplan.plans.plan import Plan
 from tsplan.viewer import page
 from tsplan.viewer.formula_rows import formula_parts
 from tsplan.viewer.page_data import page_data

@@ -14,7 +14,7 @@ from tests.viewing import HOSTILE
 from tsplan.errors import InputError, PlanError
 from tsplan.logic import parse
 from tsplan.mission.mission_parts import Preference
-from tsplan.plans.plan import MissionRef, ObjectiveValue
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue
 from tsplan.signals.linear_system import System
 from tsplan.signals.region import Region
 from tsplan.signals.signal_mission import SignalMission

@@ -11,7 +11,8 @@ from tsplan.draw.tracks import tracks
 from tsplan.errors import PlanError
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer.page_data import page_data
 

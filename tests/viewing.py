@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import tsplan
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, Plan, Status
+from tsplan.plans.outcomes import MissionRef, Status
+from tsplan.plans.plan import Plan
 from tsplan.stopping import StoppedBy
 from tsplan.ts import Edge, State
 

@@ -7,7 +7,8 @@ from random import Random
 from tsplan import Mission
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
-from tsplan.plans.plan import MissionRef, Plan
+from tsplan.plans.outcomes import MissionRef
+from tsplan.plans.plan import Plan
 
 
 def walk(mission, agent, random):

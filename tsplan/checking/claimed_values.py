@@ -10,7 +10,8 @@ from tsplan.exact import digits, exact
 from tsplan.limits import clipped, is_finite
 from tsplan.mission.mission import Mission
 from tsplan.mission.objectives import OBJECTIVES
-from tsplan.plans.plan import ObjectiveValue, Plan, Status
+from tsplan.plans.outcomes import ObjectiveValue, Status
+from tsplan.plans.plan import Plan
 
 _NEAR = 1e-6
 """Relative distance of two amounts or expected values that solvers do not tell apart."""

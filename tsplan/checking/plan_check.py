@@ -33,7 +33,8 @@ from tsplan.checking.satisfaction_check import completed, false_claims
 from tsplan.checking.supplied import unsupplied
 from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import SolverError
-from tsplan.plans.plan import ObjectiveValue, Plan
+from tsplan.plans.outcomes import ObjectiveValue
+from tsplan.plans.plan import Plan
 from tsplan.plans.presence import state_counts
 from tsplan.words import known
 

@@ -12,7 +12,8 @@ from tsplan.logic.evaluation import robustness
 from tsplan.logic.fraction import preference, shares
 from tsplan.logic.text import text_of
 from tsplan.logic.witness_steps import levels, parts
-from tsplan.plans.plan import Plan, Status
+from tsplan.plans.outcomes import Status
+from tsplan.plans.plan import Plan
 from tsplan.plans.satisfaction import Depth, Node, PreferenceSatisfaction, Satisfaction
 from tsplan.words import known
 

@@ -11,7 +11,8 @@ from tsplan.cli.inputs import mission_to_solve
 from tsplan.cli.output import attempted, console, remark, say_json
 from tsplan.cli.progress import Progress
 from tsplan.errors import SolverError
-from tsplan.plans.plan import FOUND, Plan, Status
+from tsplan.plans.outcomes import FOUND, Status
+from tsplan.plans.plan import Plan
 from tsplan.plans.plan_file import save_plan
 from tsplan.process.child_process import may_have_children
 from tsplan.process.interrupt import Requests

@@ -1,19 +1,14 @@
-"""The plan: where every agent is at every step, and what was proven about it.
-
-A plan's outcome is two facts: what is known (`Status`) and what stopped the search
-(`StoppedBy`). Pairs that contradict each other cannot be constructed.
-"""
+"""The plan: where every agent is at every step, and what was proven about it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
-from enum import StrEnum
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, Protocol, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
@@ -23,6 +18,16 @@ from tsplan.limits import MOST_STEPS
 from tsplan.parameters import known_name, name_list, step_within
 from tsplan.plans.agent_plans import AgentPlan, Bundle, agents_json, bundles
 from tsplan.plans.moves import Moves, shares
+from tsplan.plans.outcomes import (
+    FOUND,
+    MissionRef,
+    ModelSize,
+    ObjectiveValue,
+    SolverUse,
+    Status,
+    Timings,
+    contradictions,
+)
 from tsplan.plans.plan_text import PLANS, read_result
 from tsplan.plans.policies import Policy, expected_counts
 from tsplan.plans.presence import Presence, of_bundles, of_groups, state_counts
@@ -40,7 +45,7 @@ from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
 from tsplan.plans.structures import Rebuilt, Structure, of_structures
 from tsplan.plans.subswarms import SubSwarm
 from tsplan.plans.supplies import Cargo, ExecutedTask, StockHistory
-from tsplan.stopping import LIMITS, StoppedBy
+from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -48,145 +53,6 @@ if TYPE_CHECKING:
     from tsplan.milp.model import Floats, Ints
     from tsplan.mission import Mission
     from tsplan.plans.moves import Node
-
-
-class Status(StrEnum):
-    """What is known when planning ends."""
-
-    OPTIMAL = "optimal"
-    FEASIBLE = "feasible"
-    INFEASIBLE = "infeasible"
-    NO_PLAN_FOUND = "no_plan_found"
-    ERROR = "error"
-
-
-_POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
-    Status.OPTIMAL: frozenset({None}),
-    Status.FEASIBLE: frozenset(StoppedBy),
-    Status.INFEASIBLE: frozenset({None}),
-    Status.NO_PLAN_FOUND: LIMITS,
-    Status.ERROR: frozenset({None, *LIMITS}),
-}
-FOUND = frozenset({Status.OPTIMAL, Status.FEASIBLE})
-"""What is known where there is a plan."""
-
-
-@dataclass(frozen=True, slots=True)
-class ObjectiveValue(Record):
-    """Value of one objective in the plan, and the proven bound on what any plan can reach.
-
-    Both are in the objective's own sense and unit: a bound of one that is maximised lies above.
-    """
-
-    name: Word
-    value: Finite | None
-    bound: Finite | None = None
-
-    @property
-    def proven(self) -> bool:
-        """Whether no plan does better."""
-        return self.value is not None and self.value == self.bound
-
-
-@dataclass(frozen=True, slots=True)
-class MissionRef(Record):
-    """Which mission a plan belongs to: its name and the SHA-256 of its text."""
-
-    name: str
-    sha256: str
-
-
-@dataclass(frozen=True, slots=True)
-class SolverUse(Record):
-    """The solver that found the plan, its version and the options it ran with."""
-
-    name: str = ""
-    version: str = ""
-    options: Mapping[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True)
-class ModelSize(Record):
-    """Size of the model that was solved, and of the map it was built on."""
-
-    columns: Whole = 0
-    integers: Whole = 0
-    rows: Whole = 0
-    nonzeros: Whole = 0
-    states: Whole = 0
-    edges: Whole = 0
-
-
-@dataclass(frozen=True, slots=True)
-class Timings(Record):
-    """Seconds spent in each stage, to the microsecond."""
-
-    load: Finite = 0.0
-    parse: Finite = 0.0
-    reduce: Finite = 0.0
-    build: Finite = 0.0
-    solve: Finite = 0.0
-    extract: Finite = 0.0
-    verify: Finite = 0.0
-    total: Finite = 0.0
-
-    def __post_init__(self) -> None:
-        for item in fields(self):
-            object.__setattr__(self, item.name, round(getattr(self, item.name), 6))
-
-
-class Outcome(Protocol):
-    """What a plan and a trajectory say of how they came about."""
-
-    @property
-    def status(self) -> Status:
-        """What is known."""
-
-    @property
-    def stopped_by(self) -> StoppedBy | None:
-        """What ended the search before that was all."""
-
-    @property
-    def verified(self) -> bool:
-        """Whether the independent check accepted it."""
-
-    @property
-    def horizon(self) -> int:
-        """The last step."""
-
-    @property
-    def solver(self) -> SolverUse:
-        """What it was found with."""
-
-    @property
-    def size(self) -> ModelSize:
-        """Of the model in which it was found."""
-
-    @property
-    def timings(self) -> Timings:
-        """Seconds of each stage."""
-
-
-def contradictions(result: Outcome, noun: str, content: str, *, there: bool) -> list[Finding]:
-    """What cannot be together in a result: status, what stopped it, and whether anything is there.
-
-    Words that were given for the first two become what they mean; ValueError for other words.
-    """
-    object.__setattr__(result, "status", status := Status(result.status))
-    if result.stopped_by is not None:
-        object.__setattr__(result, "stopped_by", StoppedBy(result.stopped_by))
-    findings = []
-    if result.stopped_by not in (possible := _POSSIBLE[status]):
-        words = ", ".join(sorted(str(item) if item else "null" for item in possible))
-        what = f"status {status} contradicts stopped_by {result.stopped_by or 'null'}"
-        findings.append(Finding(what, f"possible: {words}"))
-    found = status in FOUND
-    if there != found:
-        shape = "needs" if found else "cannot hold"
-        findings.append(Finding(f"a {noun} of status {status} {shape} {content}"))
-    if result.verified and not found:
-        findings.append(Finding(f"a {noun} of status {status} cannot be verified"))
-    return findings
 
 
 def _entries(agents: object) -> object:

@@ -29,7 +29,8 @@ def timeline(plan: Plan) -> list[str]:
 
     >>> from tsplan.plans.moves import Move
     >>> from tsplan.plans.subswarms import SubSwarm
-    >>> from tsplan.plans.plan import MissionRef, Plan
+    >>> from tsplan.plans.outcomes import MissionRef
+    >>> from tsplan.plans.plan import Plan
     >>> moves = (Move(0, "p", "p", 2), Move(0, "p", "q", 3))
     >>> groups = (SubSwarm("s:1", "s", 0, 0, 5, "p"), SubSwarm("s:2", "s", 1, 1, 2, "p"),
     ...           SubSwarm("s:3", "s", 1, 1, 3, "q"))

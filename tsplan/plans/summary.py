@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from tsplan.limits import is_finite
 from tsplan.plans.agent_plans import Bundle
-from tsplan.plans.plan import ObjectiveValue, Outcome, Plan, Status
+from tsplan.plans.outcomes import ObjectiveValue, Outcome, Status
+from tsplan.plans.plan import Plan
 from tsplan.plans.policy_table import policy_table
 from tsplan.plans.split_history import timeline
 from tsplan.stopping import StoppedBy

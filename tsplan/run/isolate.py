@@ -15,7 +15,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tsplan.errors import SolverError
-from tsplan.plans.plan import MissionRef, Plan, Status
+from tsplan.plans.outcomes import MissionRef, Status
+from tsplan.plans.plan import Plan
 from tsplan.process.child_process import ENDED, CrashError, Leash, reason_of, run_guarded
 from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
 

@@ -20,7 +20,7 @@ from tsplan.logic import Formula
 from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
-from tsplan.plans.plan import ObjectiveValue
+from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.search.clique_cuts import with_clique_cuts
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found, Tell

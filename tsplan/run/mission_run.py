@@ -14,14 +14,8 @@ from tsplan.errors import SolverError
 from tsplan.exact import digits
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
-from tsplan.plans.plan import (
-    MissionRef,
-    ModelSize,
-    ObjectiveValue,
-    Plan,
-    SolverUse,
-    Status,
-)
+from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
+from tsplan.plans.plan import Plan
 from tsplan.plans.satisfaction import Depth, Satisfaction
 from tsplan.run.events import FINISHING
 from tsplan.run.own_terms import worth

@@ -28,7 +28,7 @@ from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.margin import shifted, tighten
 from tsplan.logic.witness_steps import Pair, demanded, is_settled, levels, occurrences
 from tsplan.mission import Mission
-from tsplan.plans.plan import ObjectiveValue
+from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.run.chosen_parts import ChosenParts
 from tsplan.run.maximise import Settled, Settling
 from tsplan.search.lexicographic import Outcome

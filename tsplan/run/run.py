@@ -10,7 +10,7 @@ from typing import Generic, TypeVar
 from tsplan.clock import Clock, Halted
 from tsplan.milp.solver import solver as solver_named
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
-from tsplan.plans.plan import SolverUse, Timings
+from tsplan.plans.outcomes import SolverUse, Timings
 from tsplan.process.grace_period import NATIVE, GracePeriod
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone

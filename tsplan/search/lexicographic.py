@@ -16,7 +16,7 @@ from typing import Generic, Protocol, TypeAlias, TypeVar
 from tsplan.clock import Clock, Halted
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats
-from tsplan.plans.plan import ObjectiveValue, Status
+from tsplan.plans.outcomes import ObjectiveValue, Status
 from tsplan.stopping import StoppedBy
 
 

@@ -22,7 +22,7 @@ from tsplan.errors import Finding, InputError, MissionError, PlanError, TsplanEr
 from tsplan.milp.model import Floats
 from tsplan.milp.solver import solver as solver_named
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
-from tsplan.plans.plan import MissionRef, ObjectiveValue, Status
+from tsplan.plans.outcomes import MissionRef, ObjectiveValue, Status
 from tsplan.process.grace_period import NATIVE, GracePeriod
 from tsplan.signals.controller_run import ControllerRun
 from tsplan.signals.least_violation import violation

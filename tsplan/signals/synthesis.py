@@ -23,7 +23,7 @@ from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import INFINITY, Model
 from tsplan.milp.solver import solver as solver_named
 from tsplan.parameters import known_name, step_within
-from tsplan.plans.plan import MissionRef, Status
+from tsplan.plans.outcomes import MissionRef, Status
 from tsplan.run.problem import Tuning
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell

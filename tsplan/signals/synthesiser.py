@@ -12,7 +12,7 @@ from typing import Any
 from tsplan.errors import SolverError
 from tsplan.logic import Formula
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.plans.plan import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
+from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
 from tsplan.plans.satisfaction import Depth
 from tsplan.run.events import FINISHING
 from tsplan.run.problem import Tuning

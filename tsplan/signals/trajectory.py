@@ -16,7 +16,7 @@ from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.limits import MOST_STEPS
 from tsplan.logic.traces import SignalTrace
 from tsplan.milp.model import Floats
-from tsplan.plans.plan import (
+from tsplan.plans.outcomes import (
     MissionRef,
     ModelSize,
     ObjectiveValue,

@@ -14,7 +14,7 @@ from dataclasses import replace
 
 from tsplan.checking.check_report import Report, findings_of, refuse
 from tsplan.errors import PlanError
-from tsplan.plans.plan import ObjectiveValue, Status
+from tsplan.plans.outcomes import ObjectiveValue, Status
 from tsplan.plans.satisfaction import Depth
 from tsplan.signals.equalities import TOLERANCE
 from tsplan.signals.motion_check import (

@@ -17,7 +17,7 @@ from tsplan.explanation.whynot.occurrences import Occurrence, exchanged, node_at
 from tsplan.explanation.whynot.signal_numbers import grain, width_of
 from tsplan.logic import Formula, Linear, fold, positive, walk
 from tsplan.logic.text import sum_text
-from tsplan.plans.plan import Status
+from tsplan.plans.outcomes import Status
 from tsplan.signals.aims import Aim
 from tsplan.words import number, run_words
 

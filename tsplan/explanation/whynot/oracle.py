@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from tsplan.explanation.explanation import Cut, SoftConstraint
-from tsplan.plans.plan import Status
+from tsplan.plans.outcomes import Status
 from tsplan.signals.trajectory import Trajectory
 from tsplan.stopping import StoppedBy
 

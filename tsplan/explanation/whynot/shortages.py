@@ -17,7 +17,7 @@ from tsplan.explanation.whynot.relaxing import any_plan
 from tsplan.explanation.whynot.soft_constraints import named_facts, of_occurrence
 from tsplan.logic import Always, Task
 from tsplan.logic.text import number_text
-from tsplan.plans.plan import Status
+from tsplan.plans.outcomes import Status
 from tsplan.words import many
 
 if TYPE_CHECKING:

@@ -20,7 +20,7 @@ from tsplan.explanation.whynot.signal_constraints import (
 from tsplan.explanation.whynot.signal_edits import candidates, touched
 from tsplan.explanation.whynot.signal_facts import Finders
 from tsplan.explanation.whynot.subject import Subject
-from tsplan.plans.plan import MissionRef, Status
+from tsplan.plans.outcomes import MissionRef, Status
 from tsplan.signals.aims import Aim
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.synthesiser import synthesise_mission
