@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from copy import copy
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from reprlib import repr as clipped
 from typing import Any, ClassVar, Self
 
@@ -31,7 +32,7 @@ from tsplan.signals.aims import CHOSEN, Aim
 from tsplan.signals.equalities import TOLERANCE, approximate, narrowed_tree, range_of
 from tsplan.signals.least_violation import LeastViolation, remaining
 from tsplan.signals.motion_check import settled
-from tsplan.signals.reach import Past, reach
+from tsplan.signals.reach import Past, Reach, reach
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.signal_model import SignalModel, signal_model
 from tsplan.signals.signal_objectives import (
@@ -90,6 +91,7 @@ class Synthesis:
         self.past: Past | None = None
         self.beyond = 0.0
         self._goals: dict[tuple[float, bool], Formula] = {}
+        self._intervals: tuple[Past | None, float, Reach] | None = None
 
     def value(self, name: str, step: int) -> Expression:
         """The value of a signal or control at a step, for own constraints and objectives.
@@ -155,6 +157,26 @@ class Synthesis:
             self._goals[key] = simplify(plain)
         return self._goals[key]
 
+    @property
+    def _reach(self) -> Reach:
+        """What the system can reach, told once for what was measured."""
+        known = self._intervals
+        if known is None or known[0] is not self.past or known[1] != self.beyond:
+            made = reach(self.mission.system, self.mission.horizon, self.past, self.beyond)
+            self._intervals = known = (self.past, self.beyond, made)
+        return known[2]
+
+    @cached_property
+    def _wishes(self) -> tuple[Wish, ...]:
+        """What is to hold as far as possible."""
+        mission = self.mission
+        if mission.satisfaction is not None:
+            return (Wish(narrowed_tree(mission.formula, mission.system), partial=True),)
+        return tuple(
+            Wish(narrowed_tree(wish.formula, mission.system), wish.partial)
+            for wish in mission.prefer
+        )
+
     def setting(self, margin: float = 0.0) -> SignalSetting:
         """What every model is made of; of a formula that is missed, with the factors of that.
 
@@ -166,16 +188,11 @@ class Synthesis:
             goal = remaining(goal, self.past.step)
         soft = None
         if mission.satisfaction is not None:
-            wish = Wish(narrowed_tree(mission.formula, mission.system), partial=True)
-            soft = Soft(conjunction([]), (wish,), depths=mission.satisfaction != "weighted")
+            soft = Soft(conjunction([]), self._wishes, depths=mission.satisfaction != "weighted")
         elif mission.prefer and not self.beyond:
-            wishes = (
-                Wish(narrowed_tree(wish.formula, mission.system), wish.partial)
-                for wish in mission.prefer
-            )
-            soft = Soft(goal, tuple(wishes))
+            soft = Soft(goal, self._wishes)
         return SignalSetting(
-            reach(mission.system, mission.horizon, self.past, self.beyond),
+            self._reach,
             goal if soft is None else everything(soft.demand, soft.wishes),
             efforts_of(mission.objective, mission.system),
             tuple(_row(constraint) for constraint in self._constraints),
@@ -262,7 +279,7 @@ class Synthesis:
             controls=controls,
         )
 
-    @property
+    @cached_property
     def slack(self) -> float:
         """By how much equations make robustness look greater than it is, as they are taken."""
         system, every = self.mission.system, walk(positive_atoms(self.mission.formula))
@@ -274,9 +291,13 @@ class Synthesis:
         mission = self.mission
         if mission.satisfaction is not None or self.beyond:
             return True
-        formula = approximate(mission.formula, mission.system)
         led = settled(mission.system, self.read(point), self.now)
-        return bool(holds(formula, led.trace())[0])
+        return bool(holds(self._taken, led.trace())[0])
+
+    @cached_property
+    def _taken(self) -> Formula:
+        """The formula with equations as they are taken."""
+        return approximate(self.mission.formula, self.mission.system)
 
 
 def _choosing(mission: SignalMission) -> Iterator[SignalObjective]:
