@@ -1,8 +1,7 @@
 """Rows of missions over expected numbers: demands on real counts, and policies without chance.
 
 Where a selection w is 1, `f - rho >= b` for a count or its negative f. Options that exclude each
-other share one row for their site and step: with `base` below which `f - rho` cannot be, it is
-`f - rho >= base + sum of (b_i - base) * w_i`, which is exact as at most one w_i is 1.
+other share one row for their site and step (`tsplan.encode.shared_rows`).
 
 Source: occupation measures of constrained Markov decision processes: E. Altman, "Constrained
 Markov Decision Processes", 1999, chapter 2, with a finite horizon.
@@ -10,18 +9,16 @@ Markov Decision Processes", 1999, chapter 2, with a finite horizon.
 
 from __future__ import annotations
 
-from collections import defaultdict
 from typing import TypeAlias
 
 import numpy as np
 
-from tsplan.encode.atom_encoders import Site
+from tsplan.encode.atom_encoders import Bound, Site
 from tsplan.encode.encoder_rules import Witnesses
 from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.shared_rows import ANYWAY, amounts, shared_rows
 from tsplan.milp.model import INFINITY, Draft, Ints
 from tsplan.mission import Expectation
-
-_ANYWAY = -1  # in the place of a column: what is asked for whatever is selected
 
 Place: TypeAlias = tuple[Site, str | None, bool]
 """States, a capability, and whether agents are bounded from above there."""
@@ -32,7 +29,7 @@ def expected_rows(
 ) -> None:
     """Rows for all demands, with `rho` (its column, and the most that it can be) to spare."""
     best: dict[int, float] = {}
-    for (states, capability, upper), steps in _by_place(witnesses).items():
+    for (states, capability, upper), steps in amounts(witnesses, _placed).items():
         site, sign = np.array(states, dtype=np.int64), -1.0 if upper else 1.0
         most, none = network.best(site, capability), np.zeros(network.horizon + 1)
         least, most = (-most, none) if upper else (none, most)
@@ -43,17 +40,12 @@ def expected_rows(
             if rho is not None:
                 terms.append((0, np.array([rho[0]]), -1.0))
                 low -= rho[1]
-            hard = asked.pop(_ANYWAY, -np.inf)
             for column, amount in asked.items():
-                best[column] = min(best.get(column, np.inf), float(most[step]) - amount)
-            base = max(hard, low)
-            if hard > low:
-                draft.sums(*terms, lower=hard - sign * constant, kind="demand")
-            for family in witnesses.choices.families(asked):
-                beyond = {c: asked[c] - base for c in family if asked[c] > base}
-                if beyond:
-                    chosen = (0, list(beyond), -np.array(list(beyond.values())))
-                    draft.sums(*terms, chosen, lower=base - sign * constant, kind="demand")
+                if column != ANYWAY:
+                    best[column] = min(best.get(column, np.inf), float(most[step]) - amount)
+            for base, beyond in shared_rows(asked, low, witnesses.choices.families):
+                chosen = (0, list(beyond), -np.array(list(beyond.values())))
+                draft.sums(*terms, chosen, lower=base - sign * constant, kind="demand")
     if rho is not None:
         _outlook(best, witnesses, draft, rho)
 
@@ -70,16 +62,10 @@ def _outlook(
             draft.sums(*terms, lower=-INFINITY, upper=most, kind="outlook")
 
 
-def _by_place(witnesses: Witnesses) -> dict[Place, dict[int, dict[int, float]]]:
-    """For every place and step the amount that each column asks for."""
-    found: dict[Place, dict[int, dict[int, float]]] = defaultdict(lambda: defaultdict(dict))
-    for need in witnesses.stepwise:
-        bound = need.bound
-        asked = found[bound.states, bound.capability, bound.upper][need.step]
-        amount = float(-bound.amount if bound.upper else bound.amount)
-        for column in need.selection or (_ANYWAY,):
-            asked[column] = max(asked.get(column, -np.inf), amount)
-    return found
+def _placed(bound: Bound) -> tuple[Place, float]:
+    """Where a bound on a count asks, and for how much of the count or its negative."""
+    place = (bound.states, bound.capability, bound.upper)
+    return place, float(-bound.amount if bound.upper else bound.amount)
 
 
 def policy_rows(expected: Expectation | None, network: Network, draft: Draft) -> Ints:
