@@ -8,7 +8,8 @@ from typing import Any, Literal, TypeAlias
 
 from tsplan.document import Document
 from tsplan.errors import Finding
-from tsplan.logic import Formula
+from tsplan.logic import Formula, parse_with_places
+from tsplan.logic.text_spans import Written
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_parts import Preference
 from tsplan.mission.vocabulary import Order
@@ -48,3 +49,13 @@ class SignalParts:
     def size(self) -> int:
         """How many values a trajectory has at a step."""
         return len(self.system.names)
+
+    def parsed(self, text: str) -> tuple[Formula, Written]:
+        """A formula that may name what the mission does, and where its parts stand in the text."""
+        return parse_with_places(
+            text,
+            self.language,
+            weights=self.weights,
+            regions=self.regions,
+            definitions=self.system.outputs,
+        )

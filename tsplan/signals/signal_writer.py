@@ -10,7 +10,7 @@ from typing import Any
 from tsplan.document.files import write_whole
 from tsplan.document.flow_style import flow, word
 from tsplan.errors import MissionError
-from tsplan.logic import Formula, parse_with_places
+from tsplan.logic import Formula
 from tsplan.mission.mission_writer import solver_entry, spec_lines
 from tsplan.mission.weight_entries import entries_of
 from tsplan.signals.aim_entries import aim_entry
@@ -42,13 +42,7 @@ def _lines(mission: SignalParts) -> Iterator[str]:
             yield f"{key}: {flow(entry)}"
 
     def read(text: str) -> Formula:
-        return parse_with_places(
-            text,
-            mission.language,
-            weights=mission.weights,
-            regions=mission.regions,
-            definitions=mission.system.outputs,
-        )[0]
+        return mission.parsed(text)[0]
 
     yield from spec_lines(mission.language, (mission.formula, mission.text), mission.prefer, read)
     if mission.weights:

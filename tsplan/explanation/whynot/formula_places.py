@@ -111,13 +111,7 @@ def _parsed(mission: AnyMission, text: str) -> tuple[Formula, Written]:
     """A text of the mission as it is read, with what it may name."""
     if isinstance(mission, Mission):
         return parse_with_places(text, mission.language, weights=mission.weights)
-    return parse_with_places(
-        text,
-        mission.language,
-        weights=mission.weights,
-        regions=mission.regions,
-        definitions=mission.system.outputs,
-    )
+    return mission.parsed(text)
 
 
 def _texts(mission: AnyMission) -> Iterator[_Text]:
