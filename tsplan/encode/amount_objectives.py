@@ -2,46 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.objective_kinds import ModelObjective
+from tsplan.encode.objective_kinds import ModelObjective, RealObjective
 from tsplan.encode.stocks import PART, Stocks
 from tsplan.milp.model import Floats
-from tsplan.milp.target import CLOSED, Target
-
-_LEAST = 1e-9  # of an amount that is kept: the rounding of doubles, far below what solvers forgive
-_DIGITS = 9  # of amounts after the point, of which solvers tell about six
+from tsplan.milp.target import Target
 
 
-class OfAmounts(ModelObjective):
+class OfAmounts(RealObjective, ModelObjective):
     """An objective about amounts: whole where all comes in whole pieces, else as solvers tell it.
 
-    What an earlier one reached is kept to the last digit, or later ones would spend what little
-    solvers do not tell apart.
+    What an earlier one reached is kept to the last digit.
     """
+
+    lost = 1e-9  # the rounding of doubles, far below what solvers forgive
+    digits = 9  # of which solvers tell about six
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """In its own unit, perhaps turned round."""
         unit = Fraction(-1 if self.rises else 1)
         return Target(self.vector(setting, encoded), unit, step=float(_stocks(encoded).whole))
-
-    def matched(self, value: float, bound: float) -> float:
-        """The value, if solvers tell it not apart from the bound."""
-        near = abs(value - bound) <= CLOSED * max(1.0, abs(value))
-        return round(value, _DIGITS) if near else bound
-
-    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
-        """With a row, exactly so where values are no whole numbers."""
-        target = self.target(setting, encoded)
-        if target.step:
-            return super().kept(setting, encoded, value)
-        most = value + _LEAST * max(1.0, abs(value))
-        model = encoded.model.with_row(target.vector, -np.inf, most, f"kept {self.name}")
-        return replace(encoded, model=model)
 
 
 class Haulage(OfAmounts):

@@ -26,6 +26,7 @@ from tsplan.encode.objective_kinds import (
     Grouping,
     LevelObjective,
     ModelObjective,
+    RealObjective,
     StageObjective,
     TargetObjective,
 )
@@ -35,8 +36,8 @@ from tsplan.encode.priced_objectives import Cost, Energy, Risk, Travel
 from tsplan.encode.read_back import availability, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.logic import Execution, walk
-from tsplan.milp.model import INFINITY, Draft, Floats, Ints
-from tsplan.milp.target import CLOSED, Target
+from tsplan.milp.model import Draft, Floats, Ints
+from tsplan.milp.target import Target
 from tsplan.mission import Mission
 
 
@@ -229,25 +230,7 @@ class OwnSum(TargetObjective):
         return Target.of(terms, count, constant, most=most, maximise=maximise)
 
 
-_KEPT = 1e-8  # of a value may be lost where others are minimised after it; solvers forgive more
-
-
-class _Expected(TargetObjective):
-    """An objective whose values are real numbers."""
-
-    def matched(self, value: float, bound: float) -> float:
-        """The value, if solvers tell it not apart from the bound."""
-        return value if abs(value - bound) <= CLOSED * max(1.0, abs(value)) else bound
-
-    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
-        """With a row that allows for no more than rounding."""
-        vector = self.target(setting, encoded).vector
-        most = value + _KEPT * max(1.0, abs(value))
-        model = encoded.model.with_row(vector, -INFINITY, most, f"kept {self.name}")
-        return replace(encoded, model=model)
-
-
-class ExpectedTravel(_Expected, Travel):
+class ExpectedTravel(RealObjective, Travel):
     """Agent-steps that are expected to be spent in actions that are no waits."""
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
@@ -255,7 +238,7 @@ class ExpectedTravel(_Expected, Travel):
         return replace(super().target(setting, encoded), step=0.0)
 
 
-class ExpectedCost(_Expected, Cost):
+class ExpectedCost(RealObjective, Cost):
     """Expected costs of all actions."""
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
@@ -263,7 +246,7 @@ class ExpectedCost(_Expected, Cost):
         return replace(super().target(setting, encoded), step=0.0)
 
 
-class ExpectedAvailability(_Expected):
+class ExpectedAvailability(RealObjective):
     """By how much expected numbers of agents exceed what the formula asks for."""
 
     name = "availability"

@@ -16,8 +16,8 @@ from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.executions import Executions
 from tsplan.encode.flow_network import Network
-from tsplan.milp.model import Draft, Floats
-from tsplan.milp.target import Target
+from tsplan.milp.model import INFINITY, Draft, Floats
+from tsplan.milp.target import CLOSED, Target
 from tsplan.mission.objectives import OBJECTIVES
 
 
@@ -108,6 +108,32 @@ class TargetObjective(StageObjective):
         """With one more row."""
         target = self.target(setting, encoded)
         return replace(encoded, model=target.kept(encoded.model, value, f"kept {self.name}"))
+
+
+class RealObjective(TargetObjective):
+    """An objective whose values are real numbers, unless its target counts in steps.
+
+    What an earlier one reached is kept but for a share of `lost`, or later ones would spend what
+    little solvers do not tell apart. Values are told to `digits` after the point, if to any.
+    """
+
+    lost: ClassVar[float] = 1e-8  # solvers forgive more
+    digits: ClassVar[int | None] = None
+
+    def matched(self, value: float, bound: float) -> float:
+        """The value, if solvers tell it not apart from the bound."""
+        if abs(value - bound) > CLOSED * max(1.0, abs(value)):
+            return bound
+        return value if self.digits is None else round(value, self.digits)
+
+    def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
+        """With a row that allows for no more than rounding."""
+        target = self.target(setting, encoded)
+        if target.step:
+            return super().kept(setting, encoded, value)
+        most = value + self.lost * max(1.0, abs(value))
+        model = encoded.model.with_row(target.vector, -INFINITY, most, f"kept {self.name}")
+        return replace(encoded, model=model)
 
 
 class ModelObjective(TargetObjective):
