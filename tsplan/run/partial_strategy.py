@@ -18,7 +18,7 @@ from tsplan.clock import Clock
 from tsplan.encode.encoded import Point, Setting
 from tsplan.encode.expressions import Constraint
 from tsplan.encode.model_objectives import Availability
-from tsplan.encode.partial.partial_model import PartialModel, Wish, everything, wish_of
+from tsplan.encode.partial.partial_model import PartialModel, Wish, everything, holding, wish_of
 from tsplan.encode.preparation import prepare
 from tsplan.encode.read_back import counts_of
 from tsplan.encode.switches import Switch
@@ -26,7 +26,7 @@ from tsplan.errors import Finding, MissionError
 from tsplan.exact import exact
 from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.margin import shifted, tighten
-from tsplan.logic.witness_steps import Pair, demanded, is_settled, levels, occurrences
+from tsplan.logic.witness_steps import is_settled, occurrences
 from tsplan.mission import Mission
 from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.run.chosen_parts import ChosenParts
@@ -261,14 +261,10 @@ def _preferred(settling: Settling, mission: Mission) -> tuple[Settled, Objective
 
 def _held(setting: Setting, point: Point) -> Formula:
     """What the plan of a point satisfies of the wishes."""
-    mission, pairs = setting.mission, list[Pair]()
-    for wish in wishes_of(mission):
-        trace = counts_of(setting, wish.tree, point)
-        if mission.partial and mission.satisfaction != "weighted":
-            pairs += levels(wish.tree, trace).pairs
-        else:
-            pairs += wish.met(trace)
-    return simplify(positive(demanded(pairs)))
+    mission = setting.mission
+    depths = mission.partial and mission.satisfaction != "weighted"
+    wishes = ((wish, counts_of(setting, wish.tree, point)) for wish in wishes_of(mission))
+    return holding(conjunction([]), wishes, depths=depths)
 
 
 def _summed(settled: Settled) -> tuple[float | None, float | None]:

@@ -10,12 +10,11 @@ import numpy as np
 
 from tsplan.clock import Clock
 from tsplan.encode.atom_encoders import Atoms
-from tsplan.encode.partial.partial_model import Wish
+from tsplan.encode.partial.partial_model import Wish, holding
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.switches import ALL_SWITCHES, Switch
-from tsplan.logic import Formula, Linear, conjunction, positive, simplify, substitute, walk
+from tsplan.logic import Formula, Linear, conjunction, simplify, substitute, walk
 from tsplan.logic.traces import SignalTrace
-from tsplan.logic.witness_steps import Pair, demanded, levels
 from tsplan.milp.model import INFINITY, Ints
 from tsplan.signals.equalities import loosened
 from tsplan.signals.linear_system import System
@@ -90,13 +89,8 @@ class SignalSetting:
         """What holds on a trace and is to be kept: all that must, and of what should what does."""
         if self.soft is None:
             return self.goal
-        pairs: list[Pair] = []
-        for wish in self.soft.wishes:
-            if self.soft.depths:
-                pairs += levels(wish.tree, trace).pairs
-            else:
-                pairs += wish.met(trace)
-        return simplify(conjunction([self.soft.demand, positive(demanded(pairs))]))
+        wishes = ((wish, trace) for wish in self.soft.wishes)
+        return holding(self.soft.demand, wishes, depths=self.soft.depths)
 
     def meant(self, trace: SignalTrace) -> tuple[Formula, Mapping[Formula, Formula]]:
         """The same for a solver, which takes what is all but met for met.

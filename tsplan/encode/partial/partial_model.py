@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Self
@@ -22,7 +22,7 @@ from tsplan.encode.witness import Demand, Request, WitnessEncoder, Witnesses
 from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.fraction import NOTHING, WHOLE, Shares, denominator, shares, shares_of
 from tsplan.logic.traces import Trace
-from tsplan.logic.witness_steps import Pair, occurrences, satisfied
+from tsplan.logic.witness_steps import Pair, demanded, levels, occurrences, satisfied
 from tsplan.milp.model import Draft, Model
 from tsplan.mission import Mission, Preference
 
@@ -59,6 +59,17 @@ class Wish:
 def wish_of(mission: Mission, preference: Preference) -> Wish:
     """A preference as a wish."""
     return Wish(mission.tree(preference.formula), preference.partial)
+
+
+def holding(demand: Formula, wishes: Iterable[tuple[Wish, Trace]], *, depths: bool) -> Formula:
+    """What is to be kept of what holds: all of a demand, and of each wish what does on its trace.
+
+    With `depths` that is what holds at every depth of its tree.
+    """
+    pairs: list[Pair] = []
+    for wish, trace in wishes:
+        pairs += levels(wish.tree, trace).pairs if depths else wish.met(trace)
+    return simplify(conjunction([demand, positive(demanded(pairs))]))
 
 
 def everything(demand: Formula, wishes: Sequence[Wish]) -> Formula:
