@@ -7,6 +7,7 @@ bounds and limits do.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from tsplan.logic import And, Formula, Linear, Or, Relation, Whole
@@ -66,6 +67,12 @@ def approximate(
             elif margin and (node.relation in ("<", ">") or not strictly):
                 found[node] = _narrower(node, margin * width)
     return substitute(whole, found) if found else whole
+
+
+def equations(formula: Formula) -> Iterator[Linear]:
+    """The comparisons of a formula that equate sums."""
+    every = walk(positive_atoms(formula))
+    return (node for node in every if isinstance(node, Linear) and node.relation == "=")
 
 
 def tree(formula: Formula, system: System) -> Formula:

@@ -13,13 +13,12 @@ from tsplan.checking.satisfaction_check import least_spare
 from tsplan.logic import Formula, Linear, positive, variables, walk
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.fraction import fraction
-from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.traces import SignalTrace
 from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import levels
 from tsplan.mission.mission_parts import Preference
 from tsplan.signals.aims import SENSES, Aim
-from tsplan.signals.equalities import TOLERANCE, approximate, tree
+from tsplan.signals.equalities import TOLERANCE, approximate, equations, tree
 from tsplan.signals.motion_check import Motion
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import PartValue
@@ -70,7 +69,9 @@ def measured(mission: SignalMission, motion: Motion, trace: SignalTrace) -> Meas
     formula, partial = mission.formula, mission.satisfaction is not None
     satisfied, by = _judged(mission, formula, trace)
     # equations hold within as much again
-    slack = TOLERANCE * _widest(mission, motion) * (2 if _equates(mission) else 1)
+    slack = (
+        TOLERANCE * _widest(mission, motion) * (1 if next(equations(formula), None) is None else 2)
+    )
     whole = mission.parts or ((mission.text or str(formula), formula),)
     parts = (*whole, *((wish.text, wish.formula) for wish in mission.prefer))
     terms = {"robustness": _spare(mission, trace, by)}
@@ -172,12 +173,6 @@ def _term(aim: Aim, name: str, motion: Motion, terms: Mapping[str, float], slack
     value = math.fsum(f * float(np.abs(motion.values[n]).sum()) for n, f in factors.items())
     width = motion.horizon * motion.width(tuple(factors.items()))
     return Worth(name, value, TOLERANCE * width, rises, head=False)
-
-
-def _equates(mission: SignalMission) -> bool:
-    """Whether the formula equates sums."""
-    nodes = walk(positive_atoms(mission.formula))
-    return any(isinstance(node, Linear) and node.relation == "=" for node in nodes)
 
 
 def _widest(mission: SignalMission, motion: Motion) -> float:

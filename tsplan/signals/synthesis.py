@@ -16,9 +16,8 @@ from tsplan.encode.expressions import Constraint, Expression
 from tsplan.encode.partial.partial_model import Wish, everything
 from tsplan.encode.switches import ALL_SWITCHES
 from tsplan.errors import Finding, MissionError
-from tsplan.logic import Formula, Linear, conjunction, positive, simplify, walk
+from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.evaluation import holds
-from tsplan.logic.normal_form import positive_atoms
 from tsplan.logic.weights import unweighted
 from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import INFINITY, Model
@@ -29,7 +28,7 @@ from tsplan.run.problem import Tuning
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.signals.aims import CHOSEN, Aim
-from tsplan.signals.equalities import TOLERANCE, approximate, narrowed_tree, range_of
+from tsplan.signals.equalities import TOLERANCE, approximate, equations, narrowed_tree, range_of
 from tsplan.signals.least_violation import LeastViolation, remaining
 from tsplan.signals.motion_check import settled
 from tsplan.signals.reach import Past, Reach, reach
@@ -282,9 +281,8 @@ class Synthesis:
     @cached_property
     def slack(self) -> float:
         """By how much equations make robustness look greater than it is, as they are taken."""
-        system, every = self.mission.system, walk(positive_atoms(self.mission.formula))
-        equations = (node for node in every if isinstance(node, Linear) and node.relation == "=")
-        return TOLERANCE / 2 * max((range_of(n.terms, system) for n in equations), default=0.0)
+        widths = (range_of(n.terms, self.mission.system) for n in equations(self.mission.formula))
+        return TOLERANCE / 2 * max(widths, default=0.0)
 
     def holds(self, point: SignalPoint) -> bool:
         """Whether what must hold does, on what the controls of a point truly lead to."""
