@@ -58,7 +58,7 @@ def check_conflict(mission: Mission, conflict: Conflict) -> None:
 def check_change(mission: Mission, change: Change) -> None:
     """There is a plan after the change, and none after one step less of it."""
     assert change.proven
-    assert change.amount == sum(amount for _, amount in change.steps)
+    assert change.amount == sum(edit.unit * amount for edit, amount in change.steps)
     assert possible(plain(change.mission)), change.text
     for place, (edit, amount) in enumerate(change.steps):
         less = [*change.steps]

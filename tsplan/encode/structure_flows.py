@@ -78,6 +78,16 @@ def structure_classes(
     return tuple(classes), tuple(changes)
 
 
+def first_steps(mission: Mission, pool: Pool) -> Mapping[str, Mapping[str, int]]:
+    """The first step at which structures of each shape of a pool can be at each state, if ever.
+
+    Of parts that are rebuilt together all are thought to wait for the last.
+    """
+    layers = _Layers(mission, pool, 0)
+    layers.changes()
+    return layers.first_steps()
+
+
 class _HalfEdge(NamedTuple):
     """An edge to or from nowhere."""
 
@@ -164,6 +174,14 @@ class _Layers:
             )
             found.append(Change(rule, place, begin, begin + steps, parts, made))
         return found
+
+    def first_steps(self) -> dict[str, dict[str, int]]:
+        """When each layer can be where, as it is settled."""
+        rows = (dict(zip(self._arrays.names, row.tolist(), strict=True)) for row in self._reach)
+        return {
+            shape.name: {state: step for state, step in row.items() if step < _NEVER}
+            for shape, row in zip(self._pool.shapes, rows, strict=True)
+        }
 
     def _half_edges(self, side: Sequence[tuple[int, int]], made: _HalfEdge) -> Ends:
         """One more edge to or from nowhere of each layer of a side."""

@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import ceil, lcm
+from math import ceil, inf, lcm
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.exact import exact
@@ -153,25 +153,23 @@ class ModuleRules:
             carries=shape.carries,
         )
 
-    def pools(self, team: Sequence[Group]) -> tuple[Pool, ...]:
-        """The modules of a team that can be in one structure, in the order of the team."""
+    def pools(self, team: Sequence[Group], *, enough: bool = False) -> tuple[Pool, ...]:
+        """The modules of a team that can be in one structure, in the order of the team.
+
+        With `enough`, their shapes are those that they could have if there were modules enough.
+        """
         found: dict[tuple[str, frozenset[str]], list[int]] = {}
         for number, group in enumerate(team):
             if group.configuration in self.of:
                 found.setdefault((group.class_name, group.capabilities), []).append(number)
-        return tuple(
-            Pool(
-                tuple(members),
-                sum(team[number].count for number in members),
-                self._shapes(
-                    {str(team[number].configuration) for number in members},
-                    sum(team[number].count for number in members),
-                ),
-            )
-            for members in found.values()
-        )
+        made = []
+        for members in found.values():
+            count = sum(team[number].count for number in members)
+            names = {str(team[number].configuration) for number in members}
+            made.append(Pool(tuple(members), count, self._shapes(names, inf if enough else count)))
+        return tuple(made)
 
-    def _shapes(self, names: set[str], count: int) -> tuple[Configuration, ...]:
+    def _shapes(self, names: set[str], count: float) -> tuple[Configuration, ...]:
         """What structures can become by the rules, where there are so many modules."""
         found, before = set(names), 0
         while len(found) > before:
@@ -182,6 +180,27 @@ class ModuleRules:
         return tuple(
             each for each in self.configurations if each.name in found and each.modules <= count
         )
+
+    def able(self, group: Group, pool: Pool, capability: str | None) -> tuple[Configuration, ...]:
+        """The shapes in which the modules of a pool, like those of a group, have a capability."""
+        return tuple(
+            shape
+            for shape in pool.shapes
+            if capability is None or capability in group.capabilities | shape.capabilities
+        )
+
+    def most(self, team: Sequence[Group], capability: str | None) -> int:
+        """How many structures can have a capability at once, at most; any at all for None.
+
+        >>> from tsplan.mission import Group
+        >>> rules = ModuleRules((Configuration("pair", 2, frozenset({"lift"})),))
+        >>> rules.most([Group.of("cube", {"dock": 6}, configuration="pair")], "lift")
+        3
+        """
+        able = [
+            (pool, self.able(team[pool.groups[0]], pool, capability)) for pool in self.pools(team)
+        ]
+        return sum(pool.count // min(s.modules for s in shapes) for pool, shapes in able if shapes)
 
     def possible(self, team: Sequence[Group]) -> tuple[Group, ...]:
         """The groups of a team with the abilities of everything that modules can become."""

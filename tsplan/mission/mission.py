@@ -164,12 +164,13 @@ class Mission(MissionParts):
         return frozenset().union(*(group.capabilities for group in able))
 
     def having(self, capability: str | None) -> int:
-        """How many robots have a capability; all of them for None."""
-        return sum(
-            group.count
-            for group in self.team
-            if capability is None or capability in group.capabilities
-        )
+        """How many robots have a capability; all of them for None.
+
+        Modules have what they can do as structures: as many of these count as there can be at once.
+        """
+        robots = (group for group in self.team if group.configuration is None)
+        able = (g.count for g in robots if capability is None or capability in g.capabilities)
+        return sum(able) + self.modular.most(self.team, capability)
 
     def plot(self, ax: Any = None) -> display.Picture:
         """The map with the team's starts: the matplotlib figure and its axes.

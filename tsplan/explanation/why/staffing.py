@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.why.stock_lines import StockLine, stock_lines
+from tsplan.plans.summary import names
 
 if TYPE_CHECKING:
     from tsplan.logic.atoms import Count
@@ -20,7 +21,10 @@ MOST_IDS = 4
 
 @dataclass(frozen=True, slots=True)
 class Presence:
-    """Agents at one state: how many (or are expected), and the first few of them."""
+    """Agents at one state: how many (or are expected), and the first few of them.
+
+    Structures are named with their modules.
+    """
 
     state: str
     count: float
@@ -48,7 +52,11 @@ class Staff:
         there = self.trace.at(atom.label, atom.capability, upper=atom.upper)
         counts = there[:, step].tolist()
         ids: dict[str | None, list[str]] = {state: [] for state in states}
-        for bundle in self.plan.bundles:
+        for body in self.plan.structures:
+            if atom.capability is None or atom.capability in body.capabilities:
+                known = ids.get(body.state_at(step), [])
+                known += [f"{body.id} ({names(body.modules)})"][: MOST_IDS - len(known)]
+        for bundle in self.plan.robots:
             if atom.capability is None or atom.capability in bundle.capabilities:
                 agents = self.plan.agents
                 known = ids.get(agents[bundle.agents[0]].state_at(step), [])

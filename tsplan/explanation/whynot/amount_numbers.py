@@ -67,7 +67,7 @@ def unit_of(mission: Mission, resource: Resource) -> Fraction:
         return Fraction(1)
     given = [exact(amount) for _, amount in resource.at]
     given += (exact(amount) for amount in _needed(mission, resource))
-    for group in mission.team:
+    for group in mission.modular.possible(mission.team):
         load = group.carries
         given.append(exact(dict(load).get(resource.name, 0.0) if isinstance(load, tuple) else load))
     return common_unit(given)

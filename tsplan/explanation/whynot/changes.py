@@ -141,7 +141,7 @@ class Repairs:
 
         At most so many questions are asked, for some seconds; None where no total is found then.
         """
-        if any(edit.unit != 1 for edit in edits):
+        if not all(edit.whole for edit in edits):
             return None  # of real numbers there is no next level
         self._last = self.oracle.solves + most
         self._until = self.oracle.seconds + _SECONDS
@@ -178,10 +178,10 @@ class Repairs:
     def _refuted(self, steps: Sequence[Step], place: int) -> float | None:
         """By how much less of one step it is proven that the mission cannot be met; None if not."""
         edit, amount = steps[place]
-        for gap in (1,) if edit.unit == 1 else _GAPS:
+        for gap in (1,) if edit.whole else _GAPS:
             less = [*steps[:place], (edit, max(amount - gap, 0)), *steps[place + 1 :]]
             if self.possible(less) is False:
-                return gap if edit.unit == 1 else float(gap * edit.unit)
+                return gap if edit.whole else float(gap * edit.unit)
         return None
 
     def ask(self, question: Question) -> Any:

@@ -9,8 +9,10 @@ from functools import cached_property
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
+from tsplan.encode.structures import first_steps
 from tsplan.explanation.explanation import Fact, PartKind, SoftConstraint
 from tsplan.explanation.part_words import TeamWording
+from tsplan.explanation.whynot.module_builders import Builder
 from tsplan.explanation.whynot.soft_constraints import of_occurrence
 from tsplan.explanation.whynot.unconditional_demands import (
     AmountDemand,
@@ -23,10 +25,14 @@ from tsplan.ts.reachability import shortest_durations, usable
 
 if TYPE_CHECKING:
     from tsplan.mission import Group, Mission, Resource
+    from tsplan.mission.configurations import Pool
 
 
 class Arrival(NamedTuple):
-    """Robots of one entry of the team that can be somewhere from `step` on (inf: never)."""
+    """Robots of one entry of the team that can be somewhere from `step` on (inf: never).
+
+    Of modules it is as many structures as there can be at once, and there is no one `start`.
+    """
 
     step: float
     robots: int
@@ -35,9 +41,20 @@ class Arrival(NamedTuple):
 
 
 def able(mission: Mission, capability: str | None) -> Iterator[tuple[int, Group]]:
-    """The entries of the team with a capability; all of them for None."""
-    for number, group in enumerate(mission.team):
-        if capability is None or capability in group.capabilities:
+    """The entries of the team with a capability; all of them for None.
+
+    Modules have those of all that they could become if there were enough of them.
+    """
+    team, rules = mission.team, mission.modular
+    modules = {
+        number
+        for pool in rules.pools(team, enough=True)
+        if rules.able(team[pool.groups[0]], pool, capability)
+        for number in pool.groups
+    }
+    for number, group in enumerate(team):
+        robots = group.configuration is None
+        if number in modules or (robots and capability in (None, *group.capabilities)):
             yield number, group
 
 
@@ -122,11 +139,28 @@ class Context:
 
     def arrivals(self, states: tuple[str, ...], capability: str | None) -> list[Arrival]:
         """Everybody with a capability, those first that can be at the nearest state first."""
-        return sorted(
+        robots = (
             Arrival(min(self.distances(group, start)[s] for s in states), count, entry, start)
             for entry, group in able(self.mission, capability)
+            if group.configuration is None
             for start, count in group.starts
         )
+        structures = (
+            Arrival(item.first(states), item.most, item.pool.groups[0], "")
+            for item in self.builders(capability)
+        )
+        return sorted([*robots, *structures])
+
+    def builders(self, capability: str | None) -> list[Builder]:
+        """The modules that can be structures with a capability, as far as there are enough."""
+        found = (Builder.of(self.mission, *each, capability) for each in self._first_steps)
+        return [item for item in found if item.shapes]
+
+    @cached_property
+    def _first_steps(self) -> list[tuple[Pool, Mapping[str, Mapping[str, int]]]]:
+        """All modules, and when their structures can be where."""
+        pools = self.mission.modular.pools(self.mission.team)
+        return [(pool, first_steps(self.mission, pool)) for pool in pools]
 
     def places(self, need: Demand) -> list[tuple[str, list[Arrival]]]:
         """The states at which a need must be met, or one for all of them, and who comes there."""
@@ -163,9 +197,15 @@ class Context:
         return [SoftConstraint(kind, (number,)) for kind in kinds or ("team", "start") if robots]
 
     def carriers(self, resource: Resource) -> list[tuple[int, Group]]:
-        """The entries of the team whose robots carry some of a resource."""
-        every = enumerate(self.mission.team)
-        return [(n, group) for n, group in every if most_carried(group.carries, resource)]
+        """The entries of the team whose robots, or structures, carry some of a resource."""
+        mission, found = self.mission, []
+        pools = mission.modular.pools(mission.team, enough=True)
+        shapes = {number: pool.shapes for pool in pools for number in pool.groups}
+        for number, group in enumerate(mission.team):
+            who = shapes.get(number, (group,))
+            if any(most_carried(each.carries, resource) for each in who):
+                found.append((number, group))
+        return found
 
     def carrying(self, resource: Resource) -> list[SoftConstraint]:
         """The constraints of a resource, of all who carry it, and that others carry none."""
@@ -173,9 +213,11 @@ class Context:
         own = [
             item
             for number, group in enumerate(self.mission.team)
-            if group.carries
+            if group.carries or number in able
             for item in self.entry(
-                number, "carries", *(("team", "start") if number in able else ())
+                number,
+                *(("carries",) if group.carries else ()),
+                *(("team", "start") if number in able else ()),
             )
         ]
         return [SoftConstraint("stock", (resource.name,)), *own]
@@ -184,6 +226,9 @@ class Context:
         """How many the team has with a capability, and in which classes."""
         counts: Counter[str] = Counter()
         for _, group in able(self.mission, capability):
-            counts[group.class_name] += group.count
-        inside = ", ".join(f"{count} {name}" for name, count in counts.items())
-        return f"{counts.total()} ({inside})" if inside else "none"
+            if group.configuration is None:
+                counts[group.class_name] += group.count
+        inside = [f"{count} {name}" for name, count in counts.items()]
+        inside += [item.words for item in self.builders(capability)]
+        total = self.mission.having(capability)
+        return f"{total} ({', '.join(inside)})" if inside else "none"

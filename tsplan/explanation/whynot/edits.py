@@ -36,7 +36,7 @@ from tsplan.explanation.whynot.occurrences import (
     occurrences,
     separable,
 )
-from tsplan.explanation.whynot.relaxing import useful_number
+from tsplan.explanation.whynot.relaxing import modules_of, useful_number
 from tsplan.explanation.whynot.soft_constraints import (
     BOOKING,
     WAITING,
@@ -200,18 +200,19 @@ def _more_agents(
     """More robots like those of one entry of the team, where it starts or elsewhere."""
     mission = context.mission
     group = mission.team[entry]
-    most = useful_number(mission)
+    modules = modules_of(mission, group)
+    most = useful_number(mission, entry) // modules
     own = [state for state, _ in group.starts]
     others = [state for other in mission.team for state, _ in other.starts]
     lying = stocked(mission) if group.carries else []
     open_ = [
         state
         for state in dict.fromkeys([*own, *others, *lying, *_states_of(mission, conflict)])
-        if mission.system.states[state].needs <= group.capabilities
+        if mission.system.states[state].needs <= mission.modular.structures(group).capabilities
     ]
     for state in open_[:MOST_PLACES]:
         text = f"add {{added}} of class {literal(group.class_name)} at '{literal(state)}'"
-        yield Edit(Number("agents", (entry, state)), "add_agents", most, text)
+        yield Edit(Number("agents", (entry, state)), "add_agents", most, text, unit=modules)
 
 
 def _shared_agents(mission: Mission) -> Edit:
@@ -233,13 +234,17 @@ def _quicker_edges(
 ) -> Iterator[Edit]:
     """Edges on the quickest ways from where robots start to where the conflict needs them."""
     mission = context.mission
+    pools = mission.modular.pools(mission.team)
+    shapes = next((pool.shapes for pool in pools if entry in pool.groups), ())
     group = mission.team[entry]
+    kinds = [mission.modular.shaped(group, shape) for shape in shapes] or [group]
     pairs: dict[tuple[str, str], None] = {}
     targets = list(dict.fromkeys(_states_of(mission, conflict)))
-    lying = stocked(mission) if group.carries else []
+    lying = stocked(mission) if any(kind.carries for kind in kinds) else []
     for origin in dict.fromkeys([*(state for state, _ in group.starts), *lying, *targets]):
         for target in targets:
-            pairs.update(dict.fromkeys(pairwise(context.way(group, origin, target))))
+            for kind in kinds:
+                pairs.update(dict.fromkeys(pairwise(context.way(kind, origin, target))))
     for pair in list(pairs)[:MOST_EDGES]:
         number = Number("edge", pair)
         longest = number.get(mission)

@@ -16,7 +16,7 @@ from tsplan.explanation.part_words import agents
 from tsplan.explanation.whynot.context import Context, able, latest_of
 from tsplan.explanation.whynot.shortages import shortage, undelivered
 from tsplan.explanation.whynot.soft_constraints import WAITING
-from tsplan.explanation.whynot.supply import divided, scarcity
+from tsplan.explanation.whynot.supply import divided, scarcity, unbuilt
 from tsplan.explanation.whynot.time_conflicts import contradictions, crowding, timing
 from tsplan.ts.reachability import usable
 from tsplan.ts.waits import longest_ways, without_wait
@@ -36,6 +36,7 @@ def facts_of(context: Context) -> Iterator[Fact]:
     finders: tuple[Callable[[Context], Iterator[Fact]], ...] = (
         stuck,
         scarcity,
+        unbuilt,
         shortage,
         divided,
         unreachable,
@@ -84,6 +85,8 @@ def _too_late(context: Context, need: Demand, state: str, arrivals: list[Arrival
     text = f"{known.rstrip()} can be at {where} by step {last}, when {wanted} must be there"
     missing = next(item for item in arrivals if item.step > last)
     group = context.mission.team[missing.entry]
+    if group.configuration is not None:
+        return f"{text}: {_built(group, missing.step)}"
     if missing.step == inf:
         return f"{text}: there is no way for class {group.class_name} from '{missing.start}'"
     target = state
@@ -96,6 +99,13 @@ def _too_late(context: Context, need: Demand, state: str, arrivals: list[Arrival
         f"{text}: the {which} is one of class {group.class_name} from '{missing.start}', at step "
         f"{int(missing.step)} by {_shown(way)}"
     )
+
+
+def _built(group: Group, step: float) -> str:
+    """From when on a structure can be somewhere."""
+    if step == inf:
+        return f"no such structure of class {group.class_name} can ever be there"
+    return f"the first such structure of class {group.class_name} can be there at step {int(step)}"
 
 
 def _shown(way: list[str]) -> str:
@@ -112,6 +122,8 @@ def stuck(context: Context) -> Iterator[Fact]:
     missing = without_wait(mission.system)
     for number, group in enumerate(mission.team):
         context.pause()
+        if group.configuration is not None:
+            continue  # modules can be rebuilt, and are nowhere then
         moves = [*usable(mission.system, group.class_name, group.capabilities)]
         if len({edge.source for edge, _ in moves}) == len(mission.system.states):
             continue  # there is a way on from everywhere
@@ -146,6 +158,8 @@ def restless(context: Context) -> Iterator[Fact]:
             continue
         if context.mission.having(need.capability) < need.amount:
             continue  # too few even for one step: that is scarcity
+        if context.builders(need.capability):
+            continue  # structures go and come in other shapes
         asked = need.amount * (need.span.lasts + 1)
         for state in need.states:
             most = _presences(context, need, state) if state in nowhere else asked

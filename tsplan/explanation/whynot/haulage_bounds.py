@@ -40,15 +40,20 @@ class Bringing(NamedTuple):
 
 
 class Most(NamedTuple):
-    """What can be at a state at most: what lies there, and what is brought or lies elsewhere."""
+    """What can be at a state at most: what lies there, and what is brought or lies elsewhere.
+
+    Where structures carry some, `brought` is None: nothing bounds that but what lies elsewhere.
+    """
 
     lying: Fraction
     elsewhere: Fraction
-    brought: tuple[Bringing, ...]
+    brought: tuple[Bringing, ...] | None
 
     @property
     def amount(self) -> Fraction:
         """How much that is."""
+        if self.brought is None:
+            return self.lying + self.elsewhere
         carried = sum((item.amount for item in self.brought), Fraction(0))
         return self.lying + min(self.elsewhere, carried)
 
@@ -63,6 +68,9 @@ class HaulageBounds:
     def most(self, state: str, step: int) -> Most:
         """How much of the resource can be at a state by a step, at most."""
         lying = exact(dict(self.resource.at).get(state, 0.0))
+        carriers = self.context.carriers(self.resource)
+        if any(group.configuration is not None for _, group in carriers):
+            return Most(lying, self.resource.total - lying, None)
         brought = (
             Bringing(
                 group.class_name,
@@ -70,7 +78,7 @@ class HaulageBounds:
                 self._loads(group, start, state, step),
                 most_carried(group.carries, self.resource),
             )
-            for _, group in self.context.carriers(self.resource)
+            for _, group in carriers
             for start, count in group.starts
             if count
         )

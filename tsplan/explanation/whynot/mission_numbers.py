@@ -145,6 +145,11 @@ class Edit:
     text_at_most: str = ""
     unit: int | Fraction = 1
 
+    @property
+    def whole(self) -> bool:
+        """Whether it moves in steps between which there is nothing: agents, pieces, structures."""
+        return isinstance(self.unit, int)
+
     def applied(self, mission: Any, amount: int) -> Any:
         """The mission after the change; MissionError where it would not fit together."""
         now = self.number.get(mission)
@@ -159,7 +164,7 @@ class Edit:
             new=value_text(new),
             agents=many(new, "agent") if isinstance(new, int) else value_text(new),
             steps=many(amount, "step"),
-            added=many(amount, "agent"),
+            added=many(int(self.unit * amount), "agent"),
             amount=number_text(float(self.unit * amount)),
         )
 

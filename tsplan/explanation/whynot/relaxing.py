@@ -3,8 +3,9 @@
 A formula part is replaced by true, a capacity removed; there is as much of a resource, or a robot
 carries as much, as can be of use. Where the size or the start of a part of
 the team is taken out, its robots come from a depot: a new state, from which an edge of one step
-leads to every state where they may start, one step before the mission begins. Robots whose
-number is open may stay in their depot; there are as many as any plan could use.
+leads to every state where they may start, one step before the mission begins; sooner where
+structures take longer for such an edge. Robots whose number is open may stay in their depot; there
+are as many as any plan could use.
 """
 
 from __future__ import annotations
@@ -33,7 +34,8 @@ from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.waits import with_waits, without_wait
 
 if TYPE_CHECKING:
-    from tsplan.mission import Mission, Resource
+    from tsplan.mission import Group, Mission, Resource
+    from tsplan.mission.configurations import ModuleRules
 
 Dropped = frozenset[SoftConstraint]
 
@@ -125,8 +127,17 @@ def waits_everywhere(mission: Mission) -> bool:
     )
 
 
-def useful_number(mission: Mission) -> int:
-    """As many robots of one kind as any plan could use.
+def modules_of(mission: Mission, group: Group) -> int:
+    """Of how many modules the structures of an entry of the team are made at first; 1 of robots."""
+    shape = mission.modular.of.get(group.configuration or "")
+    return 1 if shape is None else shape.modules
+
+
+def useful_number(mission: Mission, entry: int) -> int:
+    """As many robots of one entry of the team as any plan could use.
+
+    Of modules, as many as the largest structures take that are met while one is made of others,
+    each configuration once.
 
     Whoever serves no atom can be left out. At one step those of one state (or of the states of a
     label, for a sum) serve the largest need for each capability, and where agents are booked the
@@ -150,7 +161,14 @@ def useful_number(mission: Mission) -> int:
     for_good = waits_everywhere(mission) and not bounded_above(mission)
     steps = 1 if for_good else mission.horizon + 1
     useful = total * steps + _useful_carriers(mission)
-    return max(1, min(useful, MOST_ROBOTS // (2 * len(mission.team))))
+    group, rules = mission.team[entry], mission.modular
+    if group.configuration is not None:
+        sizes = [rules.modules(rule.parts) for rule in rules.reconfigurations]
+        largest = max((*sizes, *(shape.modules for shape in rules.configurations)))
+        useful *= largest * len(rules.configurations)
+    modules = modules_of(mission, group)
+    most = min(useful, MOST_ROBOTS // (2 * len(mission.team)))
+    return max(1, most // modules) * modules
 
 
 def _useful_carriers(mission: Mission) -> int:
@@ -167,7 +185,8 @@ def _useful_carriers(mission: Mission) -> int:
             for node in needing
             if dict(node.resources).get(resource.name)
         ]
-        rooms = [room for g in mission.team if (room := most_carried(g.carries, resource))]
+        able = mission.modular.possible(mission.team)
+        rooms = [room for g in able if (room := most_carried(g.carries, resource))]
         if not sites or not rooms:
             continue
         if resource.indivisible:
@@ -183,11 +202,14 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
     # leaving a depot late may be as good as waiting where a robot starts; but bounded swarms are
     # sub-swarms in their depots, too
     harmless = mission.swarm is None and waits_everywhere(mission) and not bounded_above(mission)
-    near = harmless and not mission.resources  # which lie where nobody is counted
+    # resources lie where nobody is counted, and structures are built there
+    near = harmless and not mission.resources and not mission.modular
+    steps = [_way_in(mission, group) for group in mission.team]
+    before = max(steps)
     system = mission.system
     states, edges, team = [*system.states.values()], [*system.edges.values()], []
-    open_: list[str] = []
-    all_: list[str] = []
+    open_: list[tuple[str, int]] = []
+    all_: list[tuple[str, int]] = []
     for number, group in enumerate(mission.team):
         sized = SoftConstraint("team", (number,)) not in gone
         starts = []
@@ -197,26 +219,40 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
                 name += "'"
             states.append(State(name))
             edges += [Edge(name, name), *(Edge(name, target) for target in targets)]
-            starts.append((name, count if sized else useful_number(mission)))
-            (all_ if sized else open_).append(name)
+            starts.append((name, count if sized else useful_number(mission, number)))
+            (all_ if sized else open_).append((name, before - steps[number] + 1))
         team.append(replace(group, starts=tuple(starts)))
-    formula = Always(1, 1, mission.formula)
+    formula = Always(before, before, mission.formula)
     later = replace(
         mission,
         system=TransitionSystem.build(states, edges, system.name),
         team=tuple(team),
         formula=formula,
         text=str(formula),
-        horizon=mission.horizon + 1,
+        horizon=mission.horizon + before,
+        modular=_built_there(mission),
     )
     problem = Problem(later, tuning)
     if not harmless:  # robots leave before the mission begins or, where they may, never
-        for name in all_:
-            problem.add(problem.count(name, step=1) <= 0, "everybody starts")
-        for name in open_:
-            left = problem.count(name, step=1) - problem.count(name, step=later.horizon)
+        for name, gone_by in all_:
+            problem.add(problem.count(name, step=gone_by) <= 0, "everybody starts")
+        for name, gone_by in open_:
+            left = problem.count(name, step=gone_by) - problem.count(name, step=later.horizon)
             problem.add(left <= 0, "nobody starts late")
     return problem
+
+
+def _way_in(mission: Mission, group: Group) -> int:
+    """Steps of an edge from a depot, which structures may take longer to go along."""
+    shape = mission.modular.of.get(group.configuration or "")
+    return 1 if shape is None else shape.steps(Edge("depot", "start"), group.class_name) or 1
+
+
+def _built_there(mission: Mission) -> ModuleRules:
+    """What modules can become, but in no depot."""
+    rules, every = mission.modular, tuple(mission.system.states)
+    made = (rule if rule.at else replace(rule, at=every) for rule in rules.reconfigurations)
+    return replace(rules, reconfigurations=tuple(made))
 
 
 def _starts(
@@ -231,7 +267,8 @@ def _starts(
         yield from ((count, [state]) for state, count in group.starts)
         return
     states = mission.system.states.values()
-    allowed = [state for state in states if state.needs <= group.capabilities]
+    able = mission.modular.structures(group).capabilities
+    allowed = [state for state in states if state.needs <= able]
     if near and not group.carries:  # who carries may be of use anywhere
         named = {node.label for node in walk(mission.goal) if isinstance(node, Count)}
         own = {state for state, _ in group.starts}

@@ -117,7 +117,7 @@ def _asked(need: AmountDemand, wanted: Fraction, state: str, step: int) -> str:
 def _at_most(resource: Resource, most: Most) -> str:
     """How much can be there, and why no more."""
     here = f"{number_text(float(most.lying))} there from the start" if most.lying else ""
-    if not most.brought:
+    if not most.brought:  # of robots: what structures bring has no bound of its own
         none = "nobody can come there with any by then"
         return f"{number_text(float(most.amount))} can be: {', '.join(filter(None, (here, none)))}"
     carried = [

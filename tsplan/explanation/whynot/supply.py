@@ -14,6 +14,7 @@ from tsplan.words import many
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.context import Context
+    from tsplan.explanation.whynot.module_builders import Builder
     from tsplan.mission import Mission
 
 
@@ -36,6 +37,29 @@ def scarcity(context: Context) -> Iterator[Fact]:
                 f"the team has {context.having(capability)}"
             )
             yield context.fact("scarcity", text, together, *context.team(capability, "team"))
+
+
+def unbuilt(context: Context) -> Iterator[Fact]:
+    """Structures at one step that together have more modules than there are."""
+    for now in instants(context):
+        needs: dict[int, list[tuple[Demand, Builder]]] = {}
+        for need, _ in _apart(now, lambda need: (need.reach != "each", -need.amount)):
+            built = context.builders(need.capability)
+            robots = (g.configuration is None for _, g in able(context.mission, need.capability))
+            if len(built) == 1 and not any(robots):
+                needs.setdefault(built[0].pool.groups[0], []).append((need, built[0]))
+        for own in needs.values():
+            together = list(dict.fromkeys(need for need, _ in own))
+            asked = sum(need.amount * builder.least for need, builder in own)
+            pool, single = own[0][1].pool, len({need.capability for need in together}) == 1
+            if asked > pool.count and not single:  # of one capability, that is scarcity
+                parts = " and ".join(_wanted(need) for need in together)
+                text = (
+                    f"at one step, {parts}: structures of {asked} modules or more in all; the team "
+                    f"has {pool.count} {own[0][1].group.class_name}"
+                )
+                entries = [item for n in pool.groups for item in context.entry(n, "team")]
+                yield context.fact("scarcity", text, together, *entries)
 
 
 def _wanted(need: Demand) -> str:

@@ -135,10 +135,12 @@ def _between(context: Context, one: Demand, two: Demand) -> float:
     ways = (
         context.distances(group, source)[target]
         for _, group in able(context.mission, one.capability)
+        if group.configuration is None
         for source in one.states
         for target in two.states
     )
-    return min(ways, default=inf)
+    built = (item.fewest(one.states, two.states) for item in context.builders(one.capability))
+    return min((*ways, *built), default=inf)
 
 
 def _asked(need: Demand) -> str:
