@@ -38,20 +38,18 @@ ASKED = '"F[0,12] T(2, wall, {(lift,1)}) && F[0,12] T(1, yard, {(look,1)})"'
 
 
 def fence_text(**changes: str) -> str:
-    """The mission's file with other lines for some of its keys, or for its `formula`."""
+    """The mission's file with other values of some of its keys, empty for none, or of its `formula`."""
     text = TEXT
     if (formula := changes.pop("formula", None)) is not None:
         text = text.replace(ASKED, f'"{formula}"')
+    lines = text.splitlines()
     for key, value in changes.items():
-        lines = text.splitlines()
-        first = next(n for n, line in enumerate(lines) if line.startswith(f"{key}:"))
-        last = next(
-            n for n in range(first + 1, len(lines) + 1) if not lines[n:][:1] or lines[n][0] != " "
-        )
-        text = "\n".join(
-            [*lines[:first], *([f"{key}: {value}"] if value else []), *lines[last:], ""]
-        )
-    return text
+        first = next((n for n, line in enumerate(lines) if line.startswith(f"{key}:")), len(lines))
+        last = first + 1
+        while last < len(lines) and lines[last].startswith(" "):
+            last += 1
+        lines[first:last] = [f"{key}: {value}"] if value else []
+    return "\n".join([*lines, ""])
 
 
 def fence(**changes: str) -> Mission:

@@ -20,6 +20,7 @@ from typing import NamedTuple
 from tsplan.draw.colours import colour_of, ink_on, mixed
 from tsplan.mission import Mission
 from tsplan.ts import TransitionSystem
+from tsplan.words import many
 
 HUES = ["#7753bf", "#ed6915", "#843b65", "#bac268", "#4d895a", "#9be1af", "#384801", "#f37fbd"]
 """Colours in the order in which they are given out: neighbours differ much in lightness."""
@@ -88,19 +89,38 @@ def paints(names: Iterable[str], hues: Sequence[str] = HUES) -> Mapping[str, Pai
 
 
 class TeamClass(NamedTuple):
-    """How many agents a class has, and what they can do."""
+    """How many agents a class has, and what they can do; of a configuration, its modules."""
 
     agents: int
     capabilities: tuple[str, ...]
+    modules: int = 0
+
+    def words(self, name: str) -> str:
+        """The class in words, or the configuration."""
+        return (
+            f"{name} of {many(self.modules, 'module')}"
+            if self.modules
+            else f"{self.agents:,} {name}"
+        )
 
 
 def classes_of(mission: Mission) -> dict[str, TeamClass]:
-    """The classes of a team by their names, in its order; swarms are classes too."""
+    """The classes of a team by their names, in its order; swarms are classes too.
+
+    Instead of a class of modules there are the configurations that their structures can have.
+    """
     found: dict[str, TeamClass] = {}
-    for group in mission.team:
-        agents, able = found.get(group.class_name, TeamClass(0, ()))
-        more = tuple(dict.fromkeys((*able, *sorted(group.capabilities))))
-        found[group.class_name] = TeamClass(agents + group.count, more)
+    pools = mission.modular.pools(mission.team)
+    shapes = {number: pool.shapes for pool in pools for number in pool.groups}
+    for number, group in enumerate(mission.team):
+        for shape in shapes.get(number, (None,)):
+            kind = group if shape is None else mission.modular.shaped(group, shape)
+            name, modules = (group.class_name, 0) if shape is None else (shape.name, shape.modules)
+            agents, able, _ = found.get(name, TeamClass(0, ()))
+            more = tuple(dict.fromkeys((*able, *sorted(kind.capabilities))))
+            there = shape is None or shape.name == group.configuration
+            agents += mission.modular.structures(group).count if there else 0
+            found[name] = TeamClass(agents, more, modules)
     return found
 
 

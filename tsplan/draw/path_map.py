@@ -107,7 +107,7 @@ def strands_of(
     if len(moving) <= MOST_PATHS:
         given = paints(str(number) for number in range(len(moving)))
         return tuple(
-            Strand(track.short, paint, track.count, _passages([track], horizon, loads))
+            Strand(track.short, paint, track.width, _passages([track], horizon, loads))
             for track, paint in zip(moving, given.values(), strict=True)
         ), False
     strands = []
@@ -138,7 +138,7 @@ def _passages(group: Sequence[Track], horizon: int, loads: AgentLoads) -> Mappin
             if here.state == there.state:
                 continue
             passage = found.setdefault((here.state, there.state), Passage())
-            passage.agents += track.count
+            passage.agents += track.width
             own = track.load(here.last, loads)
             if own:
                 before = passage.loads.get(there.first, {})
@@ -300,9 +300,15 @@ def _entries(moving: Sequence[Track], strands: Sequence[Strand], *, joined: bool
         shown.append(Entry.line(strand.words, linewidth=_width(strand.agents), **look))
     badge = {"marker": "o", "markersize": 8, "color": WHITE, "markeredgecolor": DARK}
     shown.append(Entry.line("agents that start there", **badge))
-    idle = sum(track.count for track in moving if track.ids and not track.moves)
+    end = max((track.end for track in moving), default=0)
+    whole = (
+        track for track in moving if track.ids and (track.stops[0].first, track.end) == (0, end)
+    )
+    idle = sum(track.count for track in whole if not track.moves)
     if idle:
         shown.append(Entry.nothing(f"{idle:,} never {'moves' if idle == 1 else 'move'}"))
+    if any(track.modules for track in moving):
+        shown.append(Entry.nothing("of a structure: (its modules)"))
     if strands:
         what = "the more agents, the wider" if joined else "numbers: steps of arrival"
         shown.append(Entry.nothing(what))

@@ -42,7 +42,7 @@ def class_entries(mission: Mission, palette: Palette) -> list[Entry]:
     for name, group in classes_of(mission).items():
         able = f" ({', '.join(group.capabilities)})" if group.capabilities else ""
         colour = palette.classes[name].colour
-        shown.append(Entry.line(f"{group.agents:,} {name}{able}", color=colour, **badge))
+        shown.append(Entry.line(f"{group.words(name)}{able}", color=colour, **badge))
     return shown
 
 
@@ -89,14 +89,16 @@ def _around(drawn: DrawnMap, state: str, text: str) -> Iterator[complex]:
 def draw_starts(drawn: DrawnMap, mission: Mission, paints: Mapping[str, Paint]) -> None:
     """A badge with the number of robots of each class at each state where some start.
 
+    Modules start as structures of a configuration, which have a badge as a class has.
+
     `paints` has the colours of the classes; those without one are white.
     """
     starts: dict[str, Counter[str]] = {}
     for group in mission.team:
-        for state, count in group.starts:
+        for state, count in mission.modular.structures(group).starts:
             there = starts.setdefault(state, Counter())
             if count:
-                there[group.class_name] += count
+                there[group.configuration or group.class_name] += count
     rows = (
         {}
         if drawn.dense

@@ -22,6 +22,7 @@ from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Paint, paints
 from tsplan.draw.step_axes import name_rows, names_width, step_axes
 from tsplan.draw.tracks import MoveTuple, Track, by_class, tracks
+from tsplan.errors import Finding, InputError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.ts import TransitionSystem
@@ -62,9 +63,13 @@ class Band:
 def draw_swarm(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     """The split and merge diagram of a plan.
 
-    Raises PlanError for a plan without paths or of another mission.
+    Raises PlanError for a plan without paths or of another mission, and InputError for one of
+    structures.
     """
     refuse_misfit(plan, mission)
+    if plan.structures:
+        what = "structures that become others have no flow of one class"
+        raise InputError([Finding(what, "look at the paths, or at the timeline")])
     name = plan.mission.name or mission.name
     return draw_flows(flows_of(plan), mission.system, plan.horizon, ax, name)
 

@@ -2,13 +2,14 @@
 
 A stay covers every step at which the agent is at its state, so a bar from 2 to 5 means steps 2, 3,
 4 and 5; the way between two stays is hatched. Swarms whose agents have no paths have a row for
-each group, as long as it lasts.
+each group, as long as it lasts. Modules have a strip below their bars that shows in what structures
+they are.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Any
@@ -39,6 +40,7 @@ _BAND = 1.1  # inches of a class's band
 _LONGEST = 26  # characters of a row's name
 _MOST_ENTRIES = 20
 _THICK = 0.82  # of a row
+_STRIP = 0.22  # of a row, for the structure that a module is part of
 
 
 @dataclass(frozen=True)
@@ -62,7 +64,7 @@ def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) ->
         refuse_pathless(plan)
     else:
         refuse_misfit(plan, mission)
-    moving = tracks(plan, mission)
+    moving = tracks(plan, mission, modules=True)
     if not moving:
         what = "the plan has no paths of single agents, which a timeline shows"
         raise PlanError([Finding(what, "look at its flow, or make paths: plan --agents")])
@@ -73,7 +75,8 @@ def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) ->
         f"{canvas.shortened(name, _LONGEST)}\n{agents_of(group):,} agents"
         for name, group in classes.items()
     ]
-    entries = _entries(moving, plan.horizon, keys)
+    shapes = shapes_of(moving, mission) if rows else {}
+    entries = [*_entries(moving, plan.horizon, keys), *_shape_entries(shapes)]
     left = names_width([row.name for row in rows] or list(classes), _LONGEST)
     inches = _WIDTH + left, height_of(plan, moving)
     figure, ax = step_axes(ax, plan.horizon, inches, entries)
@@ -83,6 +86,7 @@ def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) ->
     canvas.settle(figure)
     if rows:
         _draw_rows(ax, rows, keys, plan.horizon)
+        _draw_lives(ax, rows, shapes)
     else:
         _draw_bands(ax, moving, keys, plan.horizon)
     return figure, ax
@@ -154,12 +158,42 @@ def _draw_rows(ax: Any, rows: Sequence[Track], keys: Keys, horizon: int) -> None
             if size >= SMALL * 0.7 and canvas.text_size(words, size)[0] < room:
                 look = {"fontsize": size, "color": keys[state].paint.ink}
                 look |= {"ha": "center", "va": "center_baseline"}
-                ax.text((first + last) / 2, place, canvas.plain(words), **look)
+                above = place - _STRIP / 2 * bool(row.lives)
+                ax.text((first + last) / 2, above, canvas.plain(words), **look)
 
 
-def _bar(ax: Any, place: int, steps: tuple[float, float], paint: Paint, meaning: str) -> None:
+def shapes_of(found: Iterable[Track], mission: Mission | None = None) -> Mapping[str, Paint]:
+    """What each configuration of the structures that modules are part of is painted as."""
+    names = dict.fromkeys(life.configuration for track in found for life in track.lives)
+    given = paints(names) if mission is None else Palette.of(mission).classes
+    return {name: given[name] for name in names}
+
+
+def _draw_lives(ax: Any, rows: Sequence[Track], shapes: Mapping[str, Paint]) -> None:
+    """A strip below each module's bars, in the colour of the structure that it is part of."""
+    for place, row in enumerate(rows):
+        for life in row.lives:
+            paint, below = shapes[life.configuration], place + (_THICK - _STRIP) / 2
+            _bar(ax, below, life[:2], paint, life.id, height=_STRIP)
+
+
+def _shape_entries(shapes: Mapping[str, Paint]) -> list[Entry]:
+    """What the strips below the bars stand for."""
+    shown = [Entry.patch(f"in a {name}", **_framed(paint)) for name, paint in shapes.items()]
+    return [*shown, Entry.nothing("gaps: being rebuilt")] if shown else []
+
+
+def _bar(
+    ax: Any,
+    place: float,
+    steps: tuple[float, float],
+    paint: Paint,
+    meaning: str,
+    *,
+    height: float = _THICK,
+) -> None:
     first, last = steps
-    style = canvas.area(paint) | {"height": _THICK, "gid": visible(meaning)}
+    style = canvas.area(paint) | {"height": height, "gid": visible(meaning)}
     ax.barh(place, last - first + 1, left=first - HALF, **style)
 
 

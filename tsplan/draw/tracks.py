@@ -1,7 +1,8 @@
 """Who moves when: agents, paths and groups of swarms as tracks, for every picture and the page.
 
-A track is one or more agents of one class that move together: all agents that share a path, or a
-group of a swarm for as long as it neither splits nor merges.
+A track is one or more agents of one class that move together: all agents that share a path, a
+group of a swarm for as long as it neither splits nor merges, or a structure of modules for as long
+as it lasts. The class of a structure is its configuration.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from tsplan.errors import Finding, PlanError
 from tsplan.mission import Mission
 from tsplan.plans.agent_plans import Bundle
 from tsplan.plans.plan import Plan
+from tsplan.plans.structures import Structure
 from tsplan.plans.summary import names
 from tsplan.plans.supplies import AgentLoads, Loads, together
 from tsplan.ts import TransitionSystem
@@ -48,11 +50,21 @@ class Whereabouts(NamedTuple):
     share: float
 
 
+class Life(NamedTuple):
+    """The steps at which a module is part of a structure, whose id and configuration these are."""
+
+    first: int
+    last: int
+    id: str
+    configuration: str
+
+
 @dataclass(frozen=True, slots=True)
 class Track:
     """`count` agents of one class together, from their first step on, and no more from `end` on.
 
-    `ids` are the agents' names; none where agents have none.
+    `ids` are the agents' names; none where agents have none. A structure has `modules`, and a
+    module that is shown by itself the `lives` of the structures that it is part of.
     """
 
     class_name: str
@@ -61,10 +73,19 @@ class Track:
     ids: tuple[str, ...]
     stops: tuple[Stop, ...]
     end: int
+    modules: tuple[str, ...] = ()
+    lives: tuple[Life, ...] = ()
+
+    @property
+    def width(self) -> int:
+        """How many move together: agents, or the modules of a structure."""
+        return len(self.modules) or self.count
 
     @property
     def short(self) -> str:
         """The name with one run of agents at most, the others counted."""
+        if self.modules:
+            return f"{self.ids[0]} ({len(self.modules)})"
         return names(self.ids, most=1) if self.ids else self.name
 
     @property
@@ -98,6 +119,17 @@ class Track:
 
     def ways(self, horizon: int) -> Iterator[tuple[int, int]]:
         """The steps, first and last, at which they are between two states."""
+        return (gap for gap in self._gaps(horizon) if not self.lives or self._whole(gap))
+
+    def rebuilt(self, horizon: int) -> Iterator[tuple[int, int]]:
+        """The steps, first and last, at which a module is part of no structure."""
+        return (gap for gap in self._gaps(horizon) if self.lives and not self._whole(gap))
+
+    def _whole(self, gap: tuple[int, int]) -> bool:
+        return any(life.first <= gap[0] <= life.last for life in self.lives)
+
+    def _gaps(self, horizon: int) -> Iterator[tuple[int, int]]:
+        """The steps at which they are at no state."""
         stays = self.stays(horizon)
         for here, there in pairwise(stays):
             if there.first > here.last + 1:
@@ -108,23 +140,34 @@ class Track:
 
 
 def tracks(
-    plan: Plan, mission: Mission | None = None, *, moving: bool = False
+    plan: Plan, mission: Mission | None = None, *, moving: bool = False, modules: bool = False
 ) -> tuple[Track, ...]:
     """The tracks of a plan, class by class: of each path of agents, of each group of a swarm.
 
+    Of modules the structures have tracks, or else with `modules` these themselves.
     A swarm whose agents have paths is shown by them. For what is `moving` it is its groups that
     move, and arrivals beyond the horizon are those of the map; then PlanError tells everything that
     the map does not allow about the paths. Without the mission there are no groups.
     """
     findings: list[Finding] = []
     exact = mission.system if mission is not None and moving else None
-    walked = by_class(_of_agents(plan, bundle, exact, findings) for bundle in plan.bundles)
+    shown = plan.bundles if modules else plan.robots
+    every = [_of_agents(plan, bundle, exact, findings) for bundle in shown]
+    if plan.structures and modules:
+        every = _with_lives(every, plan)
+    elif plan.structures:
+        rules = mission if moving else None
+        every += (_of_structure(plan, each, rules, findings) for each in plan.structures)
+    walked = by_class(every)
     if findings:
         raise PlanError(findings)
     if mission is None:
         return tuple(track for group in walked.values() for track in group)
     found: list[Track] = []
-    for name, starts in {group.class_name: group.starts for group in mission.team}.items():
+    starting = {group.class_name: group.starts for group in mission.team}
+    if plan.structures:  # whose classes are configurations, after those of robots
+        starting |= dict.fromkeys(mission.modular.of, ())
+    for name, starts in starting.items():
         if name in plan.moves and (moving or name not in walked):
             found += _of_swarm(plan, mission.system, name, dict(starts))
         else:
@@ -150,6 +193,45 @@ def _of_agents(
     return Track(bundle.class_name, len(ids), names(ids), ids, tuple(stops), end)
 
 
+def _with_lives(found: Iterable[Track], plan: Plan) -> list[Track]:
+    """The tracks of modules, each one by itself with the structures that it is part of."""
+    lives: dict[str, list[Life]] = {}
+    for each in sorted(plan.structures, key=lambda each: each.first):
+        for module in each.modules:
+            life = Life(each.first, each.last, each.id, each.configuration)
+            lives.setdefault(module, []).append(life)
+    return [
+        replace(track, lives=tuple(lives.get(track.name, ())))
+        for group in found
+        for track in (single([group]) if {*group.ids} & lives.keys() else [group])
+    ]
+
+
+def _of_structure(
+    plan: Plan, each: Structure, mission: Mission | None, findings: list[Finding]
+) -> Track:
+    """The track of a structure; what the map of a mission does not allow goes to `findings`."""
+    stops = [Stop(*stay) for stay in each.stays]
+    shape = None if mission is None else mission.modular.of.get(each.configuration)
+    if mission is not None and shape is not None:
+        bundle = Bundle(each.class_name, each.capabilities, each.stays, each.heading, (0,))
+        path = read_path(
+            mission.system,
+            bundle,
+            each.last,
+            each.first,
+            lambda edge: shape.steps(edge, each.class_name),
+        )
+        findings += [Finding(f"structure {each.id} {words}", _OTHER) for words in path.problems]
+        if path.segments and path.segments[-1].left > plan.horizon:
+            last = path.segments[-1]
+            stops.append(Stop(last.left, last.left, last.edge.target))
+    elif each.heading is not None:
+        stops.append(Stop(plan.horizon + 1, plan.horizon + 1, each.heading))
+    name = f"{each.id} ({names(each.modules)})"
+    return Track(each.configuration, 1, name, (each.id,), tuple(stops), each.last + 1, each.modules)
+
+
 def _of_swarm(
     plan: Plan, system: TransitionSystem, name: str, starts: Mapping[str, int]
 ) -> Iterator[Track]:
@@ -170,7 +252,11 @@ def _of_swarm(
 
 def agents_of(found: Iterable[Track]) -> int:
     """How many agents there are in all, however often their groups split and merge."""
-    return sum(track.count for track in found if track.ids or track.stops[0].first == 0)
+    return sum(
+        track.count
+        for track in found
+        if (track.ids and not track.modules) or track.stops[0].first == 0
+    )
 
 
 def by_class(found: Iterable[Track]) -> dict[str, list[Track]]:

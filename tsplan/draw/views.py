@@ -100,7 +100,7 @@ def _heights(plan: Plan, mission: Mission) -> dict[str, float]:
     """The views on the page, each with the inches it takes."""
     first = "paths" if plan.agents else "policy" if plan.policies else "map"
     mapped = {first: map_height(mission.system)}
-    moving = tracks(plan, mission)
+    moving = tracks(plan, mission, modules=True)
     timed = {"timeline": timeline_height(plan, moving) + REST} if plan.agents else {}
     grouped = any(not track.ids for track in moving)
     flowing = {"flow": FLOW_HEIGHT + REST} if grouped else {}

@@ -174,7 +174,7 @@ def facts_table(facts: Iterable[tuple[str, str]]) -> str:
 
 def timeline_svg(plan: Plan) -> str:
     """A row for each agent, or for each path of a large team: states by colour, ways hatched."""
-    moving = tracks(plan)
+    moving = tracks(plan, modules=True)
     rows = rows_of(plan, moving) or path_rows(moving)
     shown, hidden = rows[:MOST_ROWS], rows[MOST_ROWS:]
     keys = keys_of(moving, plan.horizon, None)

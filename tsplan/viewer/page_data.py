@@ -19,7 +19,7 @@ from tsplan.plans.summary import infinite_word, objective_line, outcome
 from tsplan.plans.supplies import AgentLoads, load_words, loads_of
 from tsplan.ts import State, TransitionSystem
 from tsplan.viewer.formula_rows import Part, formula_parts
-from tsplan.viewer.freight import freights
+from tsplan.viewer.freight import freights, rebuildings
 from tsplan.viewer.positions import with_slots
 from tsplan.words import number
 
@@ -51,9 +51,9 @@ def page_data(mission: Mission, plan: Plan) -> Json:
         "map": map_data(system),
         "classes": [
             {
-                "name": name,
+                "name": group.words(name) if group.modules else name,
                 "capabilities": list(group.capabilities),
-                "agents": group.agents,
+                "agents": None if group.modules else group.agents,
                 "color": paints[name].colour,
                 "mark": kind[name],
             }
@@ -73,7 +73,7 @@ def page_data(mission: Mission, plan: Plan) -> Json:
         ],
         "freights": [
             [places_of[item.source], places_of[item.target], item.left, item.come, item.words]
-            for item in freights(moving, loads)
+            for item in (*freights(moving, loads), *rebuildings(plan, mission))
         ],
         "stocks": [stock_data(line, places_of) for line in stock_lines(plan, mission)],
         "formula": [part_data(part, places_of) for part in formula_parts(mission, plan)],

@@ -25,7 +25,7 @@ from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.plans.supplies import load_words, loads_of
 from tsplan.viewer.formula_rows import Part, formula_parts
-from tsplan.viewer.freight import freight_point, freights
+from tsplan.viewer.freight import freight_point, freights, rebuildings
 from tsplan.viewer.markers import Ground, Markers, markers
 from tsplan.viewer.positions import slots_within, with_slots
 from tsplan.viewer.status_panel import LegendLine, StatusPanel
@@ -136,15 +136,16 @@ class Scene(Film):
         drawn = base(Palette(mission.system), self._axes, ())
         finish(drawn, "")
         title = plan.mission.name or mission.system.name
-        sizes = ((name, group.agents) for name, group in classes_of(mission).items())
-        classes = [(f"{agents:,} {name}", *self._looks[name]) for name, agents in sizes]
+        kinds = classes_of(mission).items()
+        classes = [(kind.words(name), *self._looks[name]) for name, kind in kinds]
         self._beside((title, plan.horizon), formula_parts(mission, plan), classes)
         self.ground = self._ground(mission, drawn)
         self._marks = {name: self._mark(*look) for name, look in self._looks.items()}
         self._counts = self._count_texts() if len(mission.system.states) <= MOST_COUNTED else {}
         self._numbers: list[Any] = []
         self._stocks = stock_lines(plan, mission)
-        self._freights = freights(self._tracks, loads_of(plan.cargo))
+        carried = freights(self._tracks, loads_of(plan.cargo))
+        self._freights = (*carried, *rebuildings(plan, mission))
         self._supplies: list[Any] = []
         self._keep()
 

@@ -64,6 +64,10 @@ class Supplies {
       const dx = (b.x - a.x) * camera.scale;
       const dy = (a.y - b.y) * camera.scale;
       const length = Math.hypot(dx, dy) || 1;
+      if (from === to) { // what is rebuilt there
+        haloText(context, words, camera.x(a.x), camera.y(a.y) + sizes.circle + 12, theme.ink);
+        continue;
+      }
       const half = context.measureText(words).width / 2;
       const aside = sizes.mark * 3.6 + (Math.abs(dy) / length) * half + (Math.abs(dx) / length) * 6;
       const x = camera.x(a.x + (b.x - a.x) * share) - (dy / length) * aside;

@@ -1,0 +1,131 @@
+"""Pictures and pages of modular robots: who is in which structure, where, and what is rebuilt."""
+
+from __future__ import annotations
+
+import pytest
+
+import tsplan
+from tests.fence_missions import fence
+from tsplan.draw.palette import Palette, classes_of
+from tsplan.draw.path_map import strands_of
+from tsplan.draw.timeline import rows_of
+from tsplan.draw.tracks import tracks
+from tsplan.errors import InputError
+from tsplan.mission import Mission
+from tsplan.plans.plan import Plan
+from tsplan.viewer.freight import rebuildings
+from tsplan.viewer.page_data import page_data
+
+
+@pytest.fixture(scope="module")
+def mission() -> Mission:
+    return fence()
+
+
+@pytest.fixture(scope="module")
+def plan(mission: Mission) -> Plan:
+    return tsplan.plan(mission)
+
+
+def test_structures_are_drawn_once_with_their_modules(mission: Mission, plan: Plan) -> None:
+    found = {track.ids[0]: track for track in tracks(plan, mission, moving=True)}
+    assert {*found} == {each.id for each in plan.structures}
+    line = found["line-1"]
+    (body,) = (each for each in plan.structures if each.id == "line-1")
+    assert (line.class_name, line.count, line.width) == ("line", 1, 3)
+    assert line.modules == body.modules
+    assert (line.stops[0].first, line.end) == (body.first, body.last + 1)
+    assert not line.present(body.first - 0.5)
+
+
+def test_the_ways_of_structures_are_as_wide_as_they_have_modules(
+    mission: Mission, plan: Plan
+) -> None:
+    strands, joined = strands_of(tracks(plan, mission), plan.horizon, Palette.of(mission))
+    assert not joined
+    assert {strand.words: strand.agents for strand in strands} == {
+        "line-1 (3)": 3,
+        "single-2 (1)": 1,
+    }
+
+
+def test_the_timeline_has_modules_with_the_structures_they_are_part_of(
+    mission: Mission, plan: Plan
+) -> None:
+    rows = {row.name: row for row in rows_of(plan, tracks(plan, mission, modules=True))}
+    assert {*rows} == {agent.id for agent in mission.agents}
+    (change,) = plan.rebuilt
+    (line,) = (each for each in plan.structures if each.configuration == "line")
+    for module in line.modules:
+        lives = [(life.first, life.last, life.configuration) for life in rows[module].lives]
+        assert lives == [(0, change.step, "single"), (line.first, line.last, "line")]
+        between = (change.step + 1, line.first - 1)
+        assert list(rows[module].rebuilt(plan.horizon)) == [between]
+        assert between not in rows[module].ways(plan.horizon)
+        assert [*rows[module].ways(plan.horizon)]
+    for idle in {*rows} - {*line.modules}:
+        assert not [*rows[idle].rebuilt(plan.horizon)]
+    _, ax = plan.plot(mission, view="timeline")
+    assert sum(bar.get_gid() == "line-1" for bar in ax.patches) == len(line.modules)
+
+
+def test_where_structures_start_and_what_they_can_do(mission: Mission) -> None:
+    kinds = classes_of(mission)
+    assert {name: kind.words(name) for name, kind in kinds.items()} == {
+        "single": "single of 1 module",
+        "line": "line of 3 modules",
+        "ring": "ring of 4 modules",
+    }
+    lines = fence(team="[{class: module, count: 6, at: dock, configuration: line}]")
+    assert classes_of(lines)["line"].agents == 2
+    _, ax = lines.plot()
+    badges = [text.get_text() for text in ax.texts if text.get_text().isdigit()]
+    assert badges.count("2") >= 1
+    assert "6" not in badges
+
+
+def test_requirements_count_structures(mission: Mission, plan: Plan) -> None:
+    lift, look = plan.requirements(mission)
+    assert max(lift.counts) == 1
+    assert max(look.counts) == 1
+
+
+def test_the_page_tells_what_is_rebuilt_where(mission: Mission, plan: Plan) -> None:
+    data = page_data(mission, plan)
+    assert [kind["name"] for kind in data["classes"]] == [
+        "single of 1 module",
+        "line of 3 modules",
+        "ring of 4 modules",
+    ]
+    dock = list(mission.system.states).index("dock")
+    (change,) = plan.rebuilt
+    assert data["freights"] == [[dock, dock, change.step, change.step + 2, "3 single \u2192 line"]]
+    named = {track["name"] for track in data["tracks"]}
+    assert "line-1 (module-3..5)" in named
+
+
+def test_what_is_not_done_in_time_is_told_too() -> None:
+    mission = fence(
+        formula="T(1, dock, {(look,1)}) && G[2,2] max(dock) <= 2",
+        reconfigure="[{from: single, to: line, duration: 2, cost: 0}]",
+        horizon="2",
+    )
+    plan = tsplan.plan(mission)
+    assert plan.rebuilt
+    for freight, change in zip(rebuildings(plan, mission), plan.rebuilt, strict=True):
+        assert (freight.source, freight.left) == (change.state, change.step)
+        assert freight.come > change.step
+    plan.plot(mission, view="timeline")
+    plan.plot(mission)
+    page_data(mission, plan)
+
+
+def test_there_is_no_flow_of_structures(mission: Mission, plan: Plan) -> None:
+    with pytest.raises(InputError, match="no flow of one class"):
+        plan.plot(mission, view="flow")
+
+
+def test_notebooks_show_modules(plan: Plan) -> None:
+    shown = plan._repr_html_()
+    assert "module-5" in shown
+    assert "5 agents" in shown
