@@ -38,7 +38,7 @@ ASKED = '"F[0,12] T(2, wall, {(lift,1)}) && F[0,12] T(1, yard, {(look,1)})"'
 
 
 def fence_text(**changes: str) -> str:
-    """The mission's file with other values of some of its keys, empty for none, or of its `formula`."""
+    """The mission's file with other values of some keys (empty: none), or another `formula`."""
     text = TEXT
     if (formula := changes.pop("formula", None)) is not None:
         text = text.replace(ASKED, f'"{formula}"')

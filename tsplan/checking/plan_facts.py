@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from tsplan.checking.claimed_values import shown
+from tsplan.plans.structure_table import structures_checked
 from tsplan.plans.summary import infinite_word
 from tsplan.words import many
 
@@ -51,9 +52,15 @@ def _team(plan: Plan, traffic: Traffic) -> Iterator[str]:
     for group in traffic.mission.team:
         if group.class_name in swarms:
             yield f"{group.class_name} keeps its {group.count:,} agents from its start on"
+    yield from structures_checked(plan)
     what = " and ".join(["every path"] * bool(robots) + ["every move"] * bool(swarms))
     verb = "follow" if robots and swarms else "follows"
-    yield f"{what} {verb} the map's edges at their durations up to step {plan.horizon}"
+    pace = (
+        "the durations of their classes and configurations"
+        if plan.structures
+        else "their durations"
+    )
+    yield f"{what} {verb} the map's edges at {pace} up to step {plan.horizon}"
     if plan.moves and len(plan.agents) > robots:
         yield f"the paths of {len(plan.agents) - robots:,} agents say the same as the moves"
 

@@ -13,6 +13,7 @@ from tsplan.plans.outcomes import ObjectiveValue, Outcome, Status
 from tsplan.plans.plan import Plan
 from tsplan.plans.policy_table import policy_table
 from tsplan.plans.split_history import timeline
+from tsplan.plans.structure_table import alike, idle_lines, moved, rebuilt_line
 from tsplan.stopping import StoppedBy
 from tsplan.words import number, visible
 
@@ -70,10 +71,11 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += supply_lines(plan)
         lines += [late_line(plan.delay)] if plan.delay else []
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []
-        robots = [*_table(plan), ""] if plan.robots else []
+        robots = [*_table(plan), ""] if plan.robots or plan.structures else []
+        structures = [*_rebuilt(plan), ""] if plan.structures else []
         events = [*_events(plan), ""] if plan.groups else []
         policies = [*policy_table(plan), ""] if plan.policies else []
-        return [*seen([*lines, ""]), *robots, *events, *policies, *_work(plan)]
+        return [*seen([*lines, ""]), *robots, *structures, *events, *policies, *_work(plan)]
     return [*seen(lines), *_work(plan)]
 
 
@@ -237,6 +239,26 @@ def _events(plan: Plan) -> list[str]:
     return [*lines[: MOST_PATHS - 1], rest, lines[-1]]
 
 
+def _rebuilt(plan: Plan) -> list[str]:
+    """What is rebuilt in the order of time, and how many structures do nothing."""
+    lines = [
+        f"  {rebuilt_line(plan, each, names(each.parts), names(each.made))}"
+        for each in plan.rebuilt[:MOST_PATHS]
+    ]
+    if rest := len(plan.rebuilt) - len(lines):
+        lines.append(f"  ... and {rest:,} more reconfigurations; the JSON plan has them all")
+    return list(seen([*lines, *idle_lines(plan)]))
+
+
+def _rows(plan: Plan) -> Iterator[tuple[str, Bundle, int]]:
+    """Every path with who is on it, and how many: agents, or structures with their modules."""
+    for bundle in plan.robots:
+        ids = [plan.agents[place].id for place in bundle.agents]
+        yield names(ids), bundle, len(ids)
+    for each in alike(moved(plan)):
+        yield f"{names(each.ids)} ({names(each.modules)})", each.path, len(each.ids)
+
+
 def _table(plan: Plan) -> list[RenderableType]:
     from rich.table import Table  # noqa: PLC0415  (slow to import)
     from rich.text import Text  # noqa: PLC0415
@@ -245,14 +267,14 @@ def _table(plan: Plan) -> list[RenderableType]:
     table.add_column("agents", overflow="fold")
     table.add_column("class", overflow="fold")
     table.add_column("path (state:steps)", overflow="fold", ratio=1)
-    for bundle in plan.robots[:MOST_PATHS]:
-        ids = [plan.agents[place].id for place in bundle.agents]
-        cells = seen((names(ids), bundle.class_name, path_words(bundle)))
+    rows = list(_rows(plan))
+    for who, bundle, _ in rows[:MOST_PATHS]:
+        cells = seen((who, bundle.class_name, path_words(bundle)))
         table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
-    hidden = plan.robots[MOST_PATHS:]
+    hidden = rows[MOST_PATHS:]
     if not hidden:
-        return [table]
-    agents = sum(len(bundle.agents) for bundle in hidden)
+        return [table] if rows else []
+    agents = sum(count for _, _, count in hidden)
     rest = f"  ... and {agents:,} agents on {len(hidden):,} more paths; the JSON plan has them all"
     return [table, rest]
 
@@ -260,6 +282,7 @@ def _table(plan: Plan) -> list[RenderableType]:
 def _work(plan: Plan) -> list[str]:
     """With what and how long, as far as it is known."""
     agents = sum(len(bundle.agents) for bundle in plan.robots)
+    agents += sum(len(each.modules) for each in plan.structures if not each.first)
     agents += sum(group.size for group in plan.groups_at(0))
     agents += sum(round(policy.agents) for policy in plan.policies)
     return work_lines(plan, f", {agents:,} agents" if agents else "")
