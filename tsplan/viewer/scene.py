@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
@@ -223,10 +224,13 @@ class Scene(Film):
     def supplied(self, time: float) -> list[tuple[str, Point]]:
         """What lies at the states, below how many agents are there, and what is on the way."""
         on_the_way = (freight for freight in self._freights if freight.share(time))
-        moved = [
-            (freight.words, freight_point(freight, self.ground, time, _extent(freight.words)))
-            for freight in on_the_way
-        ]
+        moved, lines = [], Counter[str]()
+        for freight in on_the_way:
+            x, y = freight_point(freight, self.ground, time, _extent(freight.words))
+            if freight.source == freight.target:  # one line below the other
+                y -= _SUPPLY_LINE * lines[freight.source]
+                lines[freight.source] += 1
+            moved.append((freight.words, (x, y)))
         return [*(self._lying(time) if self._counts else ()), *moved]
 
     def _supply_texts(self, time: float) -> Iterator[Any]:

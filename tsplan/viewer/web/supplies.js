@@ -57,6 +57,7 @@ class Supplies {
   paintFreights(context, camera, sizes) {
     const { states, time } = this.model;
     context.textBaseline = "middle";
+    const said = new Map(); // lines at each state
     for (const { from, to, left, come, words } of this.model.freights) {
       if (time <= left || time >= come) continue;
       const [a, b] = [states[from], states[to]];
@@ -65,7 +66,10 @@ class Supplies {
       const dy = (a.y - b.y) * camera.scale;
       const length = Math.hypot(dx, dy) || 1;
       if (from === to) { // what is rebuilt there
-        haloText(context, words, camera.x(a.x), camera.y(a.y) + sizes.circle + 12, theme.ink);
+        const line = said.get(from) || 0;
+        said.set(from, line + 1);
+        const below = camera.y(a.y) + sizes.circle + 12 + STOCK_LINE * line;
+        haloText(context, words, camera.x(a.x), below, theme.ink);
         continue;
       }
       const half = context.measureText(words).width / 2;
