@@ -270,7 +270,8 @@ class _Draft(Filing):
         faults += booking_faults(self._booked(file), self.objective(file), formulas)
         horizons = []
         for where, formula in self.formulas.all():
-            team = None if self.team is None else self.rules.possible(self.team)
+            known = self.team is not None and self.modular is not None
+            team = self.rules.possible(self.team or ()) if known else None
             found = [*formula_faults(formula, self.system, team, self.swarm)]
             found += horizon_faults(formula, file.task_interval, file.horizon)
             whole = where == self.formulas.where and self.order(file, where) is None
