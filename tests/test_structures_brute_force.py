@@ -27,7 +27,7 @@ def compare(seed: int, **others: Any) -> None:
         assert plan.status == "optimal", (seed, encoding, mission.text)
         values = {item.name: item.value for item in plan.objective}
         assert worth(mission, values) == pytest.approx(expected, abs=1e-9), (seed, encoding)
-        assert not tsplan.check(mission, plan).findings
+        assert tsplan.check(mission, plan).ok
         assert tsplan.Plan.from_json(plan.to_json()) == plan
 
 
