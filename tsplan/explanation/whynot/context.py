@@ -9,7 +9,7 @@ from functools import cached_property
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
-from tsplan.encode.structures import first_steps
+from tsplan.encode.structure_flows import first_steps
 from tsplan.explanation.explanation import Fact, PartKind, SoftConstraint
 from tsplan.explanation.part_words import TeamWording
 from tsplan.explanation.whynot.module_builders import Builder
