@@ -71,8 +71,11 @@ def read_structures(
 def _read_bodies(reading: _Reading) -> None:
     """What each structure is made of, and its way over the map."""
     groups = _groups(reading.mission)
+    begins = {agent.id: agent.start for agent in reading.mission.agents}
     for each in reading.plan.structures:
         problems = list(_unfit(each, reading.mission, groups))
+        if not problems and each.first == 0:
+            problems += _misbegun(each, begins, groups)
         if not problems:
             problems += _read_way(each, reading)
         reading.problems += [f"structure {each.id} {problem}" for problem in problems]
@@ -106,13 +109,12 @@ def _unfit(each: Structure, mission: Mission, groups: Mapping[str, Group]) -> It
         yield f"is of class {each.class_name}, and its modules are not"
     elif each.capabilities != able:
         yield "has other capabilities in the mission"
-    if each.first == 0:
-        yield from _misbegun(each, mission, groups)
 
 
-def _misbegun(each: Structure, mission: Mission, groups: Mapping[str, Group]) -> Iterator[str]:
-    """Whether a structure is there at the start."""
-    begins = {agent.id: agent.start for agent in mission.agents}
+def _misbegun(
+    each: Structure, begins: Mapping[str, str], groups: Mapping[str, Group]
+) -> Iterator[str]:
+    """Whether a structure is there at the start, where its modules begin."""
     where = each.stays[0][2]
     for module in each.modules:
         if groups[module].configuration != each.configuration:
@@ -160,9 +162,10 @@ def _read_births(reading: _Reading) -> None:
             problems.append(f"structure {name} is rebuilt {used[name]} times after {body.last}")
         if used[name] and body.heading is not None:
             problems.append(f"structure {name} is rebuilt, and heads for {body.heading}")
+    modular = _modular(reading.mission)
     begun = Counter(m for body in bodies.values() if not body.first for m in body.modules)
     for agent in reading.mission.agents:
-        if agent.class_name in _modular(reading.mission) and begun[agent.id] != 1:
+        if agent.class_name in modular and begun[agent.id] != 1:
             problems.append(f"module {agent.id} is in {begun[agent.id]} structures at the start")
 
 
