@@ -18,12 +18,13 @@ import numpy as np
 from tsplan.encode.agent_classes import AgentClass, allowed_edges, map_arrays
 from tsplan.encode.class_graph import ClassGraph, Layer
 from tsplan.encode.demand_rows import Built
-from tsplan.encode.flow_network import Network
+from tsplan.encode.flow_network import ClassColumns, Network
 from tsplan.encode.running_sums import RunningSums, unfolded
 from tsplan.limits import MOST_STEPS
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import Configuration, Mission
 from tsplan.mission.configurations import Pool
+from tsplan.ts.reachability import Lengths
 
 PART = "structures"
 """The name of this part among those of a model."""
@@ -306,11 +307,31 @@ def growth_rows(
             large = [modules if modules >= size else 0 for modules in large]
             grown, begun = _growth(rebuilt, network, large, need.states)
             places = np.arange(len(need.asked.steps))
-            zeros = np.zeros_like(places)
+            zeros, asked_last = np.zeros_like(places), need.asked.steps[-1:]
             come = grown.over(draft, zeros, need.asked.steps)
             row, column, amount = need.asked.begun.over(draft, zeros, places)
             terms = come, (row, column, -float(least) * amount)
             draft.sums(*terms, lower=-float(begun), count=len(places), kind="growth")
+            for around in _surroundings(pool, need.states):
+                grown, begun = _growth(rebuilt, network, large, around)
+                come = grown.over(draft, zeros[-1:], asked_last)
+                row, column, amount = need.asked.begun.over(draft, zeros[-1:], places[-1:])
+                terms = come, (row, column, -float(least) * amount)
+                draft.sums(*terms, lower=-float(begun), kind="growth")
+
+
+def _surroundings(pool: Sequence[ClassColumns], states: Sequence[int]) -> list[list[int]]:
+    """The states around some, nearer and farther ones, up to where modules begin."""
+    graphs = [item.graph.among(item.graph.rides) for item in pool]
+    tail, head, steps = (
+        np.concatenate([getattr(graph, name) for graph in graphs])
+        for name in ("tail", "head", "duration")
+    )
+    far = Lengths(graphs[0].states, head, tail, steps).nearest(states)
+    begins = sum(item.graph.start for item in pool) > 0
+    nearest = far[begins].min(initial=np.inf)
+    radii = np.unique(far[(far > 0) & (far < nearest)])
+    return [np.flatnonzero(far <= radius).tolist() for radius in radii]
 
 
 def _growth(
