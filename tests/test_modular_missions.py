@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
 
 import tsplan
@@ -11,7 +12,9 @@ from tests.fence_missions import TEXT, fence
 from tests.module_missions import random_module_mission
 from tsplan import Mission
 from tsplan.errors import MissionError
+from tsplan.logic import Execution
 from tsplan.mission import Configuration, Group, ModuleRules, Reconfiguration, mission_from_text
+from tsplan.mission.performances import Kind, Performances
 from tsplan.plans.plan import Plan
 
 OBJECTIVE = "objective: [energy, travel]"
@@ -138,3 +141,22 @@ def test_random_missions_and_their_plans_are_read_as_they_are_written(seed: int)
         data = json.loads(plan.to_json())
         assert len(data["structures"]) == len(plan.structures)
         assert tsplan.check(again, plan).ok
+
+
+def test_performance_at_a_label_without_a_task_is_a_warning() -> None:
+    mission = mission_from_text(TEXT + "performance: {lane: {line: 1}}\n")
+    (warning,) = mission.warnings
+    assert warning.message == "the formula asks for no task at 'lane'"
+    assert (warning.line, warning.column) == (28, 21)
+
+
+def test_who_does_best_serves_each_one_need() -> None:
+    rules = ModuleRules(performance=(("wall", (("line", 1.0), ("ring", 2.5), ("mast", 2.0))),))
+    task = Execution("", "wall", (("lift", 2), ("drill", 1)), (), 1)
+    line = Kind("line", frozenset({"lift"}))
+    ring = Kind("ring", frozenset({"lift", "drill"}))
+    mast = Kind("mast", frozenset({"drill"}))
+    there = {line: [3, 3, 0], ring: [1, 2, 2], mast: [1, 1, 1]}
+    done = Performances(rules).done(task, {kind: np.array(n) for kind, n in there.items()})
+    # a ring at first, then two: they lift, the mast drills, and lines lift what is left
+    assert (done * float(Performances(rules).unit)).tolist() == [2.5 + 2 + 1, 2 * 2.5 + 2]

@@ -11,7 +11,12 @@ from collections.abc import Iterator, Sequence
 from tsplan.errors import nearest
 from tsplan.logic import Formula
 from tsplan.mission.booking_checks import Booked, booking_faults
-from tsplan.mission.configuration_checks import Building, carriers, module_faults
+from tsplan.mission.configuration_checks import (
+    Building,
+    carriers,
+    module_faults,
+    unperformed,
+)
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.expectation_checks import chance_faults, expectation_faults
 from tsplan.mission.findings import Entry, Fault, Place, moved, preferred
@@ -64,6 +69,7 @@ def mission_faults(mission: MissionParts) -> list[Fault]:
             modular=bool(mission.modular),
         ),
         *late_faults(mission.delay, mission.horizon),
+        *unperformed(mission.formula, mission.modular),
         *booking_faults(_booked(mission), mission.objective, [mission.formula]),
         *_formula_faults(mission, mission.formula, whole="satisfaction" not in mission.objective),
         *(

@@ -17,7 +17,12 @@ from tsplan.logic import Formula, parse_with_places
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.booking_checks import Booked, booking_faults
-from tsplan.mission.configuration_checks import Building, carriers, module_faults
+from tsplan.mission.configuration_checks import (
+    Building,
+    carriers,
+    module_faults,
+    unperformed,
+)
 from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.costs import cost_faults
 from tsplan.mission.expectation_checks import chance_faults, expectation_faults
@@ -268,6 +273,8 @@ class _Draft(Filing):
         )
         formulas = [formula for _, formula in self.formulas.all()]
         faults += booking_faults(self._booked(file), self.objective(file), formulas)
+        if self.formulas.formula is not None:
+            faults += unperformed(self.formulas.formula, self.rules)
         horizons = []
         for where, formula in self.formulas.all():
             known = self.team is not None and self.modular is not None
