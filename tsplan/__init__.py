@@ -57,6 +57,9 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.signals.trajectory import Trajectory as Trajectory
     from tsplan.signals.trajectory_file import load_trajectory as load_trajectory
     from tsplan.signals.trajectory_file import save_trajectory as save_trajectory
+    from tsplan.sweeps.sweep_rows import SweepResults as SweepResults
+    from tsplan.sweeps.sweep_rows import SweepRow as SweepRow
+    from tsplan.sweeps.sweeper import sweep as sweep
     from tsplan.ts import Action as Action
     from tsplan.ts import Edge as Edge
     from tsplan.ts import State as State
@@ -100,6 +103,8 @@ _HOMES = {
     "signals.trajectory_file": ("load_trajectory", "save_trajectory"),
     "signals.signal_files": ("load_signal_mission",),
     "signals.signal_mission": ("SignalMission",),
+    "sweeps.sweep_rows": ("SweepResults", "SweepRow"),
+    "sweeps.sweeper": ("sweep",),
     "ts": ("Action", "Edge", "State", "TransitionSystem"),
     "ts.io.map_files": ("load_map",),
 }

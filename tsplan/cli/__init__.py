@@ -1,4 +1,4 @@
-"""The command line: `tsplan plan`, `check`, `simulate`, `parse`, `show` and `lint`."""
+"""The command line: `tsplan plan`, `sweep`, `check`, `simulate`, `parse`, `show` and `lint`."""
 
 from tsplan.cli.main import main
 

@@ -27,6 +27,7 @@ class Exit(IntEnum):
 
 
 MOST_FRAMES = 50  # a second; players of GIFs show no more
+MOST_JOBS = 1000  # processes side by side
 LEAST_SIDE, MOST_SIDE = 200, 4000  # dots of a moving picture
 
 _CODES = """exit codes of plan: 0 a verified plan, 2 bad input or usage, 3 infeasible,
@@ -43,8 +44,9 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    every = (_plan, _explain, _check, _simulate, _parse, _robustness, _show, _view, _animate, _lint)
-    for command in every:
+    every = (_plan, _sweep, _explain, _check, _simulate, _parse, _robustness)
+    shown = (_show, _view, _animate, _lint)
+    for command in (*every, *shown):
         command(commands)
     return top
 
@@ -93,6 +95,31 @@ def _plan(commands: Commands) -> None:
     add("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
     add("--json", action="store_true", help="print the JSON alone")
     add("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _sweep(commands: Commands) -> None:
+    words = "plan many missions, and keep a table of the results that can be gone on with"
+    codes = (
+        "exit codes: 0 every run is recorded, failed ones too, 2 bad input or usage, 5 the cluster "
+        "cannot be used or has dropped runs, 6 the standard output could not be written to, "
+        "130 interrupted: what was done is recorded"
+    )
+    add = _command(commands, "sweep", words, epilog=codes)
+    add("file", type=Path, metavar="FILE", help="sweep file (YAML), or a folder of missions")
+    what = "table to write, the journal beside it (default: named after FILE, in this folder)"
+    add("-o", "--output", type=Path, metavar="CSV", help=what)
+    add("--jobs", type=_jobs, default=1, metavar="N", help="runs side by side (default 1)")
+    add("--dask", metavar="ADDRESS", help="run on the cluster of a scheduler, or 'local'")
+    add("--fresh", action="store_true", help="forget what is recorded and start anew")
+    add("--retry", action="store_true", help="once more the runs that have failed")
+    add("--plans", type=Path, metavar="FOLDER", help="keep the plan of each run there")
+    add("--plot", type=Path, metavar="PICTURE", help="draw the seconds by each axis")
+    add("--solver", metavar="NAME", help="for every run, whatever files say")
+    add("--time-limit", type=_positive, metavar="S", help="seconds for each run, likewise")
+    add("--gap", type=_share, metavar="G", help="accepted relative gap, likewise")
+    add("--threads", type=_threads, metavar="N", help="threads of the solver, likewise")
+    add("--json", action="store_true", help="print the results as JSON alone")
+    add("--quiet", action="store_true", help="no progress and no table")
 
 
 def _explain(commands: Commands) -> None:
@@ -273,6 +300,7 @@ _positive = _reader(OPTIONS["time_limit"])
 _share = _reader(OPTIONS["gap"])
 _chance = _reader(OPTIONS["probability"])
 _count = _reader(Range(1, LARGEST, whole=True))
+_jobs = _reader(Range(1, MOST_JOBS, whole=True))
 _threads = _reader(OPTIONS["threads"])
 _seed = _reader(OPTIONS["seed"])
 _runs = _reader(OPTIONS["runs"])

@@ -18,6 +18,7 @@ from tsplan.mission import Mission
 from tsplan.mission.mission import digest_of
 from tsplan.plans.plan import Plan
 from tsplan.process.interrupt import alarm
+from tsplan.signals.mission_order import rest
 from tsplan.signals.motion_check import refuse_misfit
 from tsplan.signals.result_check import load_result, mixed_up
 from tsplan.signals.signal_files import load_any_mission
@@ -32,7 +33,6 @@ if TYPE_CHECKING:
 
 _READING = 2.0  # seconds that reading may always take: without it there is no answer at all
 _CHOICES = ("solver", "time_limit", "gap", "threads", "seed")  # as options of a command
-_LEAST = 1.0  # seconds that are left for the rest however long reading took
 
 
 def any_mission_of(path: Path) -> AnyMission:
@@ -61,15 +61,6 @@ def mission_to_solve(
     choice = SolverChoice(*given).over(mission.solver)
     refuse_solver(choice.name or "highs")
     return mission, replace(choice, time_limit=rest(choice.time_limit, loaded)), loaded
-
-
-def rest(limit: float | None, spent: float) -> float | None:
-    """What is left of a limit in seconds, though never so little that nothing could be done.
-
-    >>> rest(60.0, 2.0), rest(3.0, 2.9), rest(0.5, 0.4), rest(None, 2.0)
-    (58.0, 1.0, 0.5, None)
-    """
-    return None if limit is None else max(limit - spent, min(limit, _LEAST))
 
 
 def mission_and_result(mission_path: Path, path: Path) -> tuple[AnyMission, Result]:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import TYPE_CHECKING, TypeVar, cast
+from typing import TYPE_CHECKING, cast
 
 from tsplan.checking.assignment import assign
 from tsplan.cli.arguments import Exit
@@ -16,19 +15,15 @@ from tsplan.plans.plan import Plan
 from tsplan.plans.plan_file import save_plan
 from tsplan.process.child_process import may_have_children
 from tsplan.process.interrupt import Requests
-from tsplan.run.isolate import Order, Planning
-from tsplan.signals.signal_mission import SignalMission
-from tsplan.signals.trajectory import Trajectory
+from tsplan.run.isolate import Planning
+from tsplan.signals.mission_order import order_for, with_reading
 from tsplan.signals.trajectory_summary import trajectory_lines
 
 if TYPE_CHECKING:
     import argparse
 
     from tsplan.mission import Mission
-    from tsplan.signals.result_check import AnyMission, Result
-
-R = TypeVar("R", Plan, Trajectory)
-_SYNTHESISER = ("tsplan.signals.synthesiser", "synthesise_mission")
+    from tsplan.signals.result_check import Result
 
 _CODES = {
     Status.OPTIMAL: Exit.DONE,
@@ -43,15 +38,13 @@ _PIPE_WIDTH = 120  # columns where there is no terminal to ask
 def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
     mission, choice, loaded = mission_to_solve(options, "the plan")
-    order = Order(mission, choice, options.encoding, tuple(options.without))
-    if isinstance(mission, SignalMission):
-        order = replace(order, planner=_SYNTHESISER, kind=Trajectory)
+    order = order_for(mission, choice, options.encoding, tuple(options.without))
     requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
         if not (may_have_children() or options.quiet):
             remark("this process may start no other: a crash of the solver would end it")
         with Progress(quiet=options.quiet) as progress:
-            plan = _timed(Planning(progress, requests).plan(order), mission, loaded)
+            plan = with_reading(Planning(progress, requests).plan(order), mission, loaded)
         if plan.status in FOUND and not plan.verified:
             raise SolverError("the plan that was found has not been checked; it is not shown")
         if options.agents and isinstance(plan, Plan) and plan.moves and not plan.agents:
@@ -62,17 +55,6 @@ def run(options: argparse.Namespace) -> Exit:
     if unwritten is not None:
         raise unwritten
     return _CODES[plan.status]
-
-
-def _timed(plan: R, mission: AnyMission, loaded: float) -> R:
-    """The plan with the seconds that reading the mission took, which the limit was for, too."""
-    timings = replace(
-        plan.timings,
-        load=loaded - mission.parse_seconds,
-        parse=mission.parse_seconds,
-        total=plan.timings.total + loaded,
-    )
-    return replace(plan, timings=timings)
 
 
 def _show(plan: Result, options: argparse.Namespace) -> None:

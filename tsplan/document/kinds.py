@@ -42,10 +42,12 @@ _BEGINNINGS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
 
 MISSION, MAP, PLAN, TRAJECTORY = "a mission", "a map", "a plan", "a trajectory"
 SIGNALS = "a mission over signals"
+SWEEP = "a sweep of missions"
 _KINDS_OF_MISSIONS = ("team", "swarm", "swarms")
 _MARKS = (
     ("tsplan-mission", MISSION),
     ("tsplan-signals", SIGNALS),
+    ("tsplan-sweep", SWEEP),
     ("tsplan-plan", PLAN),
     ("tsplan-trajectory", TRAJECTORY),
 )
@@ -111,11 +113,16 @@ _REMEDIES: Mapping[tuple[str, str], str] = {
     (SIGNALS, MISSION): "what is wanted has signals instead of a team on a map",
     (SIGNALS, TRAJECTORY): "name the mission that it was made for",
     (MISSION, TRAJECTORY): "name the mission that it was made for",
+    (MISSION, SWEEP): "run all its missions by 'tsplan sweep'",
+    (SWEEP, MISSION): "name it as the 'mission' of a sweep, or give the folder that it is in",
+    (SWEEP, SIGNALS): "name it as the 'mission' of a sweep, or give the folder that it is in",
 }
 _GEOGRAPHIC = ("FeatureCollection", "Feature", "GeometryCollection", "Topology")
 _KEYS: tuple[tuple[frozenset[str], str], ...] = (
     (frozenset({"status", "horizon", "objective"}), PLAN),
     (frozenset({"signals", "spec"}), SIGNALS),
+    (frozenset({"mission", "axes"}), SWEEP),
+    (frozenset({"mission", "runs"}), SWEEP),
     (frozenset({"nodes", "links"}), "a graph in networkx's node-link JSON"),
     (frozenset({"directed", "multigraph", "nodes"}), "a graph in networkx's node-link JSON"),
     (frozenset({"adjacency", "nodes"}), "a graph in networkx's adjacency JSON"),

@@ -80,7 +80,7 @@ def _finding(
     if kind == "missing":
         return _missing(document, here, _only_value(schema, error["loc"]))
     if kind == "extra_forbidden":
-        remedy = nearest(str(here[-1]), _known_keys(schema, error["loc"][:-1]))
+        remedy = nearest(str(here[-1]), known_keys(schema, error["loc"][:-1]))
         return document.key_finding(here, f"unknown key '{here[-1]}'", remedy)
     words = [step for step in here if isinstance(step, str)]  # the last one names what is wrong
     subject = context.get("about") or "".join(words[-1:])
@@ -135,8 +135,8 @@ def _models(annotation: Any) -> list[type[BaseModel]]:
     return [model for part in get_args(annotation) for model in _models(part)]
 
 
-def _known_keys(schema: type[BaseModel], location: tuple[int | str, ...]) -> list[str]:
-    """The keys that are known at a location below a schema."""
+def known_keys(schema: type[BaseModel], location: tuple[int | str, ...]) -> list[str]:
+    """The keys that a schema knows at a location; none where it leaves open what is there."""
     models = _models_at(schema, location)
     return [field.alias or name for model in models for name, field in model.model_fields.items()]
 
@@ -145,13 +145,13 @@ def _models_at(schema: type[BaseModel], location: tuple[int | str, ...]) -> list
     """The models of which one describes a location below a schema."""
     models = [schema]
     for step in location:
-        inner = [
-            below
+        named = [
+            field
             for model in models
             for name, field in model.model_fields.items()
             if step in (name, field.alias)
-            for below in _models(field.annotation)
         ]
         # a list position or a free key stays within the same models
-        models = inner or models
+        if named:
+            models = [below for field in named for below in _models(field.annotation)]
     return models

@@ -42,9 +42,17 @@ def load_any_mission(path: str | Path) -> Mission | SignalMission:
         document = read_document(path)
     except InputError as error:
         raise MissionError(error.findings) from None
+    return any_mission_from_document(document, Path(path).parent)
+
+
+def any_mission_from_document(document: Document, folder: Path) -> Mission | SignalMission:
+    """The mission of either kind of a document; maps are looked for in `folder`.
+
+    Raises MissionError with everything that is wrong.
+    """
     if kind_of_data(document.data) == SIGNALS:
         return _made(lambda: document)
-    return mission_from_document(lambda: document, Path(path).parent)
+    return mission_from_document(lambda: document, folder)
 
 
 def _made(document: Callable[[], Document]) -> SignalMission:

@@ -1,0 +1,140 @@
+"""A mission with some of its values changed, as texts that can be read anywhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path as FilePath
+from typing import Any
+
+from tsplan.document import Document, Path, parse_document
+from tsplan.document.document import LARGEST_FILE
+from tsplan.document.files import beside, read_text
+from tsplan.document.patchwork import Patchwork
+from tsplan.errors import InputError, MissionError
+from tsplan.exact_json import canonical
+from tsplan.signals.result_check import AnyMission
+from tsplan.signals.signal_files import any_mission_from_document
+
+
+@dataclass(frozen=True, slots=True)
+class FileText:
+    """A file as it was read."""
+
+    source: str
+    text: str
+
+    @classmethod
+    def read(cls, path: FilePath) -> FileText:
+        """A file. Raises InputError where it cannot be read."""
+        return cls(str(path), read_text(path, most=LARGEST_FILE))
+
+    @property
+    def digest(self) -> str:
+        """The SHA-256 of the text."""
+        return _digest(self.text)
+
+    @property
+    def document(self) -> Document:
+        """The document that it holds; InputError where that is none."""
+        return _parsed(self.text, self.source)
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """What takes the place of the value at a path of a mission: what a sweep has at another."""
+
+    path: Path
+    value: Path
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """The mission of a file, or the one at the path `inside` it, with the edits of a sweep.
+
+    A map that the mission names is a part of it, so that paths lead into it and a worker on another
+    machine need not have it; it is None where its file cannot be read.
+    """
+
+    base: FileText
+    inside: Path = ()
+    edits: tuple[Edit, ...] = ()
+    sweep: FileText | None = None
+    map_file: FileText | None = None
+
+    def named_map(self, name: Any) -> FileText | None:
+        """The file of a map, by its name in the mission; None where it is none or no YAML."""
+        if not isinstance(name, str):
+            return None
+        try:
+            found = FileText.read(beside(FilePath(self.base.source).parent, name))
+            _ = found.document
+        except InputError:
+            return None  # whoever reads the mission says what is wrong with it
+        return found
+
+    @property
+    def patchwork(self) -> Patchwork:
+        """The document of the mission, put together. Raises InputError for no YAML."""
+        made = Patchwork.of(self.base.document, self.inside)
+        first = [edit for edit in self.edits if edit.path == ("map",)]
+        made = self._edited(made, first)
+        if self.map_file is not None:
+            made = made.with_part(("map",), self.map_file.document, ())
+        rest = [edit for edit in self.edits if edit not in first]
+        return self._edited(made, sorted(rest, key=lambda edit: len(edit.path)))
+
+    def _edited(self, made: Patchwork, edits: list[Edit]) -> Patchwork:
+        if self.sweep is None:
+            return made
+        sweep = self.sweep.document
+        for edit in edits:
+            try:
+                made = made.with_part(edit.path, sweep, edit.value)
+            except KeyError:
+                text = ".".join(map(str, edit.path))
+                what = f"'{text}' names nothing in the mission with what else is varied"
+                remedy = "list those runs that go together, as 'runs'"
+                raise InputError([sweep.finding(edit.value, what, remedy)]) from None
+        return made
+
+    @property
+    def mission(self) -> AnyMission:
+        """The mission. Raises MissionError with all findings, each at its place in its own file."""
+        try:
+            made = self.patchwork
+        except InputError as error:
+            raise MissionError(error.findings) from None
+        try:
+            return any_mission_from_document(made.document, FilePath(self.base.source).parent)
+        except MissionError as error:
+            raise MissionError(made.placed(error.findings)) from None
+
+    @property
+    def content(self) -> str:
+        """All that the mission is read from, apart from where it stands, in one text."""
+        texts = [self.base.digest if not self.inside else _part(self.base, self.inside)]
+        texts += [self.map_file.digest] if self.map_file is not None else []
+        edits = {
+            canonical(edit.path): self.sweep.document.at(edit.value)
+            for edit in self.edits
+            if self.sweep is not None
+        }
+        return canonical([texts, edits])
+
+
+@lru_cache(maxsize=8)
+def _part(file: FileText, inside: Path) -> str:
+    return canonical(file.document.at(inside))
+
+
+@lru_cache(maxsize=8)
+def _parsed(text: str, source: str) -> Document:
+    """A document; the same few are read again and again. Nothing changes their nodes."""
+    return parse_document(text, source)
+
+
+@lru_cache(maxsize=8)
+def _digest(text: str) -> str:
+    return sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
