@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path as FilePath
@@ -83,6 +83,8 @@ class Variant:
         if self.map_file is not None:
             made = made.with_part(("map",), self.map_file.document, ())
         rest = [edit for edit in self.edits if edit not in first]
+        if not self.edits and not self.inside:  # by its digest a plan finds the file
+            return replace(made, document=replace(made.document, digest=self.base.digest))
         return self._edited(made, sorted(rest, key=lambda edit: len(edit.path)))
 
     def _edited(self, made: Patchwork, edits: list[Edit]) -> Patchwork:

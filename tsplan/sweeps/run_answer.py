@@ -22,7 +22,7 @@ from tsplan.signals.mission_order import order_for, rest, with_reading
 from tsplan.signals.result_check import AnyMission, Result
 from tsplan.signals.trajectory import Trajectory
 from tsplan.sweeps.mission_variant import Variant
-from tsplan.sweeps.sweep_rows import SweepRow
+from tsplan.sweeps.sweep_rows import DTYPES, SweepRow
 from tsplan.sweeps.sweep_runs import SweepRun
 from tsplan.version import VERSION
 from tsplan.words import known
@@ -108,7 +108,7 @@ def _made(run: SweepRun, values: Mapping[str, Any]) -> SweepRow:
         "platform": platform.platform(),
         "content": run.content,
     }
-    return SweepRow(run.axes, {"id": run.id, **values, **place})
+    return SweepRow(run.axes, {**dict.fromkeys(DTYPES), "id": run.id, **values, **place})
 
 
 def _told(result: Result) -> dict[str, Any]:

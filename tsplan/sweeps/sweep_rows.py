@@ -52,9 +52,9 @@ _LARGEST_WHOLE = 2**63  # of a whole number in 64 bits
 
 @dataclass(frozen=True)
 class SweepRow(Mapping[str, Any]):
-    """What became of one run, by the names of the columns; a column that it lacks is None there.
+    """What became of one run, by the names of the columns; what is not known is None.
 
-    `axes` says which columns are the values that were varied.
+    `axes` are the values that were varied, `cells` the results.
     """
 
     axes: Mapping[str, Any]
