@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.command_line import here, python
-from tsplan import synthesise
+from tsplan import sweep, synthesise
 from tsplan.signals.signal_files import signal_mission_from_text
 
 ROOT = Path(__file__).parents[1]
@@ -43,6 +43,35 @@ def test_the_examples_of_signals_run():
     assert answer.out.splitlines()[: len(said)] == said
     folder = ROOT / "environments" / "signals"
     assert {path.name for path in folder.iterdir()} >= set(re.findall(r"signals/(\w+\.yaml)", page))
+
+
+SWEEPS = (ROOT / "docs" / "sweeps.md").read_text(encoding="utf-8")
+RULES = ROOT / "environments" / "sweeps" / "office_rules.yaml"
+
+
+def test_the_table_of_a_sweep_is_what_is_printed(tmp_path):
+    axes, _ = blocks("yaml", SWEEPS)
+    assert axes in RULES.read_text(encoding="utf-8")
+    [shown] = [text for text in blocks("", SWEEPS) if text.startswith("formula ")]
+    table = str(tmp_path / "rules.csv")
+    done = here("sweep", str(RULES), "-o", table)
+    seconds = re.compile(r" +\d+\.\d\d$", re.MULTILINE)
+    assert seconds.sub("", done.out.replace(table, "rules.csv")) == seconds.sub("", shown)
+
+
+@pytest.mark.long
+def test_the_examples_of_sweeps_run(tmp_path):
+    _, listed = blocks("yaml", SWEEPS)
+    (tmp_path / "sweeps").mkdir()
+    for name in ("office.yaml", "office_closed.yaml"):
+        (tmp_path / name).write_text((RULES.parents[1] / name).read_text(encoding="utf-8"))
+    place = tmp_path / "sweeps" / "listed.yaml"
+    place.write_text(listed)
+    assert [row["status"] for row in sweep(place)] == ["infeasible", "optimal", "infeasible"]
+    [text] = blocks("python", SWEEPS)
+    answer = python("-W", "error", "-c", text, folder=ROOT, PYTHONUTF8="1")
+    said = re.findall(r"^print.*# (.*)$", text, re.MULTILINE)
+    assert (answer.code, answer.err, answer.out.splitlines()) == (0, "", said)
 
 
 CONSOLES = [text for text in blocks("") if text.startswith(PROMPT)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -49,9 +50,15 @@ class Journal:
                 stream.seek(0)
                 content = stream.read() if not fresh else b""
                 stream.truncate(content.rfind(b"\n") + 1)
-                _safe(stream.fileno())
+                os.fsync(stream.fileno())
         except OSError as error:
             raise self._unwritable(error) from None
+        with suppress(OSError):  # that the file is there; not every system opens folders
+            folder = os.open(self.path.parent, os.O_RDONLY)
+            try:
+                os.fsync(folder)
+            finally:
+                os.close(folder)
 
     def append(self, row: SweepRow) -> None:
         """Write the row of a run that is done; it is on the disk when this returns.
@@ -64,7 +71,7 @@ class Journal:
             with self.path.open("ab") as stream:
                 stream.write(line.encode())
                 stream.flush()
-                _safe(stream.fileno())
+                os.fsync(stream.fileno())
         except OSError as error:
             raise self._unwritable(error) from None
 
@@ -87,7 +94,3 @@ class Journal:
     def _unwritable(self, error: OSError) -> InputError:
         what = f"cannot keep the journal: {error.strerror or 'it cannot be used'}"
         return InputError([Finding(what, "choose another file by -o", str(self.path))])
-
-
-def _safe(descriptor: int) -> None:
-    os.fsync(descriptor)

@@ -111,11 +111,13 @@ class Sweeping:
                     future.add_done_callback(done.put)
                 if not given:
                     return
-                with _patience():
+                try:
                     future = done.get(timeout=_POLL)
-                    self._record(given.pop(future), future, requests)
-                if requests.asked and all(not future.done() for future in given):
-                    return
+                except Empty:
+                    if requests.asked:
+                        return
+                    continue
+                self._record(given.pop(future), future, requests)
         finally:
             for future in given:
                 future.cancel()
@@ -160,15 +162,6 @@ def _submitted(pool: Executor, run: SweepRun, *, keep: bool) -> Future[Answer]:
         future: Future[Answer] = Future()
         future.set_exception(error)
         return future
-
-
-@contextmanager
-def _patience() -> Iterator[None]:
-    """Nothing has come back yet, which is no mistake."""
-    try:
-        yield
-    except Empty:
-        return
 
 
 @dataclass(eq=False)
