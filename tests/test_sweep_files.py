@@ -159,6 +159,22 @@ axes:
     assert places == ["map.yaml:1:1", "sweep.yaml:4:34", "sweep.yaml:4:57", "sweep.yaml:9:17"]
 
 
+def test_a_path_that_goes_with_no_other_value_is_told_in_its_run(folder):
+    axes = """\
+axes:
+  parameters:
+    spec: [{language: mtl, formula: "F[0,3] B"}, {language: mtl, must: "F[0,3] B"}, "F[0,3] B"]
+    spec.formula: ["F[0,2] B"]
+"""
+    first, both, text = runs_of(folder, HEAD + axes)
+    assert first.mission.horizon == 2
+    [finding] = findings(lambda: both.mission)
+    assert "the formula is there twice" in finding
+    [finding] = findings(lambda: text.mission)
+    assert finding.startswith(f"{folder}/sweep.yaml:6:20: 'spec.formula' names nothing in the miss")
+    assert first.content != both.content != text.content
+
+
 WRONG = (
     HEAD
     + """\

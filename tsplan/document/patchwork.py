@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from tsplan.document.document import Document, Path
 from tsplan.document.yaml_nodes import Node
 from tsplan.errors import Finding
-from tsplan.exact_json import canonical
 
 
 @dataclass(frozen=True)
@@ -17,7 +15,8 @@ class Patchwork:
     r"""A document, and the sources whose texts follow each other in its content.
 
     So every part is read as if all of it stood in one file; `placed` says where it truly stands.
-    `sources` has each source with the number of lines and of characters before it.
+    Its digest stays that of the first document. `sources` has each source with the number of lines
+    and of characters before it.
 
     >>> from tsplan.document import parse_document
     >>> mission = parse_document("team: [{count: 2}]", "mission.yaml")
@@ -38,7 +37,7 @@ class Patchwork:
         """A document, or what it has at a path, with nothing in it that is not its own."""
         if path:
             root = document.node(path)
-            document = _with_root(document, root, document.content)
+            document = replace(document, data=root.value, root=root)
         return cls(document, ((document.source, 0, 0),))
 
     def with_part(self, path: Path, other: Document, at: Path) -> Patchwork:
@@ -55,7 +54,8 @@ class Patchwork:
             content += other.content
         part = _shifted(other.node(at), *known[other.source], {})
         root = _replaced(self.document.root, path, part)
-        return Patchwork(_with_root(self.document, root, content), sources)
+        made = replace(self.document, data=root.value, content=content, root=root)
+        return Patchwork(made, sources)
 
     def placed(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings of the document at their places in the files of its parts."""
@@ -68,12 +68,6 @@ class Patchwork:
         own = [(source, lines) for source, lines, _ in self.sources if lines < line]
         source, lines = own[-1]
         return replace(finding, source=source, line=line - lines)
-
-
-def _with_root(document: Document, root: Node, content: str) -> Document:
-    """A document of other nodes; its digest is that of what it says."""
-    digest = hashlib.sha256(canonical(root.value).encode("utf-8", "surrogatepass")).hexdigest()
-    return Document(root.value, document.source, digest, content, root)
 
 
 def _replaced(node: Node, path: Path, part: Node) -> Node:

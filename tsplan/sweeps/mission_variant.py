@@ -75,31 +75,31 @@ class Variant:
         return found
 
     @property
+    def as_it_stands(self) -> bool:
+        """Whether the mission is a file of its own, and nothing in it is changed."""
+        return not self.edits and not self.inside
+
+    @property
     def patchwork(self) -> Patchwork:
         """The document of the mission, put together. Raises InputError for no YAML."""
-        made = Patchwork.of(self.base.document, self.inside)
-        first = [edit for edit in self.edits if edit.path == ("map",)]
-        made = self._edited(made, first)
-        if self.map_file is not None:
-            made = made.with_part(("map",), self.map_file.document, ())
-        rest = [edit for edit in self.edits if edit not in first]
-        if not self.edits and not self.inside:  # by its digest a plan finds the file
-            return replace(made, document=replace(made.document, digest=self.base.digest))
-        return self._edited(made, sorted(rest, key=lambda edit: len(edit.path)))
+        made = _with_map(self.base, self.inside, self.map_file)
+        # by its digest a plan finds the file
+        digest = self.base.digest if self.as_it_stands else _digest(self.content)
+        for edit in sorted(self.edits, key=lambda edit: len(edit.path)):
+            if edit.path != ("map",) or self.map_file is None:
+                made = self._edited(made, edit)
+        return replace(made, document=replace(made.document, digest=digest))
 
-    def _edited(self, made: Patchwork, edits: list[Edit]) -> Patchwork:
-        if self.sweep is None:
-            return made
+    def _edited(self, made: Patchwork, edit: Edit) -> Patchwork:
+        assert self.sweep is not None, "edits are those of a sweep"
         sweep = self.sweep.document
-        for edit in edits:
-            try:
-                made = made.with_part(edit.path, sweep, edit.value)
-            except KeyError:
-                text = ".".join(map(str, edit.path))
-                what = f"'{text}' names nothing in the mission with what else is varied"
-                remedy = "list those runs that go together, as 'runs'"
-                raise InputError([sweep.finding(edit.value, what, remedy)]) from None
-        return made
+        try:
+            return made.with_part(edit.path, sweep, edit.value)
+        except KeyError:
+            text = ".".join(map(str, edit.path))
+            what = f"'{text}' names nothing in the mission with what else is varied"
+            remedy = "list those runs that go together, as 'runs'"
+            raise InputError([sweep.finding(edit.value, what, remedy)]) from None
 
     @property
     def mission(self) -> AnyMission:
@@ -124,6 +124,13 @@ class Variant:
             if self.sweep is not None
         }
         return canonical([texts, edits])
+
+
+@lru_cache(maxsize=4)
+def _with_map(base: FileText, inside: Path, map_file: FileText | None) -> Patchwork:
+    """A mission with its map in it; the same for many runs. Nothing changes its nodes."""
+    made = Patchwork.of(base.document, inside)
+    return made if map_file is None else made.with_part(("map",), map_file.document, ())
 
 
 @lru_cache(maxsize=8)

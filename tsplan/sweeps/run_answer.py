@@ -150,12 +150,9 @@ def _objective_cells(result: Result) -> Iterator[tuple[str, float | None]]:
 
 def _kept(run: SweepRun, mission: AnyMission, result: Result, row: SweepRow) -> Answer:
     """An answer with the plan, and the mission that goes with it where no file has it."""
-    as_it_stands = isinstance(run.subject, Variant) and not (
-        run.subject.edits or run.subject.inside
-    )
     if result.status not in FOUND:
         return Answer(row)
-    if as_it_stands:
+    if isinstance(run.subject, Variant) and run.subject.as_it_stands:
         return Answer(row, result.to_json())
     text = mission.to_yaml()
     named = MissionRef(mission.name, digest_of(text))
