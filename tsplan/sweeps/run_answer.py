@@ -14,7 +14,8 @@ from typing import Any
 
 from tsplan.errors import SolverError, TsplanError
 from tsplan.mission.mission import digest_of
-from tsplan.plans.plan import FOUND, MissionRef, Plan
+from tsplan.plans.outcomes import FOUND, MissionRef
+from tsplan.plans.plan import Plan
 from tsplan.process.interrupt import Requests
 from tsplan.run.events import Event
 from tsplan.run.isolate import Order, Planning
