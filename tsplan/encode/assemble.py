@@ -10,13 +10,15 @@ import numpy as np
 
 from tsplan.encode.bookings import booking_rows
 from tsplan.encode.capacity_rows import capacity_rows
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.demand_rows import Built, DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
+from tsplan.encode.execution_demands import demanded_columns, executed_columns
 from tsplan.encode.executions import PART as EXECUTIONS
 from tsplan.encode.executions import Executions
 from tsplan.encode.expected_rows import expected_rows, policy_rows
-from tsplan.encode.flow_network import ClassColumns, Network, flow
+from tsplan.encode.flow_network import Network, flow
 from tsplan.encode.groups.group_rows import (
     counted,
     occupied_rows,
@@ -32,7 +34,7 @@ from tsplan.encode.precedence import direct, legs_of, route_rows
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.stocks import PART as STOCKS
-from tsplan.encode.stocks import demanded_columns, executed_columns, stocks
+from tsplan.encode.stocks import stocks
 from tsplan.encode.structure_flows import PART as STRUCTURES
 from tsplan.encode.structure_flows import growth_rows, rebuilding
 from tsplan.encode.switches import Switch

@@ -14,7 +14,8 @@ import numpy as np
 
 from tsplan.encode.agent_classes import MapArrays
 from tsplan.encode.atom_encoders import Executed, Requirement, Slack
-from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.class_columns import ClassColumns
+from tsplan.encode.flow_network import Network
 from tsplan.logic import Count, Execution, Formula, walk
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import Resource

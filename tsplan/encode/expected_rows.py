@@ -14,8 +14,9 @@ from typing import TypeAlias
 import numpy as np
 
 from tsplan.encode.atom_encoders import Bound, Site
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.encoder_rules import Witnesses
-from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.flow_network import Network
 from tsplan.encode.shared_rows import ANYWAY, amounts, shared_rows
 from tsplan.milp.model import INFINITY, Draft, Ints
 from tsplan.mission import Expectation

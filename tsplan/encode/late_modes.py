@@ -21,8 +21,8 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph, Modes
-from tsplan.encode.flow_network import ClassColumns
 from tsplan.errors import Finding, MissionError
 from tsplan.milp.model import Bools, Draft, Ints
 from tsplan.ts.reachability import Lengths

@@ -16,10 +16,11 @@ from types import MappingProxyType
 import numpy as np
 
 from tsplan.encode.amount_objectives import Haulage, Reserve
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.executions import Executions, beyond
 from tsplan.encode.expressions import Own
-from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.flow_network import Network
 from tsplan.encode.groups.group_sizes import sizes, smallest, with_smallest
 from tsplan.encode.groups.occupancy import split_terms
 from tsplan.encode.objective_kinds import (

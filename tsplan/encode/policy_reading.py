@@ -12,8 +12,8 @@ from collections.abc import Iterator, Mapping
 from typing import TypeAlias
 
 from tsplan.encode.agent_classes import AgentClass, usable_actions
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.encoded import Point, Setting
-from tsplan.encode.flow_network import ClassColumns
 from tsplan.plans.policies import Choice, Policy
 from tsplan.ts import Action
 

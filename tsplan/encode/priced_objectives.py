@@ -7,9 +7,9 @@ from fractions import Fraction
 
 import numpy as np
 
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Encoded, Setting
-from tsplan.encode.flow_network import ClassColumns
 from tsplan.encode.objective_kinds import Grouping, ModelObjective
 from tsplan.encode.structure_flows import PART, Rebuilding
 from tsplan.exact import exact

@@ -20,8 +20,8 @@ from functools import singledispatch
 import numpy as np
 
 from tsplan.encode.atom_encoders import Bound, Executed
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.encoded import Encoded
-from tsplan.encode.flow_network import ClassColumns
 from tsplan.encode.lanes import LaneTable, lane_table
 from tsplan.encode.stocks import PART, Loads, Stocks
 from tsplan.logic import (

@@ -16,9 +16,10 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass, allowed_edges, map_arrays
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph, Layer
 from tsplan.encode.demand_rows import Built
-from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.flow_network import Network
 from tsplan.encode.running_sums import RunningSums, unfolded
 from tsplan.limits import MOST_STEPS
 from tsplan.milp.model import Draft, Floats, Ints

@@ -11,8 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.demand_rows import DemandRows
-from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.flow_network import Network
 from tsplan.encode.joint_demands import JointDemands
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.encode.witness import Demand, Witnesses

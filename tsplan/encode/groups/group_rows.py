@@ -15,8 +15,9 @@ import numpy as np
 from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.atom_encoders import Bound
 from tsplan.encode.capability_mask import is_counted
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.demand_rows import DemandRows
-from tsplan.encode.flow_network import ClassColumns, Network
+from tsplan.encode.flow_network import Network
 from tsplan.encode.groups.group_demands import (
     group_network,
     most_groups,

@@ -17,8 +17,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph
-from tsplan.encode.flow_network import ClassColumns, laid_out
+from tsplan.encode.flow_network import laid_out
 from tsplan.encode.running_sums import unfolded
 from tsplan.milp.model import Draft, Floats, Ints
 

@@ -21,10 +21,11 @@ from typing import NamedTuple
 import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
+from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.count_atoms import watched_states
 from tsplan.encode.encoded import Setting
-from tsplan.encode.flow_network import ClassColumns, Network, balance, laid_out
+from tsplan.encode.flow_network import Network, balance, laid_out
 from tsplan.encode.groups.group_demands import (
     group_network,
     most_groups,
