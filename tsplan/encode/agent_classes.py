@@ -158,7 +158,7 @@ def agent_classes(
         carries = group.carries if carrying else ()
         alike = (group.capabilities & known, carries, usable.tobytes(), costs.tobytes())
         key = alike if swarm is None else group.class_name
-        start = _start(group, arrays)
+        start = starts_of(group, arrays)
         if key in classes:
             classes[key] = classes[key].joined(start, index)
             continue
@@ -178,7 +178,7 @@ def agent_classes(
     return tuple(classes.values())
 
 
-def _start(group: Group, arrays: MapArrays) -> Ints:
+def starts_of(group: Group, arrays: MapArrays) -> Ints:
     """How many agents of a group start at each state."""
     start = np.zeros(len(arrays.names), dtype=np.int64)
     for state, count in group.starts:
@@ -190,13 +190,11 @@ def action_classes(
     system: TransitionSystem, team: Sequence[Group], named: Iterable[str], *, apart: bool
 ) -> tuple[AgentClass, ...]:
     """The classes of a team on a map of uncertain actions, whose edges are the actions."""
-    number = map_arrays(system).number
+    arrays = map_arrays(system)
     known, needed = frozenset(named), _needed(system)
     classes: dict[object, AgentClass] = {}
     for index, group in enumerate(team):
-        start = np.zeros(len(number), dtype=np.int64)
-        for state, count in group.starts:
-            start[number[state]] += count
+        start = starts_of(group, arrays)
         able = group.capabilities & (known | needed)
         key = able, group.class_name if apart else None
         if key in classes:

@@ -93,13 +93,7 @@ def availability(setting: Setting, point: Point) -> float:
 def present_of(setting: Setting, point: Point) -> list[Floats]:
     """Agents of every class at every state and step."""
     watched = np.arange(len(setting.arrays.names))
-    found = []
-    for item, moves in moves_of(point):
-        present = np.zeros((len(watched), setting.horizon + 1))
-        present[:, 0] = item.graph.start[watched]
-        _add(present, watched, _arrivals(item.graph, moves, settled=True))
-        found.append(present)
-    return found
+    return [_there(item.graph, moves, watched, setting.horizon) for item, moves in moves_of(point)]
 
 
 def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
@@ -119,16 +113,13 @@ def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
         done[np.searchsorted(watched, state), when] = True
     delay = point.encoded.setting.delay
     for item, moves in moves_of(point):
-        present = np.zeros(shape)
-        present[:, 0] = item.graph.start[watched]
+        where = item.graph, moves, watched, setting.horizon
+        present = _there(*where)
         if item.graph.modes is not None and item.graph.modes.standing:
-            present[:, 1:] = _stood(item.graph, moves, watched, setting.horizon)
-        else:
-            _add(present, watched, _arrivals(item.graph, moves, settled=True))
+            present[:, 1:] = _stood(*where)
         late = np.zeros(shape)
         if delay:
-            late[:, 0] = item.graph.start[watched]
-            _add(late, watched, _arrivals(item.graph, moves, settled=False))
+            late = _there(*where, settled=False)
             for part in _lingering(item.graph, moves):
                 _add(late, watched, part)
         for capability in (None, *item.graph.capabilities):
@@ -136,6 +127,16 @@ def counts_of(setting: Setting, formula: Formula, point: Point) -> CountTrace:
                 table[capability] = table.get(capability, np.zeros(shape)) + here
     labels = {label: np.searchsorted(watched, states) for label, states in site.items()}
     return CountTrace(counts, labels, executions, possible if delay else {})
+
+
+def _there(
+    graph: ClassGraph, moves: Moves, watched: Ints, horizon: int, *, settled: bool = True
+) -> Floats:
+    """Agents at the watched states and steps; if `settled` those that count for sure."""
+    table = np.zeros((len(watched), horizon + 1))
+    table[:, 0] = graph.start[watched]
+    _add(table, watched, _arrivals(graph, moves, settled=settled))
+    return table
 
 
 def _add(table: Floats, watched: Ints, events: Moves) -> None:

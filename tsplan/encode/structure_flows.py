@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from tsplan.encode.agent_classes import AgentClass, allowed_edges, map_arrays
+from tsplan.encode.agent_classes import AgentClass, allowed_edges, map_arrays, starts_of
 from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph, Layer
 from tsplan.encode.demand_rows import Built
@@ -132,8 +132,7 @@ class _Layers:
         for number in self._pool.groups:
             group = self._mission.team[number]
             if group.configuration == shape.name:
-                for state, count in self._mission.modular.structures(group).starts:
-                    start[self._arrays.number[state]] += count
+                start += starts_of(self._mission.modular.structures(group), self._arrays)
         return start
 
     def _closed(self, shape: int, state: str) -> bool:
@@ -303,6 +302,7 @@ def growth_rows(
         pool = [
             c for c in network.classes if c.graph.layer and c.graph.layer.pool == layers[0].pool
         ]
+        surroundings = _surroundings(pool, need.states)
         for size in sorted({c.graph.modules for c in pool if c.graph.modules <= least}):
             large = [c.graph.modules if c in pool else 0 for c in network.classes]
             large = [modules if modules >= size else 0 for modules in large]
@@ -313,7 +313,7 @@ def growth_rows(
             row, column, amount = need.asked.begun.over(draft, zeros, places)
             terms = come, (row, column, -float(least) * amount)
             draft.sums(*terms, lower=-float(begun), count=len(places), kind="growth")
-            for around in _surroundings(pool, need.states):
+            for around in surroundings:
                 grown, begun = _growth(rebuilt, network, large, around)
                 come = grown.over(draft, zeros[-1:], asked_last)
                 row, column, amount = need.asked.begun.over(draft, zeros[-1:], places[-1:])

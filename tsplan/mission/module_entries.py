@@ -10,7 +10,6 @@ from tsplan.mission.amount_entries import amounts_entry, carries_entry, shortest
 from tsplan.mission.configurations import (
     Configuration,
     ModuleRules,
-    Parts,
     Reconfiguration,
     counted_parts,
 )
@@ -76,17 +75,13 @@ def configuration_entry(shape: Configuration) -> dict[str, Any]:
 def reconfiguration_entry(rule: Reconfiguration) -> dict[str, Any]:
     """The entry of a reconfiguration, with the number of structures of each configuration."""
     entry: dict[str, Any] = {
-        "from": _counts(rule.parts),
-        "to": _counts(rule.made),
+        "from": dict(rule.parts),
+        "to": dict(rule.made),
         "duration": rule.duration,
     }
     if rule.cost:
         entry["cost"] = shortest(rule.cost)
     return {**entry, "at": list(rule.at)} if rule.at else entry
-
-
-def _counts(parts: Parts) -> dict[str, int]:
-    return dict(parts)
 
 
 def module_entries(rules: ModuleRules) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -50,7 +51,7 @@ class Performances:
 
     rules: ModuleRules
 
-    @property
+    @cached_property
     def unit(self) -> Fraction:
         """The largest number of which every worth is a whole multiple."""
         every = (exact(amount) for _, worth in self.rules.performance for _, amount in worth)
