@@ -150,6 +150,14 @@ def test_performance_at_a_label_without_a_task_is_a_warning() -> None:
     assert (warning.line, warning.column) == (28, 21)
 
 
+def test_a_configuration_that_is_named_twice_is_named_once() -> None:
+    twice = Reconfiguration((("single", 1), ("single", 2)), (("line", 1),), 2, 3.0, ("dock",))
+    mission = fence()
+    rules = mission.modular.reconfigurations
+    assert twice == rules[0]
+    assert {twice: 1}[rules[0]] == 1
+
+
 def test_who_does_best_serves_each_one_need() -> None:
     rules = ModuleRules(performance=(("wall", (("line", 1.0), ("ring", 2.5), ("mast", 2.0))),))
     task = Execution("", "wall", (("lift", 2), ("drill", 1)), (), 1)

@@ -15,7 +15,6 @@ from tsplan.mission.configurations import (
     ModuleRules,
     Parts,
     Reconfiguration,
-    summed,
 )
 from tsplan.mission.findings import Entry, Fault, Place
 from tsplan.mission.objectives import OBJECTIVES
@@ -154,7 +153,7 @@ def _unbalanced(rule: Reconfiguration, place: Place, rules: ModuleRules) -> Iter
         )
         remedy = "write how many of each, as in 'from: {line: 1, single: 1}', so that both agree"
         yield Fault(place, what, remedy)
-    elif summed(rule.parts) == summed(rule.made):
+    elif dict(rule.parts) == dict(rule.made):
         yield Fault(place, "the reconfiguration changes nothing", "remove it")
 
 

@@ -11,7 +11,7 @@ model is this project's own.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import ceil, inf, lcm
@@ -83,10 +83,10 @@ class Reconfiguration:
     at: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Bring names into the form in which they are compared."""
+        """Bring names into the form in which they are compared; name every configuration once."""
         for name in ("parts", "made"):
             pairs = tuple((nfc(each), count) for each, count in getattr(self, name))
-            object.__setattr__(self, name, pairs)
+            object.__setattr__(self, name, _summed(pairs))
         object.__setattr__(self, "at", tuple(map(nfc, self.at)))
 
 
@@ -235,9 +235,11 @@ def counted_parts(
     return ((given, together // modules[given] if whole else 1),)
 
 
-def summed(parts: Iterable[tuple[str, int]]) -> Counter[str]:
-    """How many structures of each configuration."""
+def _summed(parts: Parts) -> Parts:
+    """Every configuration once, in the order in which they come."""
+    if not all(type(count) is int for _, count in parts):
+        return parts  # the checks tell of others
     total: Counter[str] = Counter()
     for name, count in parts:
         total[name] += count
-    return total
+    return tuple(total.items())
