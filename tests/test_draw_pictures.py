@@ -21,7 +21,8 @@ from tsplan.draw.matplotlib_loading import PlotUnavailableError
 from tsplan.draw.palette import PLAIN, TRAVEL, Palette
 from tsplan.draw.path_map import MOST_PATHS, strands_of
 from tsplan.draw.picture_files import save
-from tsplan.draw.requirement_chart import MOST_ROWS, shown_rows
+from tsplan.draw.requirement_chart import shown_rows
+from tsplan.draw.row_chart import MOST_ROWS
 from tsplan.draw.swarm_bands import bands_of, draw_flows, flows_of, row_order
 from tsplan.draw.timeline import MOST_AGENTS, draw_timeline, keys_of, rows_of
 from tsplan.draw.timeline import MOST_PATHS as MOST_TIMELINES

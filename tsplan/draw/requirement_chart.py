@@ -16,19 +16,15 @@ import numpy as np
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
 from tsplan.draw.palette import BAD, GOOD
-from tsplan.draw.step_axes import CHOSEN, MISSED, NEED, WINDOW, name_rows, shade_steps, step_axes
+from tsplan.draw.row_chart import RowChart, foremost, height_of_rows, row_axes
+from tsplan.draw.step_axes import CHOSEN, MISSED, NEED, WINDOW, shade_steps
 from tsplan.explanation.why.requirements import Requirement
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.words import number
 
-MOST_ROWS = 40
-"""Atoms that are drawn; of more, those with the fewest agents to spare."""
-
-_WIDTH = 6.0  # inches of the steps
 _ROW = 0.42  # inches of one row
 _TALL = 0.78  # of a row, what the largest count takes
-_LONGEST = 36  # characters of an atom
 _COUNT = "#2f5f9e"
 _WITNESS = MappingProxyType({"color": DARK, "marker": "v", "markersize": 3.5})
 
@@ -40,17 +36,12 @@ def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
     """
     every = plan.requirements(mission)
     rows = shown_rows(every)
-    words = [canvas.shortened(row.title, _LONGEST) for row in rows]
-    left = max((canvas.text_size(word, SMALL)[0] for word in words), default=0.0) / POINTS
-    beside = max((_beside(row)[2] for row in rows), default=0.0)
-    inches = _WIDTH + left + beside, height_of(rows)
-    figure, ax = step_axes(ax, plan.horizon, inches, _entries(rows), beside)
-    ax.set_ylim(len(rows) or 1, 0)
     hidden = len(every) - len(rows)
     more = f" ({hidden} more with agents to spare)" if hidden else ""
     title = f"{plan.mission.name or mission.name}: count against need{more}"
-    name_rows(ax, [place + 0.55 for place in range(len(rows))], words, title)
-    canvas.settle(figure)
+    wide = max((_beside(row)[2] for row in rows), default=0.0)
+    chart = RowChart(title, [row.title for row in rows], _entries(rows), _ROW, 0.55, wide)
+    figure, ax = row_axes(ax, plan.horizon, chart)
     for place, row in enumerate(rows):
         _draw_row(ax, place, row)
     return figure, ax
@@ -58,15 +49,12 @@ def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
 
 def shown_rows(rows: Sequence[Requirement]) -> tuple[Requirement, ...]:
     """The rows in the order of the formula; of too many, those with the least to spare."""
-    if len(rows) <= MOST_ROWS:
-        return tuple(rows)
-    rank = sorted(range(len(rows)), key=lambda n: (rows[n].slack is None, rows[n].slack or 0.0, n))
-    return tuple(rows[n] for n in sorted(rank[:MOST_ROWS]))
+    return foremost(rows, lambda row: (row.slack is None, row.slack or 0.0))
 
 
 def height_of(rows: Sequence[Requirement]) -> float:
     """Inches that so many rows take."""
-    return max(_ROW * min(len(rows), MOST_ROWS), 0.8)
+    return height_of_rows(len(rows), _ROW)
 
 
 def _draw_row(ax: Any, place: int, row: Requirement) -> None:

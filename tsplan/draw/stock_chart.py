@@ -16,7 +16,8 @@ import numpy as np
 
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
-from tsplan.draw.step_axes import CHOSEN, HALF, MISSED, NEED, name_rows, shade_steps, step_axes
+from tsplan.draw.row_chart import RowChart, foremost, height_of_rows, row_axes
+from tsplan.draw.step_axes import CHOSEN, HALF, MISSED, NEED, shade_steps
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.why.requirements import runs
 from tsplan.explanation.why.stock_lines import StockLine, stock_lines
@@ -24,16 +25,11 @@ from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.words import number
 
-MOST_ROWS = 40
-"""Rows that are drawn; of more, those that executions need first, then those with the most."""
-
-_WIDTH = 6.0  # inches of the steps
 _ROW = 0.5  # inches of one row
 _TALL = 0.6  # of a row, what the largest amount takes
 _FLOOR = 0.94  # of a row, where nothing lies
 _TOP = 0.16  # of a row, where triangles and what is taken are
 _INSIDE = 0.5  # of the largest amount, from which numbers stand below their line
-_LONGEST = 36  # characters of a row's name
 _STOCK = "#2f5f9e"
 _BEGIN = MappingProxyType({"color": DARK, "marker": "v", "markersize": 3.5})
 _LITTLE = 1e-6  # amounts that the check does not tell apart
@@ -50,17 +46,12 @@ def draw_stocks(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
         raise InputError([Finding(what, "look at the paths, or name `resources` in the mission")])
     every = [line for line in stock_lines(plan, mission) if line.moves]
     rows = shown_rows(every)
-    words = [canvas.shortened(row.title, _LONGEST) for row in rows]
-    left = max((canvas.text_size(word, SMALL)[0] for word in words), default=0.0) / POINTS
-    beside = max((_beside_width(row) for row in rows), default=0.0)
-    inches = _WIDTH + left + beside, height_of(rows)
-    figure, ax = step_axes(ax, plan.horizon, inches, _entries(rows), beside)
-    ax.set_ylim(len(rows) or 1, 0)
     hidden = len(every) - len(rows)
     more = f" ({hidden} more)" if hidden else ""
     title = f"{plan.mission.name or mission.name}: what lies where{more}"
-    name_rows(ax, [place + 0.6 for place in range(len(rows))], words, title)
-    canvas.settle(figure)
+    wide = max((_beside_width(row) for row in rows), default=0.0)
+    chart = RowChart(title, [row.title for row in rows], _entries(rows), _ROW, 0.6, wide)
+    figure, ax = row_axes(ax, plan.horizon, chart)
     for place, row in enumerate(rows):
         _draw_row(ax, place, row)
     return figure, ax
@@ -68,15 +59,12 @@ def draw_stocks(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
 
 def shown_rows(rows: Sequence[StockLine]) -> tuple[StockLine, ...]:
     """The rows in their order; of too many, those that executions need and those with the most."""
-    if len(rows) <= MOST_ROWS:
-        return tuple(rows)
-    rank = sorted(range(len(rows)), key=lambda n: (not rows[n].uses, -rows[n].amounts.max(), n))
-    return tuple(rows[n] for n in sorted(rank[:MOST_ROWS]))
+    return foremost(rows, lambda row: (not row.uses, -row.amounts.max()))
 
 
 def height_of(rows: Sequence[StockLine]) -> float:
     """Inches that so many rows take."""
-    return max(_ROW * min(len(rows), MOST_ROWS), 0.8)
+    return height_of_rows(len(rows), _ROW)
 
 
 def _draw_row(ax: Any, place: int, row: StockLine) -> None:
