@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.checking.class_traffic import ClassTraffic
-from tsplan.checking.path_segments import Segment, read_path
+from tsplan.checking.path_segments import Path, Segment, read_path
 from tsplan.exact import exact
 from tsplan.plans.agent_plans import Bundle
 from tsplan.plans.presence import Presence
@@ -125,22 +125,28 @@ def _misbegun(
 
 def _read_way(each: Structure, reading: _Reading) -> list[str]:
     """The way of a structure over the map; what is wrong with it."""
-    horizon, shape = reading.plan.horizon, reading.mission.modular.of[each.configuration]
+    horizon = reading.plan.horizon
     if not each.first <= each.last <= horizon:
         return [f"is there from step {each.first} to {each.last} of {horizon}"]
     ended = each.stays[-1][1]
     if ended != each.last and (each.last < horizon or each.heading is None):
         return [f"is last seen at step {ended}, and it is there until {each.last}"]
+    path = structure_path(reading.mission, each)
+    reading.segments[each.id] = path.segments
+    return list(path.problems)
+
+
+def structure_path(mission: Mission, each: Structure) -> Path:
+    """The way of a structure while it lives, by the durations of its configuration."""
+    shape = mission.modular.of[each.configuration]
     bundle = Bundle(each.class_name, each.capabilities, each.stays, each.heading, (0,))
-    path = read_path(
-        reading.mission.system,
+    return read_path(
+        mission.system,
         bundle,
         each.last,
         each.first,
         lambda edge: shape.steps(edge, each.class_name),
     )
-    reading.segments[each.id] = path.segments
-    return list(path.problems)
 
 
 def _read_births(reading: _Reading) -> None:

@@ -14,7 +14,8 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
-from tsplan.checking.path_segments import read_path
+from tsplan.checking.path_segments import Path, read_path
+from tsplan.checking.structure_check import structure_path
 from tsplan.errors import Finding, PlanError
 from tsplan.mission import Mission
 from tsplan.plans.agent_plans import Bundle
@@ -180,17 +181,25 @@ def _of_agents(
 ) -> Track:
     """The track of a path; what an `exact` map does not allow about it goes to `findings`."""
     ids = tuple(plan.agents[place].id for place in bundle.agents)
-    stops = [Stop(*stay) for stay in bundle.stays]
-    if exact is not None:
-        path = read_path(exact, bundle, plan.horizon)
+    path = None if exact is None else read_path(exact, bundle, plan.horizon)
+    if path is not None:
         findings += [Finding(f"agent {ids[0]} {words}", _OTHER) for words in path.problems]
-        if path.segments and path.segments[-1].left > plan.horizon:
-            last = path.segments[-1]
-            stops.append(Stop(last.left, last.left, last.edge.target))
-    elif bundle.heading is not None:
-        stops.append(Stop(plan.horizon + 1, plan.horizon + 1, bundle.heading))
-    end = plan.horizon + 1
-    return Track(bundle.class_name, len(ids), names(ids), ids, tuple(stops), end)
+    stops, end = _stops(bundle, path, plan.horizon), plan.horizon + 1
+    return Track(bundle.class_name, len(ids), names(ids), ids, stops, end)
+
+
+def _stops(who: Bundle | Structure, path: Path | None, horizon: int) -> tuple[Stop, ...]:
+    """Where somebody stays, and where a move ends that the horizon cuts short.
+
+    Without a `path` on an exact map nobody knows when that is: soon.
+    """
+    stops = [Stop(*stay) for stay in who.stays]
+    if path is None and who.heading is not None:
+        stops.append(Stop(horizon + 1, horizon + 1, who.heading))
+    elif path is not None and path.segments and path.segments[-1].left > horizon:
+        last = path.segments[-1]
+        stops.append(Stop(last.left, last.left, last.edge.target))
+    return tuple(stops)
 
 
 def _with_lives(found: Iterable[Track], plan: Plan) -> list[Track]:
@@ -211,25 +220,12 @@ def _of_structure(
     plan: Plan, each: Structure, mission: Mission | None, findings: list[Finding]
 ) -> Track:
     """The track of a structure; what the map of a mission does not allow goes to `findings`."""
-    stops = [Stop(*stay) for stay in each.stays]
-    shape = None if mission is None else mission.modular.of.get(each.configuration)
-    if mission is not None and shape is not None:
-        bundle = Bundle(each.class_name, each.capabilities, each.stays, each.heading, (0,))
-        path = read_path(
-            mission.system,
-            bundle,
-            each.last,
-            each.first,
-            lambda edge: shape.steps(edge, each.class_name),
-        )
+    path = None
+    if mission is not None and each.configuration in mission.modular.of:
+        path = structure_path(mission, each)
         findings += [Finding(f"structure {each.id} {words}", _OTHER) for words in path.problems]
-        if path.segments and path.segments[-1].left > plan.horizon:
-            last = path.segments[-1]
-            stops.append(Stop(last.left, last.left, last.edge.target))
-    elif each.heading is not None:
-        stops.append(Stop(plan.horizon + 1, plan.horizon + 1, each.heading))
-    name = f"{each.id} ({names(each.modules)})"
-    return Track(each.configuration, 1, name, (each.id,), tuple(stops), each.last + 1, each.modules)
+    stops, name = _stops(each, path, plan.horizon), f"{each.id} ({names(each.modules)})"
+    return Track(each.configuration, 1, name, (each.id,), stops, each.last + 1, each.modules)
 
 
 def _of_swarm(
