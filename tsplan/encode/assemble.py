@@ -259,6 +259,9 @@ class _Assembly:
         switches = self._setting.switches
         if self._swarms and self._setting.delay:  # who comes does not stand there for certain
             switches -= {Switch.VISITS, Switch.LAZY}
+        maps = zip(self._setting.classes, self._setting.reduced, strict=True)
+        if any(item.graph is short.graph for item, short in maps):
+            switches -= {Switch.HULLS}  # whole maps have short steps around hulls, too
         rows = DemandRows(network, self._draft, switches)
         rows.write(witnesses)
         self._built = rows.built

@@ -24,6 +24,7 @@ from tsplan.encode.atom_encoders import Site
 from tsplan.encode.demand_runs import Family, family
 from tsplan.encode.encoder_rules import Cover, Demand, Witnesses
 from tsplan.encode.flow_network import Network
+from tsplan.encode.hulls import hull_of
 from tsplan.encode.joint_demands import JointDemands, Region
 from tsplan.encode.running_sums import RunningSums
 from tsplan.encode.selection import Selection, less
@@ -91,14 +92,23 @@ class DemandRows:
     def write(self, witnesses: Witnesses) -> None:
         """Rows for every demand, arrival cuts, and what is asked for at several places together."""
         lower = _by_place(need for need in witnesses.demands if not need.bound.upper)
+        wanted = frozenset(state for states, _ in lower for state in states)
         for (states, capability), needs in lower.items():
             span = min(need.first for need in needs), max(need.last for need in needs)
             site = self._site(np.array(states), capability, *span)
             asked = _runs_of(needs)
-            for made in self._families(asked, witnesses):
+            families = self._families(asked, witnesses)
+            for made in families:
                 self._asked(site, made, states, capability)
                 self._demand_rows(site, made)
             self._cover_rows(site, asked, witnesses.covers)
+            hull = self._hull(states, wanted)
+            if len(hull) > len(states):
+                around = self._site(np.array(hull), capability, *span)
+                for made in families:
+                    self.families.append((around, made))
+                    self._window_rows(around, made)
+                self._cover_rows(around, asked, witnesses.covers)
         if Switch.TOGETHER in self._options:
             self._together([need for needs in lower.values() for need in needs], witnesses)
         for place, visits in _by_place(witnesses.visits).items():
@@ -108,6 +118,12 @@ class DemandRows:
         limits = _by_place(need for need in witnesses.demands if need.bound.upper)
         for (states, capability), needs in limits.items():
             self._limits(np.array(states), capability, needs, witnesses)
+
+    def _hull(self, states: Site, wanted: frozenset[int]) -> Site:
+        """The surroundings of a place on whose arrival cuts of its own there is no relying."""
+        if self._cuts and Switch.HULLS in self._options:
+            return hull_of(states, wanted, self._network)
+        return states
 
     def _visited(self, states: Site, capability: str | None, visits: Sequence[Demand]) -> None:
         """One agent is there at the beginning of a window, or comes in it."""

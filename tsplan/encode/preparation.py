@@ -13,6 +13,7 @@ from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.class_graph import ClassGraph, Modes
 from tsplan.encode.count_atoms import watched_states
 from tsplan.encode.encoded import Setting
+from tsplan.encode.enforced_capacities import Enforced
 from tsplan.encode.expressions import Constraint
 from tsplan.encode.late_modes import with_modes, with_standing
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
@@ -32,24 +33,29 @@ def prepare(
     goal: Formula | None = None,
     *,
     clock: Clock | None = None,
+    enforced: Enforced | None = None,
 ) -> Setting:
     """Sort the team into classes and reduce their graphs.
 
-    `goal` is a positive formula in place of the mission's own goal. Raises Halted when the clock is
-    over before that is done.
+    `goal` is a positive formula in place of the mission's own goal; of the map's capacities only
+    those `enforced` are kept, if that is given. Raises Halted when the clock is over before that is
+    done.
     """
     plain = None
     if goal is None and mission.headroom is not None:
         plain = simplify(positive(mission.counted))
     goal = mission.goal if goal is None else goal
     classes, changes = _classes(mission, goal, constraints)
+    arrays = map_arrays(mission.system)
+    if enforced is not None:
+        classes, arrays = enforced.on(classes, arrays)
     setting = Setting(
         mission=mission,
         goal=goal,
         horizon=mission.horizon,
         classes=classes,
         reduced=tuple(whole(item.graph) for item in classes),
-        arrays=map_arrays(mission.system),
+        arrays=arrays,
         delay=mission.delay,
         changes=changes,
         constraints=tuple(constraints),

@@ -2,34 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from abc import abstractmethod
 from fractions import Fraction
 
 import numpy as np
 
-from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.objective_kinds import Grouping, ModelObjective
 from tsplan.encode.structure_flows import PART, Rebuilding
 from tsplan.exact import exact
-from tsplan.milp.model import Floats, Ints
+from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
 from tsplan.ts.edges import RISKS
 
 
-class Travel(ModelObjective):
+class PricedObjective(ModelObjective):
+    """An objective that gives every edge a price, paid by each agent that enters it."""
+
+    @abstractmethod
+    def price(self, graph: ClassGraph) -> Floats:
+        """The price of every edge of a class's map."""
+
+    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+        """The price of every flow column's edge."""
+        vector = np.zeros(encoded.model.size.columns)
+        for item in encoded.network.classes:
+            item.price(vector, self.price(item.graph))
+        return vector
+
+
+class Travel(PricedObjective):
     """Agent-steps spent in moves that are not waits."""
 
     name = "travel"
     grouping = Grouping.FEW_MOVES
 
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+    def price(self, graph: ClassGraph) -> Floats:
         """The duration of every move."""
-        return _priced(encoded, lambda item: item.graph.travel)
+        return graph.travel.astype(np.float64)
 
 
-class Cost(ModelObjective):
+class Cost(PricedObjective):
     """Summed edge costs of all moves; waits are free unless their edge says otherwise."""
 
     name = "cost"
@@ -39,9 +53,9 @@ class Cost(ModelObjective):
         """The costs, unless a class pays the same for every step of a move."""
         return None if _even(graph) else graph.cost
 
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+    def price(self, graph: ClassGraph) -> Floats:
         """The cost of every edge in whole units."""
-        return _priced(encoded, lambda item: item.graph.cost)
+        return graph.cost
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """Costs in the map's own unit."""
@@ -64,7 +78,7 @@ class Energy(Cost):
         return vector
 
 
-class Risk(ModelObjective):
+class Risk(PricedObjective):
     """-log of the probability that no move of the plan fails."""
 
     name = "risk"
@@ -73,9 +87,9 @@ class Risk(ModelObjective):
         """The risks, if any."""
         return graph.risk if graph.risk.any() else None
 
-    def vector(self, setting: Setting, encoded: Encoded) -> Floats:
+    def price(self, graph: ClassGraph) -> Floats:
         """The risk of every edge in millionths."""
-        return _priced(encoded, lambda item: item.graph.risk)
+        return graph.risk
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """Risks in their own unit."""
@@ -89,11 +103,3 @@ def _even(graph: ClassGraph) -> bool:
     steps = graph.travel[ride].tolist()
     rates = {cost / step for cost, step in zip(costs, steps, strict=True) if step}
     return len(rates) <= 1 and not any(c for c, step in zip(costs, steps, strict=True) if not step)
-
-
-def _priced(encoded: Encoded, price: Callable[[ClassColumns], Floats | Ints]) -> Floats:
-    """What every flow column costs, where each edge has a price."""
-    vector = np.zeros(encoded.model.size.columns)
-    for item in encoded.network.classes:
-        item.price(vector, price(item))
-    return vector

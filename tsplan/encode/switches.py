@@ -20,8 +20,10 @@ class Switch(StrEnum):
     FAMILIES = "families"  # one row for demands that exclude each other (encode.demand_rows)
     BLOCKS = "blocks"  # signals: first trajectories with choices for blocks of steps
     VISITS = "visits"  # arrival cuts over windows (encode.demand_rows)
+    HULLS = "hulls"  # arrival cuts of limited places with all around them (encode.hulls)
     TOGETHER = "together"  # needs of one witness at several places at once (encode.joint_demands)
     LAZY = "lazy"  # more arrival cuts where the LP violates them (encode.arrival_cuts)
+    CAPACITIES = "capacities"  # capacities where they matter only (search.capacity_relaxation)
     CONTINUOUS = "continuous"  # flows continuous at first, repaired to whole agents (search.search)
     DIVE = "dive"  # LP-guided dive for the first plan (search.dive)
     TOKENS = "tokens"  # swarms: fewest splits by tokens, a first plan along their ways

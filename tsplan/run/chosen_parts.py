@@ -50,7 +50,7 @@ class ChosenParts(Stages):
         """Settle one objective and keep what it reached; its bound."""
         if self.better is not None:  # all is begun anew
             return None
-        before = self._kept
+        before = self.kept
         bound = super().settled(objective, done)
         if self.rivals is None or not objective.built or bound is None or np.isinf(bound):
             return bound

@@ -21,6 +21,7 @@ from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
 from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
+from tsplan.search.capacity_relaxation import CapacityRelaxation, relaxable
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.search.stages import Stages
@@ -213,12 +214,10 @@ class Problem:
         """Run all objectives; `tell` hears of stages, points and bounds."""
         setting = replace(self.prepared(clock), clock=clock)
         own = (OwnSum(self.own),) if self._objective.terms else ()
-        stages = Stages(
-            setting=setting,
-            objectives=(*own, *objectives_of(self.mission)),
-            effort=replace(effort, switches=setting.switches),
-            clock=clock,
-            tell=tell,
-            tight=self.tuning.encoding == "tight",
-        )
-        return plan_soft(stages) if is_soft(self.mission) else stages.run()
+        objectives = (*own, *objectives_of(self.mission))
+        tight, soft = self.tuning.encoding == "tight", is_soft(self.mission)
+        effort = replace(effort, switches=setting.switches)
+        if tight and not soft and not own and relaxable(setting):
+            return CapacityRelaxation(setting, objectives, effort, clock, tell).run()
+        stages = Stages(setting, objectives, effort, clock, tell, tight=tight)
+        return plan_soft(stages) if soft else stages.run()

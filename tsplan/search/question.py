@@ -44,6 +44,9 @@ class Kept:
         return encoded
 
 
+NOTHING_KEPT = Kept()
+
+
 @dataclass(frozen=True)
 class Question:
     """The least value of an objective, or with `first` any plan that it leads to.

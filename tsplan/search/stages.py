@@ -26,7 +26,7 @@ from tsplan.search.chained_witnesses import chain_model, first_flows
 from tsplan.search.effort import Effort
 from tsplan.search.group_search import GroupSearch
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
-from tsplan.search.question import Kept, Question, start_in
+from tsplan.search.question import NOTHING_KEPT, Kept, Question, start_in
 from tsplan.search.search import Search
 from tsplan.search.still_bound import still_bound
 from tsplan.search.straight_plans import StraightPlans
@@ -41,7 +41,10 @@ _HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands a
 
 @dataclass(eq=False)
 class Stages(Lexicographic[Point, StageObjective]):
-    """Runs the objectives of a problem in order; `known` are the flows of a plan that is known."""
+    """Runs the objectives of a problem in order; `known` are the flows of a plan that is known.
+
+    Plans that lose something of what is `kept` from the beginning are not looked for.
+    """
 
     setting: Setting
     objectives: tuple[StageObjective, ...]
@@ -50,7 +53,7 @@ class Stages(Lexicographic[Point, StageObjective]):
     tell: Tell[Point]
     tight: bool = True
     known: Floats | None = None
-    _kept: Kept = field(default=Kept(), init=False)
+    kept: Kept = NOTHING_KEPT
     _made: Encoded | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
@@ -69,8 +72,8 @@ class Stages(Lexicographic[Point, StageObjective]):
     def opened(self, opening: StageObjective | None) -> Found:
         """Any plan; a first objective that may find one is minimised to its end at once."""
         if isinstance(opening, TargetObjective):
-            return self._ask(Question(opening, self._kept, opening))
-        return self._at_best() or self._ask(Question(self._guide, self._kept, None, first=True))
+            return self._ask(Question(opening, self.kept, opening))
+        return self._at_best() or self._ask(Question(self._guide, self.kept, None, first=True))
 
     def _at_best(self) -> Found | None:
         """A plan as available as can be hoped for, where there are resources and one is found soon.
@@ -84,7 +87,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         ideal = first.ideal(self.setting)
         if not 0 < ideal < np.inf:
             return None
-        kept = self._kept.and_also(first, ideal)
+        kept = self.kept.and_also(first, ideal)
         if self._large(self._encoded(kept)):  # straight ways find a plan soon
             return None
         found = self._ask(Question(self._guide, kept, None, first=True, seconds=_HOPE_SECONDS))
@@ -115,16 +118,16 @@ class Stages(Lexicographic[Point, StageObjective]):
                 return ideal
             if objective.by_levels(tight=self.tight):
                 bound = self._by_levels(objective, ideal)
-                self.setting = self._late(max(self._kept.built(Delay.name), self.setting.delay))
+                self.setting = self._late(max(self.kept.built(Delay.name), self.setting.delay))
                 return bound
         assert isinstance(objective, TargetObjective)
-        found = done or self._ask(Question(objective, self._kept, objective))
+        found = done or self._ask(Question(objective, self.kept, objective))
         assert self.point is not None
         target = objective.target(self.setting, objective.extended(self.point.encoded))
         if not target.step:
             self.noted(f"{objective.name} is told apart to {CLOSED:.0e} of its size")
         value = objective.minimised(self.setting, self.point)
-        self._kept = self._kept.and_also(objective, value)
+        self.kept = self.kept.and_also(objective, value)
         worth = objective.worth(self.setting, self.point)
         if np.isinf(worth) and (worth > 0) is objective.rises:
             return worth
@@ -140,7 +143,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         top = bound  # what is left open is not asked again
         while sign * (top - value) > 0 and not self.clock.over:
             probe = value + sign * ((abs(top - value) + 1) // 2)
-            kept = self._kept.and_also(objective, probe)
+            kept = self.kept.and_also(objective, probe)
             question = Question(self._guide, kept, objective, True, bound, self._patience)
             found = self.guarded(objective.name, partial(self._ask, question))
             if found is not None and found.values is not None:
@@ -151,7 +154,7 @@ class Stages(Lexicographic[Point, StageObjective]):
                 self.stopping(found.stopped_by if found else None)
                 top = probe - sign
             self.tell(objective.name, None, value, bound)
-        self._kept = self._kept.and_also(objective, value if np.isfinite(value) else ideal)
+        self.kept = self.kept.and_also(objective, value if np.isfinite(value) else ideal)
         return sign * max(sign * bound, sign * value)
 
     @property
@@ -262,7 +265,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         """
         if not point.encoded.swarms:
             return tidied(self.setting, point, self.effort, self.clock)
-        whole = self._encoded(self._kept)
+        whole = self._encoded(self.kept)
         if whole is not point.encoded:
             target = Travel().target(self.setting, whole)
             search = Search(whole, target, self.effort, self.clock, lambda *_: None)
@@ -270,7 +273,7 @@ class Stages(Lexicographic[Point, StageObjective]):
             if values is None:
                 return point
             point = Point(whole, values, self.tight)
-        return self._groups(whole).evened(point, self._kept)
+        return self._groups(whole).evened(point, self.kept)
 
     def _chained(self, kept: Kept, encoded: Encoded) -> Floats | None:
         """Flows of a plan found by way of the chained restriction, in a part of the time."""

@@ -1,0 +1,341 @@
+"""Capacities where they matter only: plan without them, then around each other.
+
+Without capacities maps are reduced to a few places, and what is proven there is a bound for every
+plan. Most narrow places can then be passed one after the other at no cost: `tsplan.routing` looks
+for such ways, and where it finds some that are worth what the bound says, they are the best plan.
+Otherwise the places that stay too full are held to their capacities, and the mission is planned
+again. In the end the whole model decides what is still open.
+
+Source of the idea, that conflicts are few and are looked at when they come up: G. Sharon, R. Stern,
+A. Felner, N. Sturtevant, "Conflict-based search for optimal multi-agent pathfinding", Artificial
+Intelligence 219, 2015. Here a relaxation of all agents is tightened instead of a tree over single
+agents.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from tsplan.clock import Clock, Halted
+from tsplan.encode.class_graph import ClassGraph
+from tsplan.encode.encoded import Point, Setting
+from tsplan.encode.enforced_capacities import Enforced
+from tsplan.encode.model_objectives import Availability, Makespan, MovingAgents
+from tsplan.encode.objective_kinds import StageObjective
+from tsplan.encode.preparation import prepare
+from tsplan.encode.priced_objectives import PricedObjective, Travel
+from tsplan.encode.switches import Switch
+from tsplan.exact import relative_gap
+from tsplan.milp.model import Floats
+from tsplan.plans.outcomes import ObjectiveValue
+from tsplan.routing.crowd import Room
+from tsplan.routing.duties import Sharing
+from tsplan.routing.rerouting import CHEAP, CLEAR, Rerouting
+from tsplan.routing.walks import Walk, point_of, walks_of
+from tsplan.search.effort import Effort
+from tsplan.search.lexicographic import Outcome, Tell
+from tsplan.search.question import FIRST_PLAN, NOTHING_KEPT, Kept
+from tsplan.search.stages import Stages
+from tsplan.stopping import StoppedBy
+
+SMALL = 20_000
+"""Flow columns up to which the whole model is searched at once."""
+
+_SHARE = 0.5  # of the time that is left, for planning with some capacities
+_PATIENCE = 30, 200  # attempts in a row that may fail: at no cost, and at any
+_ROUTING = 0.25  # of the time so far that finding ways for points on the way may take
+_LEAST, _TAKING = 1.0, 0.5  # seconds, or of the time so far, that finding ways once may take
+_LESSER = 1e-4  # what later objectives weigh in the price of an edge
+
+
+def relaxable(setting: Setting) -> bool:
+    """Whether capacities can be left out first, and single agents be led around each other.
+
+    Not where groups move together, structures are rebuilt, things are carried or agents may be
+    late, nor with constraints of the user's own. Small models need no help.
+    """
+    mission = setting.mission
+    plain = not (
+        mission.swarm is not None
+        or mission.expected is not None
+        or mission.resources
+        or setting.changes
+        or setting.delay
+        or setting.constraints
+        or setting.plain is not None
+        or "delay" in mission.objective
+    )
+    limited = bool(setting.arrays.capacity or setting.arrays.group_capacity)
+    columns = setting.horizon * sum(len(item.graph.tail) for item in setting.classes)
+    on = Switch.CAPACITIES in setting.switches
+    return on and plain and limited and columns > SMALL
+
+
+@dataclass(eq=False)
+class CapacityRelaxation:
+    """Runs the objectives of a problem whose map has capacities; `setting` has all of them."""
+
+    setting: Setting
+    objectives: tuple[StageObjective, ...]
+    effort: Effort
+    clock: Clock
+    tell: Tell[Point]
+    _best: Point | None = field(default=None, init=False)
+    _learnt: list[tuple[ObjectiveValue, ...]] = field(default_factory=list, init=False)
+    _first_bound: float | None = field(default=None, init=False)
+    _routing: float = field(default=0.0, init=False)
+    _round: int = field(default=0, init=False)
+    _last: Outcome[Point] = field(default=Outcome(), init=False)
+
+    def run(self) -> Outcome[Point]:
+        """All objectives until they are settled or the time is up."""
+        held = Enforced()
+        try:
+            while True:
+                outcome = self._last = self._relaxed(held)
+                if outcome.infeasible and self._best is None:
+                    return outcome
+                if outcome.infeasible:
+                    self._exhausted()
+                self._learnt.append(outcome.reached)
+                if outcome.point is None:
+                    break
+                more = held.also(*self._routed(outcome.point, held))
+                if self._settled or self.clock.over or not held < more:
+                    break
+                held = more
+            if not self._settled and not self.clock.over:
+                self._whole()
+        except Halted as halted:
+            self._last = replace(self._last, stopped_by=halted.reason)
+        return self._outcome()
+
+    # --- planning --------------------------------------------------------------------------------
+
+    def _relaxed(self, held: Enforced) -> Outcome[Point]:
+        """The outcome of planning where some capacities are held alone."""
+        self._round += 1
+        left = self.clock.left
+        clock = self.clock if left is None else self.clock.within(_SHARE * left)
+        setting = prepare(
+            self.setting.mission, (), self.setting.switches, clock=clock, enforced=held
+        )
+
+        def hear(
+            stage: str, point: Point | None, _value: float | None, bound: float | None
+        ) -> None:
+            if point is not None and self._may_route:
+                self._routed(point, held)
+            first = self.objectives and stage == self.objectives[0].name
+            self._hear_bound(bound if first else None)
+            self.tell(stage, None, self._value(stage), self._first_bound if first else None)
+
+        return self._stages(setting, clock, hear, self._cutoff).run()
+
+    def _stages(
+        self, setting: Setting, clock: Clock, tell: Tell[Point], kept: Kept = NOTHING_KEPT
+    ) -> Stages:
+        return Stages(setting, self.objectives, self.effort, clock, tell, kept=kept)
+
+    @property
+    def _cutoff(self) -> Kept:
+        """What plans have to be better than, where that is all that matters of them."""
+        if self._best is None or len(self.objectives) != 1:
+            return NOTHING_KEPT
+        (objective,) = self.objectives
+        if not isinstance(objective, PricedObjective):
+            return NOTHING_KEPT
+        target = objective.target(self.setting, self._best.encoded)
+        value = objective.minimised(self.setting, self._best)
+        return Kept(((objective, value - target.step),)) if target.step else NOTHING_KEPT
+
+    def _exhausted(self) -> None:
+        """There is no plan below the cutoff: the best one known is the best."""
+        self._hear_bound(self._value(self.objectives[0].name))
+
+    def _hear_bound(self, bound: float | None) -> None:
+        """Keep what a relaxation says of the first objective: it holds for every plan.
+
+        Where only plans better than the one known were looked for, it says no more than that one.
+        """
+        if bound is None:
+            return
+        first = self.objectives[0]
+        sign, value = (1.0 if first.rises else -1.0), self._value(first.name)
+        bounds = [sign * each for each in (bound, self._first_bound) if each is not None]
+        best = min(bounds) if value is None else max(min(bounds), sign * value)
+        self._first_bound = sign * best
+
+    def _whole(self) -> None:
+        """Plan with all capacities in the model."""
+
+        def hear(stage: str, point: Point | None, value: float | None, bound: float | None) -> None:
+            if point is not None:
+                self._take(point)
+            elif self._best is None or bound is not None:
+                self.tell(stage, None, value, bound)
+
+        outcome = self._stages(self.setting, self.clock, hear).run()
+        self._last = outcome
+        self._learnt.append(outcome.reached)
+        if outcome.point is not None:
+            self._take(outcome.point)
+
+    # --- ways ------------------------------------------------------------------------------------
+
+    @property
+    def _may_route(self) -> bool:
+        """Whether ways may be looked for while a relaxation is still being planned."""
+        return self._best is None or self._routing < _ROUTING * self.clock.elapsed
+
+    def _routed(self, point: Point, held: Enforced) -> tuple[list[int], list[int]]:
+        """Look for ways with room for everybody; the states and edges where there is none."""
+        began = self.clock.elapsed
+        routes = self._rerouting(point)
+        before = routes.crowd.overfull()
+        cheap, any_ = _PATIENCE
+        clock = self.clock.within(max(_LEAST, _TAKING * began))
+        fits = routes.repair(CHEAP, clock, cheap)
+        crowded = routes.crowd.overfull()
+        if not fits:
+            least = routes.price
+            routes = replace(routes, last=None, still=frozenset())
+            clock = self.clock.within(max(_LEAST, _TAKING * began))
+            if routes.repair(CLEAR, clock, any_):
+                routes.improve(clock, cheap, least)
+        if not routes.crowd.excess:
+            self._take(point_of(self.setting, routes.walks, point.encoded.level))
+        self._routing += self.clock.elapsed - began
+        states, groups = ([*map(int, part)] for part in crowded)
+        if held < held.also(states, groups):
+            return states, groups
+        first, other = ([*map(int, part)] for part in before)
+        return first, other
+
+    def _rerouting(self, point: Point) -> Rerouting:
+        """The ways of a point, to be changed where there is no room."""
+        setting, walks = self.setting, walks_of(point)
+        level = point.encoded.level
+        if any(isinstance(objective, Availability) for objective in self.objectives):
+            worth = Availability().worth(setting, point)
+            level = int(worth) if np.isfinite(worth) else 0  # infinite where nothing is asked for
+        sharing = Sharing(setting, walks, level)
+        sharing.share(point)
+        makespan = any(isinstance(objective, Makespan) for objective in self.objectives)
+        last = int(Makespan().worth(setting, point)) if makespan else None
+        few = any(isinstance(objective, MovingAgents) for objective in self.objectives)
+        return Rerouting(
+            setting,
+            walks,
+            sharing.duties,
+            [self._prices(item.graph) for item in setting.classes],
+            Room.of(setting, sharing.zones),
+            last=last,
+            still=frozenset(n for n, walk in enumerate(walks) if few and not _moves(setting, walk)),
+            seed=self._round + (self.effort.choice.seed or 0),
+        )
+
+    def _prices(self, graph: ClassGraph) -> Floats:
+        """What every edge of a class costs in the objectives, the first of them above all."""
+        priced = [each for each in self.objectives if isinstance(each, PricedObjective)]
+        parts = [each.price(graph) for each in priced or [Travel()]]
+        return np.asarray(sum(part * _LESSER**place for place, part in enumerate(parts)))
+
+    # --- what is known ---------------------------------------------------------------------------
+
+    def _take(self, point: Point) -> None:
+        """Keep a plan that is better than the one known, and tell of it."""
+        if self._best is not None and not self._better(point, self._best):
+            return
+        self._best = point
+        first = self.objectives[0].name if self.objectives else FIRST_PLAN
+        reached = self._reached()
+        self.tell(first, point, self._value(first), reached[0].bound if reached else None)
+
+    def _better(self, point: Point, other: Point) -> bool:
+        """Whether a plan is better in the first objective that tells two plans apart."""
+        for objective in self.objectives:
+            new, old = (objective.worth(self.setting, each) for each in (point, other))
+            if new != old:
+                return (new > old) is objective.rises
+        return False
+
+    def _value(self, stage: str) -> float | None:
+        """What the best plan is worth in an objective."""
+        if self._best is None:
+            return None
+        named = (each for each in self.objectives if each.name == stage)
+        return next((each.worth(self.setting, self._best) for each in named), None)
+
+    def _reached(self) -> tuple[ObjectiveValue, ...]:
+        """The values of the best plan, and the best bounds that were learnt of them.
+
+        What is learnt of an objective, for plans that lose nothing of what was reached in the ones
+        before, holds for plans that lose nothing of the best plan's values if these are as good.
+        """
+        found = []
+        trusted = list(self._learnt)
+        for place, objective in enumerate(self.objectives):
+            value = self._value(objective.name)
+            sign = 1.0 if objective.rises else -1.0
+            learnt = [reached[place] for reached in trusted if place < len(reached)]
+            heard = self._first_bound if place == 0 else None
+            told = [*(item.bound for item in learnt), heard]
+            bounds = [sign * bound for bound in told if bound is not None]
+            bound = sign * min(bounds) if bounds else None
+            if value is not None and bound is not None:
+                bound = objective.matched(value, bound)
+            found.append(ObjectiveValue(objective.name, value, bound))
+            trusted = [
+                reached
+                for reached in trusted
+                if place < len(reached) and _as_good(value, reached[place].value, sign)
+            ]
+        return tuple(found)
+
+    @property
+    def _settled(self) -> bool:
+        """Whether nothing is left to be found: all is proven, or as near as was asked for."""
+        return self._best is not None and (self._proven or self._near)
+
+    @property
+    def _proven(self) -> bool:
+        return self._best is not None and all(item.proven for item in self._reached())
+
+    @property
+    def _near(self) -> bool:
+        """Whether the gap that was asked for is reached, in the first objective that is open."""
+        wanted = self.effort.choice.gap
+        open_ = next((item for item in self._reached() if not item.proven), None)
+        if not wanted or open_ is None or open_.value is None or open_.bound is None:
+            return False
+        gap = relative_gap(open_.value, open_.bound)
+        return gap is not None and gap <= wanted
+
+    def _outcome(self) -> Outcome[Point]:
+        if self._best is None:
+            return replace(self._last, point=None, reached=(), proven=False)
+        stopped = None
+        if not self._proven:
+            stopped = StoppedBy.GAP if self._near else self.clock.stopped_by
+            stopped = stopped or self._last.stopped_by or StoppedBy.PRECISION
+        return replace(
+            self._last,
+            point=self._best,
+            reached=self._reached(),
+            proven=self._proven,
+            infeasible=False,
+            stopped_by=stopped,
+        )
+
+
+def _as_good(value: float | None, other: float | None, sign: float) -> bool:
+    """Whether a value is as good as another; both are known."""
+    return value is not None and other is not None and sign * value >= sign * other
+
+
+def _moves(setting: Setting, walk: Walk) -> bool:
+    """Whether an agent ever goes anywhere."""
+    return bool(setting.classes[walk.number].graph.travel[walk.edges].any())
