@@ -51,6 +51,7 @@ class Setting:
     level: int = 0  # the availability that is asked for beside that
     delay: int = 0  # how many steps late agents may be
     changes: tuple[Change, ...] = ()  # by which structures of modules become others
+    slack: float = np.inf  # what agents may travel in detours, all of them together
     straight: bool = False  # resources lie only where they began and where they are wanted
 
     def atoms(self, network: Network, later: int = 0) -> Atoms:

@@ -15,20 +15,32 @@ from tsplan.milp.model import Ints
 class Enforced:
     """The numbers of the states and of the groups of edges whose capacities are kept.
 
+    Only plans matter whose agents make detours of at most `slack` steps in all, compared with a
+    plan that keeps no capacities.
+
     >>> Enforced() < Enforced(frozenset({3})).also(groups=[1])
     True
     """
 
     states: frozenset[int] = frozenset()
     groups: frozenset[int] = frozenset()
+    slack: float = np.inf
+
+    @property
+    def any(self) -> bool:
+        """Whether it keeps some."""
+        return bool(self.states or self.groups)
 
     def also(self, states: Iterable[int] = (), groups: Iterable[int] = ()) -> Enforced:
         """With more states and groups."""
-        return Enforced(self.states.union(states), self.groups.union(groups))
+        more = self.states.union(states), self.groups.union(groups)
+        return Enforced(*more, self.slack)
 
     def __lt__(self, other: Enforced) -> bool:
         """Whether another keeps all of these and more."""
-        return self != other and self.states <= other.states and self.groups <= other.groups
+        mine, others = (self.states, self.groups), (other.states, other.groups)
+        pairs = zip(mine, others, strict=True)
+        return mine != others and all(one <= more for one, more in pairs)
 
     def on(
         self, classes: Sequence[AgentClass], arrays: MapArrays

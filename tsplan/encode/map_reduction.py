@@ -24,6 +24,7 @@ import numpy as np
 from tsplan.clock import Clock
 from tsplan.encode.cheap_ways import cheap_ways
 from tsplan.encode.class_graph import ClassGraph
+from tsplan.encode.detours import detours
 from tsplan.encode.shortcuts import Kept, shortcuts
 from tsplan.milp.model import Bools, Floats, Ints
 
@@ -42,12 +43,31 @@ class Reduced:
 class Interest:
     """Which states matter: `relevant` for any reason, `limited` because of an upper bound.
 
-    `tolls` are what edges cost, each in a sense of its own, where quick ways may not be the best.
+    `narrow` ones have a capacity; it matters only to ways with a detour of at most `slack`. `tolls`
+    are what edges cost, each in a sense of its own, where quick ways may not be the best.
     """
 
     relevant: Bools
     limited: Bools
+    narrow: Bools
     tolls: tuple[Floats, ...] = ()
+    slack: float = np.inf
+
+    def within_slack(self, graph: ClassGraph) -> Interest:
+        """The states that matter, the narrow ones among them and those next to these."""
+        relevant, limited = self.relevant.copy(), self.limited.copy()
+        # agents that must leave a limited state may wait in those next to it
+        relevant[graph.head[limited[graph.tail]]] = True
+        bounded = graph.group >= 0
+        if self.narrow.any() or bounded.any():
+            around = self.narrow.copy()
+            around[graph.head[around[graph.tail]]] = True
+            around[graph.tail[bounded]] = around[graph.head[bounded]] = True
+            if np.isfinite(self.slack):
+                around &= detours(graph, relevant | (graph.start > 0)) <= self.slack
+            relevant |= around
+            limited |= self.narrow & around
+        return replace(self, relevant=relevant, limited=limited)
 
 
 def whole(graph: ClassGraph) -> Reduced:
@@ -69,6 +89,7 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) ->
     every = Interest(
         np.append(interest.relevant, nowhere),
         np.append(interest.limited, nowhere),
+        np.append(interest.narrow, nowhere),
         tuple(toll[:rides] for toll in interest.tolls),
     )
     short = _reduced(graph.among(graph.rides), every, horizon, clock)
@@ -82,11 +103,8 @@ def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) 
     unit_wait = (graph.travel == 0) & (graph.duration == 1)
     waiting = np.zeros(len(graph.start), dtype=np.bool_)
     waiting[graph.tail[unit_wait]] = True
-    relevant = interest.relevant.copy()
-    # agents that must leave a limited state may wait in those next to it
-    relevant[graph.head[interest.limited[graph.tail]]] = True
-    bounded = graph.group >= 0
-    relevant[graph.tail[bounded]] = relevant[graph.head[bounded]] = True
+    interest = interest.within_slack(graph)
+    relevant = interest.relevant
     sources = np.flatnonzero(relevant | (graph.start > 0))
     if not waiting[sources].all():
         return None
@@ -114,8 +132,9 @@ def _assemble(
     """Unit waits, edges with a capacity of their own, and shortcuts as one graph."""
     kept = np.zeros(len(graph.start), dtype=np.bool_)
     kept[sources] = True
+    inside = kept[graph.tail] & kept[graph.head]
     own = np.flatnonzero(
-        (graph.wait & (graph.duration == 1) & kept[graph.tail]) | (graph.group >= 0)
+        (graph.wait & (graph.duration == 1) & kept[graph.tail]) | ((graph.group >= 0) & inside)
     )
     tail, head = ends
     duration = np.array([graph.duration[path].sum() for path in paths], dtype=np.int64)

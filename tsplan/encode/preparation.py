@@ -59,6 +59,7 @@ def prepare(
         delay=mission.delay,
         changes=changes,
         constraints=tuple(constraints),
+        slack=np.inf if enforced is None else enforced.slack,
         switches=switches,
         clock=clock or Clock(),
         plain=plain,
@@ -122,7 +123,7 @@ def _on_reduced_maps(setting: Setting) -> Setting:
     interests = [_tolled(setting, item.graph) for item in setting.classes]
     if any(len(interest.tolls) > 1 for interest in interests):
         return setting  # ways may be quick, cheap or safe
-    limited = any(matters.limited.any() for matters in interests)
+    limited = any(matters.limited.any() or matters.narrow.any() for matters in interests)
     if setting.delay and setting.arrays.group_capacity:
         return setting
     reduced: list[Reduced] = []
@@ -156,16 +157,16 @@ def interest(setting: Setting, graph: ClassGraph, *, rebuilt: bool = True) -> In
     """
     system, arrays, ability = setting.mission.system, setting.arrays, graph.capabilities
     wanted, limited = watched_states(setting.goal, ability, system, arrays)
-    for state, _ in arrays.capacity:
-        limited[state] = True
+    narrow = np.zeros_like(limited)
+    narrow[[state for state, _ in arrays.capacity]] = True
     for term in terms_of(setting.constraints):
         if is_counted(term.capability, ability):
             limited[states_of(term, system, arrays)] = True
     if graph.layer is not None and rebuilt:
         wanted[[change.state for change in setting.changes]] = True
     if graph.modes is None:
-        return Interest(np.logical_or(wanted, limited), limited)
-    return _late_interest(graph, graph.modes, wanted, limited)
+        return Interest(np.logical_or(wanted, limited), limited, narrow, slack=setting.slack)
+    return _late_interest(graph, graph.modes, wanted, limited | narrow)
 
 
 def _late_interest(graph: ClassGraph, modes: Modes, wanted: Bools, limited: Bools) -> Interest:
@@ -180,4 +181,4 @@ def _late_interest(graph: ClassGraph, modes: Modes, wanted: Bools, limited: Bool
     stays = (graph.travel == 0) & (graph.duration == 1)
     for _ in range(modes.delay):
         relevant[graph.head[stays & relevant[graph.tail]]] = True
-    return Interest(relevant, limited)
+    return Interest(relevant, limited, np.zeros_like(limited))

@@ -33,14 +33,15 @@ def straightened(setting: Setting, every: int) -> Setting | None:
     """
     graphs = [base.graph for base in setting.reduced]
     matter = [interest(setting, graph, rebuilt=False) for graph in graphs]
+    matter = [replace(each, limited=each.limited | each.narrow) for each in matter]
     ends, meeting = _ends_of_loads(setting), _meeting(graphs, matter)
     classes, ways = [], []
     for item, base, matters in zip(setting.classes, setting.reduced, matter, strict=True):
         goals = ends | (matters.relevant if base.graph.layer is None else meeting)
         if base.graph.layer is None:
-            found = _straight(setting, base.graph, Interest(goals, matters.limited), every)
+            found = _straight(setting, base.graph, replace(matters, relevant=goals), every)
         else:
-            found = _rebuilt(setting, base.graph, Interest(goals, matters.limited), every)
+            found = _rebuilt(setting, base.graph, replace(matters, relevant=goals), every)
         if found is None:
             return None
         classes.append(replace(item, graph=base.graph))
@@ -87,8 +88,10 @@ def _rebuilt(setting: Setting, graph: ClassGraph, matters: Interest, every: int)
     assert graph.layer is not None
     nowhere = np.zeros(1, dtype=np.bool_)
     able = graph.layer.reach[:-1] <= setting.horizon
-    matters = Interest(matters.relevant & able, matters.limited)
-    wide = Interest(np.append(matters.relevant, nowhere), np.append(matters.limited, nowhere))
+    matters = replace(matters, relevant=matters.relevant & able)
+    parts = matters.relevant, matters.limited, matters.narrow
+    relevant, limited, narrow = (np.append(part, nowhere) for part in parts)
+    wide = Interest(relevant, limited, narrow)
     rides = replace(graph.among(graph.rides), start=graph.start)
     short = _straight(setting, rides, wide, every)
     if short is None:

@@ -97,9 +97,12 @@ class Rerouting:
             best = min(best, better)
         return not self.crowd.excess
 
-    def improve(self, clock: Clock, patience: int, least: float) -> None:
-        """Make ways without conflicts cheaper, until they cost no more than `least` together."""
-        idle = 0
+    def improve(self, clock: Clock, patience: int, least: float = -np.inf) -> bool:
+        """Make ways without conflicts cheaper, until they cost no more than `least` together.
+
+        It ends after so many attempts in a row that did not help; True if any did.
+        """
+        idle, first = 0, self.price
         while self.price > least and idle < patience and not clock.over:
             before = self.price
             chosen = self._dear()
@@ -108,6 +111,7 @@ class Rerouting:
             if not fit or self.price > before:
                 self._put(chosen, old)
             idle = 0 if self.price < before else idle + 1
+        return self.price < first
 
     def _worth(self, weights: Weights) -> float:
         return weights.conflict * self.crowd.excess + weights.price * self.price

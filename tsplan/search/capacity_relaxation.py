@@ -29,12 +29,12 @@ from tsplan.encode.priced_objectives import PricedObjective, Travel
 from tsplan.encode.switches import Switch
 from tsplan.exact import relative_gap
 from tsplan.milp.model import Floats
-from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.routing.crowd import Room
 from tsplan.routing.duties import Sharing
 from tsplan.routing.rerouting import CHEAP, CLEAR, Rerouting
 from tsplan.routing.walks import Walk, point_of, walks_of
 from tsplan.search.effort import Effort
+from tsplan.search.learnt_bounds import LearntBounds
 from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.search.question import FIRST_PLAN, NOTHING_KEPT, Kept
 from tsplan.search.stages import Stages
@@ -42,6 +42,9 @@ from tsplan.stopping import StoppedBy
 
 SMALL = 20_000
 """Flow columns up to which the whole model is searched at once."""
+
+LARGE = 1_000_000
+"""Flow columns from which on, with a time limit, plans are improved instead at the end."""
 
 _SHARE = 0.5  # of the time that is left, for planning with some capacities
 _PATIENCE = 30, 200  # attempts in a row that may fail: at no cost, and at any
@@ -68,9 +71,13 @@ def relaxable(setting: Setting) -> bool:
         or "delay" in mission.objective
     )
     limited = bool(setting.arrays.capacity or setting.arrays.group_capacity)
-    columns = setting.horizon * sum(len(item.graph.tail) for item in setting.classes)
     on = Switch.CAPACITIES in setting.switches
-    return on and plain and limited and columns > SMALL
+    return on and plain and limited and _columns(setting) > SMALL
+
+
+def _columns(setting: Setting) -> int:
+    """About how many flow columns the whole model has."""
+    return setting.horizon * sum(len(item.graph.tail) for item in setting.classes)
 
 
 @dataclass(eq=False)
@@ -83,11 +90,16 @@ class CapacityRelaxation:
     clock: Clock
     tell: Tell[Point]
     _best: Point | None = field(default=None, init=False)
-    _learnt: list[tuple[ObjectiveValue, ...]] = field(default_factory=list, init=False)
-    _first_bound: float | None = field(default=None, init=False)
+    _learnt: LearntBounds = field(init=False)
+    _loosest: float | None = field(default=None, init=False)
+    _routes: tuple[Rerouting, int] | None = field(default=None, init=False)
     _routing: float = field(default=0.0, init=False)
     _round: int = field(default=0, init=False)
     _last: Outcome[Point] = field(default=Outcome(), init=False)
+
+    def __post_init__(self) -> None:
+        """Nothing is known at first."""
+        self._learnt = LearntBounds(self.objectives)
 
     def run(self) -> Outcome[Point]:
         """All objectives until they are settled or the time is up."""
@@ -97,17 +109,20 @@ class CapacityRelaxation:
                 outcome = self._last = self._relaxed(held)
                 if outcome.infeasible and self._best is None:
                     return outcome
-                if outcome.infeasible:
-                    self._exhausted()
-                self._learnt.append(outcome.reached)
-                if outcome.point is None:
+                if outcome.infeasible:  # there is no better plan than the one known
+                    (value,) = self._values
+                    self._learnt.hear(value, value)
+                self._learnt.add(outcome.reached)
+                if not held.any:
+                    self._loosest = next((o.bound for o in self._learnt.of(self._values)), None)
+                if outcome.point is None or self._settled:
                     break
                 more = held.also(*self._routed(outcome.point, held))
                 if self._settled or self.clock.over or not held < more:
                     break
-                held = more
+                held = replace(more, slack=self._slack)
             if not self._settled and not self.clock.over:
-                self._whole()
+                self._finish()
         except Halted as halted:
             self._last = replace(self._last, stopped_by=halted.reason)
         return self._outcome()
@@ -128,9 +143,12 @@ class CapacityRelaxation:
         ) -> None:
             if point is not None and self._may_route:
                 self._routed(point, held)
-            first = self.objectives and stage == self.objectives[0].name
-            self._hear_bound(bound if first else None)
-            self.tell(stage, None, self._value(stage), self._first_bound if first else None)
+            value = self._value(stage)
+            if self.objectives and stage == self.objectives[0].name:
+                self._learnt.hear(bound, value)
+                self.tell(stage, None, value, self._learnt.first)
+            else:
+                self.tell(stage, None, value, None)
 
         return self._stages(setting, clock, hear, self._cutoff).run()
 
@@ -138,6 +156,19 @@ class CapacityRelaxation:
         self, setting: Setting, clock: Clock, tell: Tell[Point], kept: Kept = NOTHING_KEPT
     ) -> Stages:
         return Stages(setting, self.objectives, self.effort, clock, tell, kept=kept)
+
+    @property
+    def _slack(self) -> float:
+        """How many steps of detours better plans can make, beyond the first relaxation's bound.
+
+        Without a detour between two places that matter to the formula a plan travels less by that,
+        and without capacities it stays one. So whoever makes longer detours makes no better plan.
+        """
+        (first,) = self.objectives if len(self.objectives) == 1 else (None,)
+        bound = self._loosest
+        if not isinstance(first, Travel) or self._best is None or bound is None:
+            return np.inf
+        return first.worth(self.setting, self._best) - 1 - bound
 
     @property
     def _cutoff(self) -> Kept:
@@ -151,22 +182,14 @@ class CapacityRelaxation:
         value = objective.minimised(self.setting, self._best)
         return Kept(((objective, value - target.step),)) if target.step else NOTHING_KEPT
 
-    def _exhausted(self) -> None:
-        """There is no plan below the cutoff: the best one known is the best."""
-        self._hear_bound(self._value(self.objectives[0].name))
-
-    def _hear_bound(self, bound: float | None) -> None:
-        """Keep what a relaxation says of the first objective: it holds for every plan.
-
-        Where only plans better than the one known were looked for, it says no more than that one.
-        """
-        if bound is None:
+    def _finish(self) -> None:
+        """Let the whole model decide, or make the best of the time where it is far too large."""
+        if _columns(self.setting) <= LARGE or self.clock.left is None or self._routes is None:
+            self._whole()
             return
-        first = self.objectives[0]
-        sign, value = (1.0 if first.rises else -1.0), self._value(first.name)
-        bounds = [sign * each for each in (bound, self._first_bound) if each is not None]
-        best = min(bounds) if value is None else max(min(bounds), sign * value)
-        self._first_bound = sign * best
+        routes, level = self._routes
+        while not self._settled and routes.improve(self.clock, _PATIENCE[1]):
+            self._take(point_of(self.setting, routes.walks, level))
 
     def _whole(self) -> None:
         """Plan with all capacities in the model."""
@@ -179,7 +202,7 @@ class CapacityRelaxation:
 
         outcome = self._stages(self.setting, self.clock, hear).run()
         self._last = outcome
-        self._learnt.append(outcome.reached)
+        self._learnt.add(outcome.reached)
         if outcome.point is not None:
             self._take(outcome.point)
 
@@ -206,7 +229,9 @@ class CapacityRelaxation:
             if routes.repair(CLEAR, clock, any_):
                 routes.improve(clock, cheap, least)
         if not routes.crowd.excess:
-            self._take(point_of(self.setting, routes.walks, point.encoded.level))
+            level = point.encoded.level
+            if self._take(point_of(self.setting, routes.walks, level)):
+                self._routes = routes, level
         self._routing += self.clock.elapsed - began
         states, groups = ([*map(int, part)] for part in crowded)
         if held < held.also(states, groups):
@@ -245,14 +270,15 @@ class CapacityRelaxation:
 
     # --- what is known ---------------------------------------------------------------------------
 
-    def _take(self, point: Point) -> None:
+    def _take(self, point: Point) -> bool:
         """Keep a plan that is better than the one known, and tell of it."""
         if self._best is not None and not self._better(point, self._best):
-            return
+            return False
         self._best = point
         first = self.objectives[0].name if self.objectives else FIRST_PLAN
-        reached = self._reached()
+        reached = self._learnt.of(self._values)
         self.tell(first, point, self._value(first), reached[0].bound if reached else None)
+        return True
 
     def _better(self, point: Point, other: Point) -> bool:
         """Whether a plan is better in the first objective that tells two plans apart."""
@@ -269,31 +295,10 @@ class CapacityRelaxation:
         named = (each for each in self.objectives if each.name == stage)
         return next((each.worth(self.setting, self._best) for each in named), None)
 
-    def _reached(self) -> tuple[ObjectiveValue, ...]:
-        """The values of the best plan, and the best bounds that were learnt of them.
-
-        What is learnt of an objective, for plans that lose nothing of what was reached in the ones
-        before, holds for plans that lose nothing of the best plan's values if these are as good.
-        """
-        found = []
-        trusted = list(self._learnt)
-        for place, objective in enumerate(self.objectives):
-            value = self._value(objective.name)
-            sign = 1.0 if objective.rises else -1.0
-            learnt = [reached[place] for reached in trusted if place < len(reached)]
-            heard = self._first_bound if place == 0 else None
-            told = [*(item.bound for item in learnt), heard]
-            bounds = [sign * bound for bound in told if bound is not None]
-            bound = sign * min(bounds) if bounds else None
-            if value is not None and bound is not None:
-                bound = objective.matched(value, bound)
-            found.append(ObjectiveValue(objective.name, value, bound))
-            trusted = [
-                reached
-                for reached in trusted
-                if place < len(reached) and _as_good(value, reached[place].value, sign)
-            ]
-        return tuple(found)
+    @property
+    def _values(self) -> list[float | None]:
+        """What the best plan is worth in every objective."""
+        return [self._value(each.name) for each in self.objectives]
 
     @property
     def _settled(self) -> bool:
@@ -302,13 +307,13 @@ class CapacityRelaxation:
 
     @property
     def _proven(self) -> bool:
-        return self._best is not None and all(item.proven for item in self._reached())
+        return self._best is not None and all(item.proven for item in self._learnt.of(self._values))
 
     @property
     def _near(self) -> bool:
         """Whether the gap that was asked for is reached, in the first objective that is open."""
         wanted = self.effort.choice.gap
-        open_ = next((item for item in self._reached() if not item.proven), None)
+        open_ = next((item for item in self._learnt.of(self._values) if not item.proven), None)
         if not wanted or open_ is None or open_.value is None or open_.bound is None:
             return False
         gap = relative_gap(open_.value, open_.bound)
@@ -324,16 +329,11 @@ class CapacityRelaxation:
         return replace(
             self._last,
             point=self._best,
-            reached=self._reached(),
+            reached=self._learnt.of(self._values),
             proven=self._proven,
             infeasible=False,
             stopped_by=stopped,
         )
-
-
-def _as_good(value: float | None, other: float | None, sign: float) -> bool:
-    """Whether a value is as good as another; both are known."""
-    return value is not None and other is not None and sign * value >= sign * other
 
 
 def _moves(setting: Setting, walk: Walk) -> bool:

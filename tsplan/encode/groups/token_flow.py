@@ -143,7 +143,8 @@ def _shortened(setting: Setting, item: AgentClass) -> Reduced:
     """
     system, able = setting.mission.system, item.graph.capabilities
     wanted, _ = watched_states(setting.goal, able, system, setting.arrays)
-    interest = Interest(wanted, np.zeros_like(wanted))
+    none = np.zeros_like(wanted)
+    interest = Interest(wanted, limited=none, narrow=none)
     return reduce(item.graph, interest, setting.horizon, setting.clock) or whole(item.graph)
 
 
