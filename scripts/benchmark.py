@@ -6,6 +6,8 @@
     python scripts/benchmark.py swarm --sizes 30,100 --agents 120 --objective splits
     python scripts/benchmark.py resources --sizes 10 --agents 100 --resources 10 --time-limit 60
     python scripts/benchmark.py modules --agents 12 --docks 2 --time-limit 60
+    python scripts/benchmark.py floor --sizes 3,6 --agents 20 --stations 8 --lanes --time-limit 60
+    python scripts/benchmark.py mapf --map FILE.map --scenario FILE.scen --agents 50 --time-limit 60
     python scripts/benchmark.py signals --compare stlpy,sos1 --time-limit 60
     python scripts/benchmark.py signals --scenes either-or:T=40 door:T=50,n=3
     python scripts/benchmark.py control --scenes narrow:T=25 --seeds 0-9 --time-limit 0.5
@@ -30,6 +32,7 @@ from pathlib import Path
 
 import control_speed
 import families
+import floors
 import signal_encodings
 import signal_scenes
 from benchmark_rows import Row, plot, processor, ratios, table
@@ -149,6 +152,8 @@ def cases(options: argparse.Namespace) -> Iterable[families.Case]:
             "partial": _partials,
             "resources": _resources,
             "modules": _modules,
+            "floor": _floors,
+            "mapf": _scenario,
             "signals": _scenes,
         }
         yield from makers[options.family](options, seeds, objective)
@@ -202,6 +207,20 @@ def _modules(options: argparse.Namespace, seeds: Sequence[int], objective: Names
         yield families.Case(
             "modules", f"{options.docks} docks, modules", options.agents, seed, made
         )
+
+
+def _floors(options: argparse.Namespace, seeds: Sequence[int], objective: Names) -> Made:
+    for rooms in numbers(options.sizes):
+        sizes = floors.Floor(rooms, options.agents, options.stations, options.lanes)
+        for seed in seeds:
+            made = floors.floor(sizes, seed, objective)
+            cells = len(made.system.states)
+            yield families.Case("floor", f"{sizes.robots} robots, cells", cells, seed, made)
+
+
+def _scenario(options: argparse.Namespace, _: Sequence[int], objective: Names) -> Made:
+    made = floors.scenario(Path(options.map), Path(options.scenario), options.agents, objective)
+    yield families.Case("mapf", made.system.name, options.agents, 0, made)
 
 
 def _scenes(options: argparse.Namespace, _: Sequence[int], __: Names) -> Made:
@@ -265,7 +284,7 @@ def parser() -> argparse.ArgumentParser:
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     choices = ["grid", "decomposition", "scaling", "swarm", "partial", "resources"]
-    choices += ["modules", "signals", "missions", "control", "build"]
+    choices += ["modules", "floor", "mapf", "signals", "missions", "control", "build"]
     made.add_argument("family", choices=choices)
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument(
@@ -279,6 +298,12 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument(
         "--docks", type=int, default=2, help="modules: where structures are rebuilt, 0 for anywhere"
     )
+    made.add_argument("--stations", type=int, default=4, help="floor: where robots are wanted")
+    made.add_argument(
+        "--lanes", action="store_true", help="floor: two robots do not pass between two cells"
+    )
+    made.add_argument("--map", help="mapf: a map of the MovingAI benchmarks")
+    made.add_argument("--scenario", help="mapf: a list of starts and goals for it")
     made.add_argument("--axis", choices=list(families.AXES), default="agents")
     made.add_argument(
         "--objective", default="travel", help="such as availability,travel; '' for none"

@@ -1,14 +1,17 @@
-"""Floors of rooms and corridors for robots that cannot share a cell."""
+"""Floors of rooms and corridors, and maps of MovingAI, for robots that cannot share a cell."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from random import Random
 
+import tsplan
 from tsplan import Mission
 from tsplan.mission import Group
 from tsplan.ts import Edge, State, TransitionSystem
+from tsplan.ts.builders import cell_name
 
 _ROOM = 5  # cells on a side, of which one row and column in six is left for walls
 _STATION = 3  # cells of a station, next to each other
@@ -117,3 +120,51 @@ def _tasks(sizes: Floor, labels: Sequence[str], horizon: int, random: Random) ->
         if random.random() < 0.5:
             wanted = f"G[0,3] ({wanted})"
         yield f"F[{begin},{min(begin + width, horizon - 4)}] {wanted}"
+
+
+_COLUMNS = 9  # of a line of a scenario
+_SPARE = 1.5  # steps of the horizon for each that a robot may need from corner to corner
+
+
+def scenario(
+    map_file: Path, list_file: Path, robots: int, objective: Sequence[str] = ("travel",)
+) -> Mission:
+    """The first robots of a scenario of the MovingAI benchmarks, each at its own goal in the end.
+
+    Every cell and the way between two cells hold one robot. R. Stern et al., "Multi-agent
+    pathfinding: definitions, variants, and benchmarks", SoCS 2019.
+    """
+    system = tsplan.load_map(map_file)
+    trips = []
+    for line in list_file.read_text().splitlines():
+        parts = line.split("\t")
+        if len(parts) == _COLUMNS:
+            x, y, goal_x, goal_y = map(int, parts[4:8])
+            trips.append((cell_name(y, x), cell_name(goal_y, goal_x)))
+    trips = trips[:robots]
+    goals: dict[str, set[str]] = {}
+    for number, (_, goal) in enumerate(trips):
+        goals.setdefault(goal, set()).add(f"goal{number}")
+    states = [
+        replace(state, labels=frozenset(goals.get(state.name, ())), capacity=1)
+        for state in system.states.values()
+    ]
+    edges = [
+        edge if edge.is_wait else replace(edge, capacity=1, both_ways=True)
+        for edge in system.edges.values()
+    ]
+    rows = {name.split("c")[0] for name in system.states}
+    last = round(_SPARE * (len(rows) + len(system.states) / len(rows)))
+    return Mission.of(
+        map=TransitionSystem.build(states, edges, name=map_file.stem),
+        team=[
+            Group.of(f"robot{n}", {start: 1}, {f"robot{n}"}) for n, (start, _) in enumerate(trips)
+        ],
+        formula=" && ".join(
+            f"F[{last},{last}] sum(goal{n},robot{n}) >= 1" for n in range(len(trips))
+        ),
+        language="mtl",
+        objective=tuple(objective),
+        horizon=last,
+        name=f"{list_file.stem} {len(trips)} robots",
+    )
