@@ -13,10 +13,11 @@ from hypothesis import strategies as st
 from tests.command_line import printed
 from tsplan.draw.colours import NAMED, colour_of, ink_on, lightness, mixed, rgb
 from tsplan.draw.edge_layout import MOST_SPRINGS, spacing
-from tsplan.draw.layout import centroid, places
+from tsplan.draw.layout import places
 from tsplan.draw.palette import HATCHES, HUES, PLAIN, TRAVEL, Palette, paints
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
+from tsplan.ts.state_places import centroid
 
 
 def bare(system):

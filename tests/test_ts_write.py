@@ -1,6 +1,7 @@
 """Maps written and read again are the same maps."""
 
 import string
+from dataclasses import replace
 
 import pytest
 import yaml
@@ -70,6 +71,13 @@ def test_the_own_format_round_trip(system):
     again = read(map_to_yaml(system))
     assert again == system
     assert list(again.states) == list(system.states)
+
+
+@given(systems(), st.none() | st.integers() | NAMES, st.none() | st.floats(1e-6, 1e6))
+def test_origins_and_seconds_of_steps_are_kept_in_the_own_format(system, origin, seconds):
+    states = [replace(state, origin=origin) for state in system.states.values()]
+    told = TransitionSystem.build(states, system.edges.values(), step_seconds=seconds)
+    assert read(map_to_yaml(told)) == told
 
 
 @given(systems())

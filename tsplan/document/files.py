@@ -11,6 +11,7 @@ import os
 import pathlib
 import shutil
 import stat
+from collections.abc import Iterable
 from difflib import get_close_matches
 
 from tsplan.document.kinds import kind_of_bytes
@@ -53,21 +54,28 @@ def beginning(path: str | pathlib.Path, most: int) -> str:
     return _read(path, most, whole=False).decode("utf-8", "replace").removeprefix("\ufeff")
 
 
-def write_whole(path: pathlib.Path, content: bytes, error: type[InputError] = InputError) -> None:
+def write_whole(
+    path: pathlib.Path,
+    content: bytes | Iterable[bytes],
+    error: type[InputError] = InputError,
+) -> None:
     """Write a file beside its place and move it there at once; devices are written directly.
 
-    So a reader sees the old file or the whole new one, never a part. Raises `error` if the place
-    cannot be written.
+    So a reader sees the old file or the whole new one, never a part. What is large may come in
+    parts, which are written one after the other; if making one fails, there is no new file. Raises
+    `error` if the place cannot be written.
     """
+    parts = (content,) if isinstance(content, bytes) else content
     place = path.resolve()
     part = place.with_name(f".{place.name}.{os.getpid()}.part")
     try:
         if place.exists() and not place.is_file():
-            place.write_bytes(content)
+            with place.open("wb") as stream:
+                stream.writelines(parts)
             return
         try:
             with part.open("xb") as stream:
-                stream.write(content)
+                stream.writelines(parts)
                 stream.flush()
                 os.fsync(stream.fileno())
             if place.exists():

@@ -69,7 +69,8 @@ class State:
     """A place where agents can be.
 
     `at` and `shape` (a polygon) are coordinates for drawing, in any unit. `capacity` bounds the
-    agents here at each step. Only agents with all capabilities of `needs` may be here.
+    agents here at each step. Only agents with all capabilities of `needs` may be here. `origin` is
+    what the file of another format calls it: the id of a node, the name of a waypoint.
     """
 
     name: str
@@ -79,6 +80,7 @@ class State:
     color: str | None = None
     capacity: int | None = None
     needs: frozenset[str] = NOTHING
+    origin: str | int | None = None
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection; a single word is one label."""

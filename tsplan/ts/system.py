@@ -42,6 +42,7 @@ class TransitionSystem(display.Displayed):
     Build one with `TransitionSystem.build`, which checks it. States and edges keep the order in
     which they were given. `places` says where a file gives the costs of edges. Where outcomes are
     uncertain there are `actions`, by state and name, and the edges say what these may lead to.
+    A step takes `step_seconds` seconds, where that is known.
 
     >>> town = TransitionSystem.build(
     ...     [State("home"), State("shop", frozenset({"open"}))],
@@ -57,6 +58,7 @@ class TransitionSystem(display.Displayed):
     extras: Extras | None = field(default=None, repr=False, compare=False)
     places: Mapping[Pair, Spot] = field(default_factory=dict, repr=False, compare=False)
     actions: Mapping[ActionKey, Action] = field(default_factory=dict)
+    step_seconds: float | None = None
 
     def __post_init__(self) -> None:
         """Freeze the mappings."""
@@ -74,7 +76,7 @@ class TransitionSystem(display.Displayed):
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as plain dicts, so that a system can be sent to another process."""
         parts = (self.name, dict(self.states), dict(self.edges), self.extras, dict(self.places))
-        return TransitionSystem, (*parts, dict(self.actions))
+        return TransitionSystem, (*parts, dict(self.actions), self.step_seconds)
 
     @classmethod
     def build(
@@ -85,6 +87,7 @@ class TransitionSystem(display.Displayed):
         *,
         extras: Extras | None = None,
         actions: Iterable[Action] = (),
+        step_seconds: float | None = None,
         locate: Callable[[Problem], Finding] = Problem.finding,
         locate_action: Callable[[ActionFlaw], Finding] = ActionFlaw.finding,
     ) -> TransitionSystem:
@@ -118,6 +121,7 @@ class TransitionSystem(display.Displayed):
             extras,
             {} if locate is Problem.finding else _cost_places(edges, locate),
             {action.key: action for action in actions},
+            step_seconds,
         )
 
     @cached_property

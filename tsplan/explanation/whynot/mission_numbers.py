@@ -263,7 +263,7 @@ def remapped(
     chosen |= {pair[::-1] for pair in shared}
     states = [change(item) if item.name in chosen else item for item in system.states.values()]
     edges = [change(item) if item.pair in chosen else item for item in system.edges.values()]
-    return TransitionSystem.build(states, edges, system.name)
+    return TransitionSystem.build(states, edges, system.name, step_seconds=system.step_seconds)
 
 
 def _on_map(mission: Mission, *ends: str) -> Any:

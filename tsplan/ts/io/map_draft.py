@@ -92,7 +92,11 @@ class MapDraft(ABC):
         return self.document.key_finding(self.action_path(flaw), flaw.message, flaw.remedy)
 
     def system(
-        self, name: str, more: Iterable[Edge] = (), extras: Extras | None = None
+        self,
+        name: str,
+        more: Iterable[Edge] = (),
+        extras: Extras | None = None,
+        step_seconds: float | None = None,
     ) -> TransitionSystem:
         """The map, with `more` edges than are listed; raises MapError with all that is wrong."""
         if self.findings:
@@ -106,6 +110,7 @@ class MapDraft(ABC):
             name,
             extras=extras,
             actions=self.actions,
+            step_seconds=step_seconds,
             locate=self.locate,
             locate_action=self.locate_action,
         )

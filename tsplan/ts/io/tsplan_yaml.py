@@ -49,8 +49,15 @@ def _duration(value: Any) -> int | ByClass:
     return ByClass({name: _steps(steps) for name, steps in value.items()})
 
 
+def _origin(value: Any) -> str | int:
+    if isinstance(value, bool) or not isinstance(value, str | int) or value == "":
+        raise complaint(f"{shown(value)} is neither a name nor a whole number", "put it in quotes")
+    return value
+
+
 _Reference = Annotated[Any, PlainValidator(_reference)]
 _Duration = Annotated[Any, PlainValidator(_duration)]
+_Origin = Annotated[Any, PlainValidator(_origin)]
 
 
 class _Strict(BaseModel):
@@ -64,6 +71,7 @@ class _StateEntry(_Strict):
     color: Word | None = None
     capacity: Natural | None = None
     needs: Words = []
+    origin: _Origin | None = None
 
 
 class _EdgeEntry(_Strict):
@@ -84,6 +92,7 @@ class _EdgeList(RootModel[tuple[_Reference, _Reference, _Duration]]):
 class _Map(_Strict):
     name: Word | None = None
     waiting: Truth = False
+    step_seconds: Annotated[Number, Field(gt=0)] | None = None
     states: dict[str, Any]
     edges: list[Any] = []
     actions: dict[str, dict[str, dict[str, Any]]] = {}
@@ -176,7 +185,7 @@ def read_own(document: Document, path: Path = ()) -> TransitionSystem:
     if content.waiting and draft.actions:
         draft.actions += missing_stays(draft.states, draft.actions)
     more = missing_waits(draft.states, draft.edges) if content.waiting and not draft.actions else ()
-    return draft.system(content.name or "", more)
+    return draft.system(content.name or "", more, step_seconds=content.step_seconds)
 
 
 def _or_empty(data: Any, key: str, kind: type[Any]) -> Any:
@@ -191,6 +200,8 @@ def map_to_yaml(system: TransitionSystem) -> str:
     Waits are written out as edges. What only another format knows (`extras`) is left out.
     """
     lines = [f"name: {word(system.name)}"] if system.name else []
+    if system.step_seconds is not None:
+        lines.append(f"step_seconds: {flow(short(system.step_seconds))}")
     lines.append("states:")
     named = {name: word(name) for name in system.states}  # each of them stands in several edges
     lines += [f"  {named[name]}: {flow(_state(state))}" for name, state in system.states.items()]
@@ -228,6 +239,7 @@ def _state(state: State) -> dict[str, Any]:
         color=state.color,
         capacity=state.capacity,
         needs=sorted(state.needs),
+        origin=state.origin,
     )
 
 
