@@ -65,6 +65,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.ts import State as State
     from tsplan.ts import TransitionSystem as TransitionSystem
     from tsplan.ts.io.map_files import load_map as load_map
+    from tsplan.writers.exporter import export as export
 
 __version__ = VERSION
 _HOMES = {
@@ -107,6 +108,7 @@ _HOMES = {
     "sweeps.sweeper": ("sweep",),
     "ts": ("Action", "Edge", "State", "TransitionSystem"),
     "ts.io.map_files": ("load_map",),
+    "writers.exporter": ("export",),
 }
 
 __all__ = [name for names in _HOMES.values() for name in names]

@@ -45,7 +45,7 @@ def parser() -> argparse.ArgumentParser:
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
     every = (_plan, _sweep, _explain, _check, _simulate, _parse, _robustness)
-    shown = (_show, _view, _animate, _lint)
+    shown = (_show, _view, _animate, _export, _lint)
     for command in (*every, *shown):
         command(commands)
     return top
@@ -242,10 +242,30 @@ def _animate(commands: Commands) -> None:
     add("--size", type=_size, metavar="WxH", help="in dots (default 960x600)")
 
 
+def _export(commands: Commands) -> None:
+    words = "write a plan for other programs: robots' navigation, fleets, viewers, tables"
+    add = _command(commands, "export", words, "plan")
+    formats = "nav2, rmf, planviz, csv, geojson, graphml, or one that another package adds"
+    add("--to", required=True, metavar="FORMAT", help=formats)
+    add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
+    what = "map with the coordinates, ids and seconds to write (default: the mission's)"
+    add("--map", type=Path, metavar="MAP", help=what)
+    ids = "ids of the agents to write, with commas between them; may be repeated (default: all)"
+    add("--agents", type=_names, action="extend", default=[], metavar="IDS", help=ids)
+    add("-o", "--output", type=Path, required=True, metavar="FILE", help="file to write")
+
+
 def _lint(commands: Commands) -> None:
     words = "say what looks odd in a map or a mission; exit code 0 or 1"
     add = _command(commands, "lint", words)
     add("file", type=Path, metavar="FILE", help="map or mission file")
+
+
+def _names(text: str) -> list[str]:
+    names = [name for part in text.split(",") if (name := part.strip())]
+    if not names:
+        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' names nobody")
+    return names
 
 
 def _clipped(text: str) -> str:
