@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.checking.assignment import assign
 from tsplan.checking.fitting import refuse_pathless
-from tsplan.checking.path_segments import read_path
+from tsplan.checking.path_segments import Path, read_path
 from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.exact import exact
 from tsplan.plans.agent_plans import AgentPlan, Bundle, Stay
@@ -109,31 +109,45 @@ def handover(plan: Plan, system: TransitionSystem, agents: Collection[str] = ())
         raise PlanError([Finding(what, "name its mission, by which they are found")])
     chosen = frozenset(agents)
     _refuse_unknown(plan, chosen)
+    return Handover(plan, system, chosen, _ways(plan, system, chosen))
+
+
+def _ways(plan: Plan, system: TransitionSystem, chosen: Collection[str]) -> dict[_Way, Journey]:
+    """The journey of every way that somebody goes; PlanError for what the map does not allow."""
     modules = frozenset(name for each in plan.structures for name in each.modules)
+    first: dict[_Way, str] = {}
+    for agent in _agents(plan, chosen):
+        first.setdefault(_way(agent), agent.id)
     ways: dict[_Way, Journey] = {}
     findings: list[Finding] = []
-    for agent in _agents(plan, chosen):
-        if (way := _way(agent)) not in ways:
-            problems, ways[way] = _read(plan, system, way, module=agent.id in modules)
-            findings += (Finding(f"agent {agent.id} {words}", _OTHER) for words in problems)
+    for bundle in plan.bundles:
+        if (name := first.get(way := _way(bundle))) is None:
+            continue
+        if name in modules:
+            ways[way] = Journey(way.class_name, way.stays, way.heading)
+            problems = _strange(ways[way], system)
+        else:
+            path = read_path(system, bundle, plan.horizon)
+            ways[way], problems = _journey(way, path, plan.horizon), path.problems
+        findings += (Finding(f"agent {name} {words}", _OTHER) for words in problems)
     if findings:
         raise PlanError(findings)
-    return Handover(plan, system, chosen, ways)
+    return ways
 
 
 def _agents(plan: Plan, chosen: Collection[str]) -> Iterator[AgentPlan]:
     return (agent for agent in plan.agents if not chosen or agent.id in chosen)
 
 
-def _way(agent: AgentPlan) -> _Way:
-    return _Way(agent.class_name, agent.capabilities, agent.stays, agent.heading)
+def _way(of: AgentPlan | Bundle) -> _Way:
+    return _Way(of.class_name, of.capabilities, of.stays, of.heading)
 
 
 def _without_paths(plan: Plan) -> list[str]:
     """The swarms of which the plan has no agents."""
     if not plan.moves:
         return []
-    told = {agent.class_name for agent in plan.agents}
+    told = {bundle.class_name for bundle in plan.bundles}
     return [name for name in plan.moves if name not in told]
 
 
@@ -149,19 +163,18 @@ def _refuse_unknown(plan: Plan, chosen: frozenset[str]) -> None:
         )
 
 
-def _read(
-    plan: Plan, system: TransitionSystem, way: _Way, *, module: bool
-) -> tuple[tuple[str, ...], Journey]:
-    """What the map does not allow about a way, and its journey.
-
-    A module moves at the pace of the structures that it is part of, which the map does not know.
-    """
-    journey = Journey(way.class_name, way.stays, way.heading)
-    if module:
-        unknown = sorted(journey.states - system.states.keys())
-        return tuple(f"is at '{state}', which the map does not have" for state in unknown), journey
-    path = read_path(system, Bundle(*way, agents=(0,)), plan.horizon)
-    if path.segments and path.segments[-1].left > plan.horizon:
+def _journey(way: _Way, path: Path, horizon: int) -> Journey:
+    """The journey of agents whose path is read on the map, which knows where and when it ends."""
+    if path.segments and path.segments[-1].left > horizon:
         last = path.segments[-1]
-        journey = Journey(way.class_name, way.stays, last.edge.target, last.left)
-    return path.problems, journey
+        return Journey(way.class_name, way.stays, last.edge.target, last.left)
+    return Journey(way.class_name, way.stays)
+
+
+def _strange(journey: Journey, system: TransitionSystem) -> tuple[str, ...]:
+    """The states of a module's journey that the map does not have.
+
+    More is not asked: it moves at the pace of its structures, which the map does not know.
+    """
+    unknown = sorted(journey.states - system.states.keys())
+    return tuple(f"is at '{state}', which the map does not have" for state in unknown)

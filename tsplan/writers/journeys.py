@@ -60,6 +60,22 @@ class Journey:
         return stops if self.heading is None else (*stops, Stop(self.heading, self.arrival, None))
 
     @property
+    def visits(self) -> tuple[Stop, ...]:
+        """The stops, those at one state that follow each other as one: what is between is a wait.
+
+        >>> Journey("cart", ((0, 0, "p"), (2, 3, "p")), "q", 7).visits
+        (Stop(state='p', first=0, last=3), Stop(state='q', first=7, last=None))
+        """
+        visits: list[Stop] = []
+        for stop in self.stops:
+            if visits and visits[-1].state == stop.state:
+                over = stop.first if stop.last is None else stop.last
+                visits[-1] = visits[-1]._replace(last=over)
+            else:
+                visits.append(stop)
+        return tuple(visits)
+
+    @property
     def legs(self) -> Iterator[Leg]:
         """What lies between the stops, one fewer than these."""
         for here, there in pairwise(self.stops):

@@ -87,9 +87,9 @@ def _robots(handover: Handover, shared: Any) -> Iterator[str]:
 def _route(handover: Handover, ids: Mapping[str, int], journey: Journey) -> dict[str, Any]:
     """What is said of a robot after its name."""
     visits, end = [], handover.plan.horizon
-    for stop in journey.stops:
+    for stop in journey.visits:
         x, y = handover.place(stop.state) or (None, None)
-        left = None if stop.last == end else stop.last
+        left = None if stop.last is None or stop.last >= end else stop.last
         visit = {"node": ids[stop.state], "state": stop.state, "x": x, "y": y}
         visit |= {"arrive_step": stop.first, "leave_step": left}
         if handover.timed:

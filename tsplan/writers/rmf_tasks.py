@@ -45,7 +45,7 @@ def write(handover: Handover) -> Iterator[str]:
     """
     loads = loads_of(handover.plan.cargo)
     _refuse(handover, loads)
-    bare = lru_cache(_KEPT)(lambda journey: _phases(handover, journey, ({},) * len(journey.stops)))
+    bare = lru_cache(_KEPT)(lambda journey: _phases(handover, journey, ({},) * len(journey.visits)))
 
     def requests() -> Iterator[str]:
         for agent, journey in handover.journeys():
@@ -78,8 +78,8 @@ def _refuse(handover: Handover, loads: AgentLoads) -> None:
 
 
 def _carried(agent: str, journey: Journey, loads: AgentLoads) -> tuple[Loads, ...]:
-    """What an agent carries from each of its stops on."""
-    steps = (stop.last for stop in journey.stops)
+    """What an agent carries from each of its visits on."""
+    steps = (stop.last for stop in journey.visits)
     return tuple({} if step is None else loads.get((agent, step), {}) for step in steps)
 
 
@@ -97,7 +97,7 @@ def _request(handover: Handover, agent: str, fleet: str, phases: str) -> str:
 def _phases(handover: Handover, journey: Journey, carried: tuple[Loads, ...]) -> str:
     """The phases of a journey as JSON."""
     activities: list[Activity] = []
-    for stop, (before, after) in zip(journey.stops, pairwise(({}, *carried)), strict=True):
+    for stop, (before, after) in zip(journey.visits, pairwise(({}, *carried)), strict=True):
         place = waypoint(handover.system.states[stop.state])
         stays = stop.first != stop.last
         activities.append({"category": "go_to_place", "description": place})

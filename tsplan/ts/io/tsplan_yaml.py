@@ -92,7 +92,7 @@ class _EdgeList(RootModel[tuple[_Reference, _Reference, _Duration]]):
 class _Map(_Strict):
     name: Word | None = None
     waiting: Truth = False
-    step_seconds: Annotated[Number, Field(gt=0)] | None = None
+    step: Annotated[Number, Field(gt=0)] | None = None
     states: dict[str, Any]
     edges: list[Any] = []
     actions: dict[str, dict[str, dict[str, Any]]] = {}
@@ -185,7 +185,7 @@ def read_own(document: Document, path: Path = ()) -> TransitionSystem:
     if content.waiting and draft.actions:
         draft.actions += missing_stays(draft.states, draft.actions)
     more = missing_waits(draft.states, draft.edges) if content.waiting and not draft.actions else ()
-    return draft.system(content.name or "", more, step_seconds=content.step_seconds)
+    return draft.system(content.name or "", more, step_seconds=content.step)
 
 
 def _or_empty(data: Any, key: str, kind: type[Any]) -> Any:
@@ -201,7 +201,7 @@ def map_to_yaml(system: TransitionSystem) -> str:
     """
     lines = [f"name: {word(system.name)}"] if system.name else []
     if system.step_seconds is not None:
-        lines.append(f"step_seconds: {flow(short(system.step_seconds))}")
+        lines.append(f"step: {flow(short(system.step_seconds))}")
     lines.append("states:")
     named = {name: word(name) for name in system.states}  # each of them stands in several edges
     lines += [f"  {named[name]}: {flow(_state(state))}" for name, state in system.states.items()]
