@@ -1,6 +1,6 @@
 """The examples in the docstrings do what they say.
 
-Each module's examples run from a folder with a `mission.yaml`, since many of them read one.
+They run from a folder with a `mission.yaml`, since many of them read one.
 """
 
 from __future__ import annotations
@@ -50,10 +50,15 @@ def found(name: str) -> list[doctest.DocTest]:
     return [item for item in doctest.DocTestFinder().find(module) if item.examples]
 
 
-@pytest.mark.parametrize("name", modules())
-def test_examples(name, tmp_path, monkeypatch):
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """A folder to work in, with a mission."""
     (tmp_path / "mission.yaml").write_text(MISSION, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize("name", modules())
+def test_examples(name):
     said: list[str] = []
     runner = doctest.DocTestRunner(verbose=False)
     tried = [runner.run(item, out=said.append).attempted for item in found(name)]

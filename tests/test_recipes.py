@@ -28,6 +28,7 @@ from tsplan.plans.records import Word
 from tsplan.ts.io import map_files
 from tsplan.ts.io.map_files import MapFormat, load_map, save_map
 from tsplan.ts.system import Extras
+from tsplan.writers import plan_formats
 
 ROOT = Path(__file__).parents[1]
 GUIDE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
@@ -96,6 +97,26 @@ def test_a_map_format(monkeypatch, tmp_path):
         "format: tsplan-mission/1\nmap: map.yaml\nteam: [{class: cart, at: x0}]\nspec: F[0,3] x3\n"
     )
     assert tsplan.load_mission(tmp_path / "mission.yaml").system.edges == system.edges
+
+
+# --- a plan format ---
+
+
+def write_rounds(handover):
+    """Who goes where, a line each."""
+    for agent, journey in handover.journeys():
+        yield f"{agent}: {' '.join(stop.state for stop in journey.visits)}\n"
+
+
+def test_a_plan_format(monkeypatch, tmp_path):
+    mission, file = errand(), tmp_path / "plan.txt"
+    plan = tsplan.plan(mission)
+    with pytest.raises(tsplan.InputError, match="cannot be written as 'rounds'"):
+        tsplan.export(plan, file, to="rounds", map=mission)
+    formats = {**plan_formats.FORMATS, "rounds": write_rounds}
+    monkeypatch.setattr(plan_formats, "FORMATS", formats)
+    tsplan.export(plan, file, to="rounds", map=mission)
+    assert file.read_text() == "cart-1: a b c\n"
 
 
 # --- a solver ---

@@ -50,6 +50,20 @@ def test_the_own_format():
     assert farm.labels == {"blue": ("q1",), "wet": ("q1",)}
 
 
+def test_the_length_of_a_step_and_original_ids():
+    text = "step: 0.5\nstates: {a: {origin: 17}, b: {origin: '17'}, c: {}}\nedges: []"
+    system = read(text)
+    assert system.step_seconds == 0.5
+    assert [state.origin for state in system.states.values()] == [17, "17", None]
+    faulty = "step: 0\nstates: {a: {origin: 1.5}, b: {origin: true}, c: {origin: ''}}\nedges: []"
+    assert [line.split(":")[1:3] for line in wrong(faulty)] == [
+        ["1", "7"],
+        ["2", "22"],
+        ["2", "40"],
+        ["2", "59"],
+    ]
+
+
 def test_waiting_adds_a_wait_where_there_is_none():
     farm = read(FARM)
     assert farm.edges["q1", "q1"] == Edge("q1", "q1", 1)

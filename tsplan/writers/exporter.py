@@ -56,6 +56,12 @@ def export(
     InputError
         There is no such format or agent, or the file cannot be written.
 
+    >>> import tsplan
+    >>> mission = tsplan.load_mission("mission.yaml")
+    >>> export(tsplan.plan(mission), "plan.csv", to="csv", map=mission)
+    >>> Path("plan.csv").read_text().splitlines()[:2]
+    ['agent,step,state,x,y', 'crew-1,0,yard,,']
+
     """
     written = writer(to)
     if isinstance(map, str | Path):

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import io
 import re
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from itertools import chain
-from xml.sax.saxutils import XMLGenerator
-from xml.sax.xmlreader import AttributesImpl
+from xml.sax.saxutils import escape, quoteattr
 
 from tsplan.errors import Finding, MapError
 from tsplan.ts import State
@@ -15,6 +14,8 @@ from tsplan.ts.state_places import own_place
 from tsplan.writers.handover import Handover
 from tsplan.writers.journeys import Journey
 
+_KEPT = 1024  # journeys whose edges are kept for the agents that follow
+_NAME = "\0"  # where the agent's name comes; no name has it, as XML could not write it
 _NAMESPACE = "http://graphml.graphdrawing.org/xmlns"
 _FIELDS = {
     "node": {"labels": "string", "origin": "string", "x": "double", "y": "double"},
@@ -32,42 +33,6 @@ _FIELDS = {
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-class _Xml:
-    """XML that is handed on in parts."""
-
-    def __init__(self) -> None:
-        self._stream = io.StringIO()
-        self._xml = XMLGenerator(self._stream, "utf-8", short_empty_elements=True)
-
-    def part(self) -> str:
-        """What was written since the last part."""
-        text = self._stream.getvalue()
-        self._stream.seek(0)
-        self._stream.truncate()
-        return text
-
-    def begin(self) -> None:
-        self._xml.startDocument()
-        self.open("graphml", xmlns=_NAMESPACE)
-
-    def open(self, name: str, **attributes: str) -> None:
-        self._xml.startElement(name, AttributesImpl(attributes))
-
-    def close(self, name: str) -> None:
-        self._xml.endElement(name)
-        self._xml.characters("\n")
-
-    def element(self, name: str, data: Mapping[str, object], **attributes: str) -> None:
-        """A node or an edge with those of its fields that say something."""
-        self.open(name, **attributes)
-        for field, value in data.items():
-            if value is not None and value != "":
-                self.open("data", key=f"{name}.{field}")
-                self._xml.characters(str(value))
-                self._xml.endElement("data")
-        self.close(name)
-
-
 def write(handover: Handover) -> Iterator[str]:
     """A directed graph with the states of the map as nodes and what agents do as edges.
 
@@ -82,29 +47,51 @@ def write(handover: Handover) -> Iterator[str]:
 
     """
     _refuse_unwritable(handover)
-    xml = _Xml()
-    xml.begin()
+    yield f'<?xml version="1.0" encoding="utf-8"?>\n<graphml xmlns="{_NAMESPACE}">\n'
     for of, fields in _FIELDS.items():
         for field, kind in fields.items():
-            names = {"for": of, "attr.name": field, "attr.type": kind}
-            xml.open("key", id=f"{of}.{field}", **names)
-            xml.close("key")
-    xml.open("graph", id="plan", edgedefault="directed")
+            names = {"id": f"{of}.{field}", "for": of, "attr.name": field, "attr.type": kind}
+            yield _element("key", names)
+    yield '<graph id="plan" edgedefault="directed">\n'
     for state in handover.system.states.values():
-        xml.element("node", _node(state), id=state.name)
-    yield xml.part()
+        yield _element("node", {"id": state.name}, _data("node", _node(state)))
+    around = lru_cache(_KEPT)(lambda journey: _around(handover, journey))
     for agent, journey in handover.journeys():
-        for (source, target), data in _edges(handover, journey):
-            xml.element("edge", {"agent": agent, **data}, source=source, target=target)
-        yield xml.part()
-    xml.close("graph")
-    xml.close("graphml")
-    yield xml.part()
+        yield _text(agent).join(around(journey))
+    yield "</graph>\n</graphml>\n"
+
+
+def _element(name: str, attributes: Mapping[str, str], content: str = "") -> str:
+    said = "".join(f" {key}={quoteattr(value)}" for key, value in attributes.items())
+    return f"<{name}{said}>{content}</{name}>\n"
+
+
+def _data(of: str, fields: Mapping[str, object]) -> str:
+    """The fields of a node or an edge that say something."""
+    return "".join(
+        f'<data key="{of}.{field}">{_text(str(value))}</data>'
+        for field, value in fields.items()
+        if value is not None and value != ""
+    )
+
+
+def _text(text: str) -> str:
+    return escape(text, {"\r": "&#13;"})  # a bare one would be read as the end of a line
 
 
 def _node(state: State) -> dict[str, object]:
     x, y = own_place(state) or (None, None)
     return {"labels": ", ".join(sorted(state.labels)), "origin": state.origin, "x": x, "y": y}
+
+
+def _around(handover: Handover, journey: Journey) -> tuple[str, ...]:
+    """What stands before, between and after the places of the agent's name in its edges."""
+    agent = _data("edge", {"agent": _NAME})
+    edges = (
+        _element("edge", {"source": source, "target": target}, agent + _data("edge", fields))
+        for (source, target), fields in _edges(handover, journey)
+    )
+    return tuple("".join(edges).split(_NAME))
 
 
 def _edges(
@@ -113,13 +100,13 @@ def _edges(
     """The stays and moves of a journey in their order."""
     legs = tuple(journey.legs)
     for place, (first, last, state) in enumerate(journey.stays):
-        yield (state, state), _data(handover, journey, "stay", first, last)
+        yield (state, state), _fields(handover, journey, "stay", first, last)
         for leg in legs[place : place + 1]:
             ends = leg.source, leg.target
-            yield ends, _data(handover, journey, "move", leg.left, leg.arrives)
+            yield ends, _fields(handover, journey, "move", leg.left, leg.arrives)
 
 
-def _data(
+def _fields(
     handover: Handover, journey: Journey, kind: str, first: int, last: int | None
 ) -> dict[str, object]:
     return {
