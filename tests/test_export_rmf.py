@@ -126,6 +126,29 @@ def test_what_is_carried_is_picked_up_and_dropped_off(tmp_path):
     assert all(what["payload"] == water for kind, what in activities(cart) if kind == "pickup")
 
 
+@pytest.mark.parametrize("stays", [True, False])
+def test_where_a_robot_stays_its_load_is_there_for_all(stays, tmp_path):
+    system = site()
+    mission = mission_on(system, [Group.of("cart", {"yard": 1})], "F[0,7] garden", 7)
+    left = 4 if stays else 3
+    plan = plan_of(mission, [(((0, 1, "yard"), (3, left, "wall"), (left + 1, 7, "garden")), None)])
+    loads = {1: {"brick": 2.0, "drill": 1.0}, left: {"brick": 3.0, "water": 1.0}}
+    cargo = [Cargo("cart-1", step, *load) for step in loads for load in loads[step].items()]
+    [request] = requests(replace(plan, cargo=tuple(cargo)), system, tmp_path)
+    done = [
+        (kind, {item["sku"]: item["quantity"] for item in what["payload"]})
+        for kind, what in activities(request)
+        if kind in ("pickup", "dropoff") and what["place"] == "wall"
+    ]
+    if stays:
+        assert done == [
+            ("dropoff", {"brick": 2, "drill": 1}),
+            ("pickup", {"brick": 3, "water": 1}),
+        ]
+    else:
+        assert done == [("dropoff", {"drill": 1}), ("pickup", {"brick": 1, "water": 1})]
+
+
 def test_parts_of_pieces_are_refused(tmp_path):
     mission, plan = building()
     with pytest.raises(PlanError) as caught:

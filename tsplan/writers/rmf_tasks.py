@@ -87,7 +87,8 @@ def _request(handover: Handover, agent: str, fleet: str, phases: str) -> str:
     name = handover.plan.mission.name
     head = as_json({"type": "robot_task_request", "robot": agent, "fleet": fleet})[:-1]
     task = as_json({"category": "tsplan", "detail": name})[:-1]
-    more = as_json({"requester": "tsplan", "labels": ["tsplan", f"mission={name}"]})[1:]
+    labels = ["tsplan", *([f"mission={name}"] if name else [])]
+    more = as_json({"requester": "tsplan", "labels": labels})[1:]
     return (
         f'{head}, "request": {{"category": "compose", "description": {task}, '
         f'"phases": {phases}}}, {more}}}'
