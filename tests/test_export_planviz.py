@@ -80,6 +80,26 @@ def test_moves_lead_through_the_cells_of_the_plan(seed, long_wait, tmp_path):
     assert (data["numTaskFinished"], data["sumOfCost"]) == (3, costs)
 
 
+def test_the_grid_is_written_as_planviz_reads_it(tmp_path):
+    system = board()
+    lines = text_of(plan_on(system), "movingai", system, tmp_path).splitlines()
+    assert lines[:4] == ["type octile", f"height {ROWS}", f"width {COLUMNS}", "map"]
+    assert {len(line) for line in lines[4:]} == {COLUMNS}
+    free = {
+        (r, c) for r, line in enumerate(lines[4:]) for c, mark in enumerate(line) if mark == "."
+    }
+    assert free == set(grid_cells(system).values())
+    assert "".join(lines[4:]).count("@") == 2
+
+
+def test_a_huge_grid_is_refused(tmp_path):
+    states = [State("r0c0", frozenset({"home"})), State("r99999999c9")]
+    edges = [Edge(state.name, state.name) for state in states]
+    system = TransitionSystem.build(states, edges)
+    with pytest.raises(PlanError, match="100,000,000 rows and 10 columns"):
+        text_of(plan_on(system), "movingai", system, tmp_path)
+
+
 def renamed(system, name, place):
     """The same map with other names and coordinates."""
     names = {old: name(number) for number, old in enumerate(system.states)}
@@ -124,8 +144,9 @@ def test_coordinates_tell_rows_from_the_top(place, tmp_path):
 def test_maps_that_are_no_grid_are_refused(name, place, tmp_path):
     system, _ = renamed(board(), name, place)
     assert grid_cells(system) is None
-    with pytest.raises(PlanError, match="the map is no grid"):
-        text_of(plan_on(system), "planviz", system, tmp_path)
+    for to in ("planviz", "movingai"):
+        with pytest.raises(PlanError, match="the map is no grid"):
+            text_of(plan_on(system), to, system, tmp_path)
     assert list(tmp_path.iterdir()) == []
 
 

@@ -245,7 +245,9 @@ def _animate(commands: Commands) -> None:
 def _export(commands: Commands) -> None:
     words = "write a plan for other programs: robots' navigation, fleets, viewers, tables"
     add = _command(commands, "export", words, "plan")
-    formats = "nav2, rmf, planviz, csv, geojson, graphml, or one that another package adds"
+    formats = (
+        "nav2, rmf, planviz, movingai, csv, geojson, graphml, or one that another package adds"
+    )
     add("--to", required=True, metavar="FORMAT", help=formats)
     add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
     what = "map with the coordinates, ids and seconds to write (default: the mission's)"

@@ -39,8 +39,8 @@ def export(
     path
         The file to write.
     to
-        `nav2`, `rmf`, `planviz`, `csv`, `geojson`, `graphml`, or a format that another package adds
-        as an entry point of the group `tsplan.plan_writers`.
+        `nav2`, `rmf`, `planviz`, `movingai` (the grid for PlanViz), `csv`, `geojson`, `graphml`, or
+        a format that another package adds as an entry point of the group `tsplan.plan_writers`.
     map
         The map that the plan was made on, the path of its file, or the mission. Coordinates,
         original ids of states and the length of a step come from there.

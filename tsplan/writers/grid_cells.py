@@ -7,12 +7,16 @@ from collections.abc import Iterable, Mapping
 from itertools import pairwise
 from typing import TypeAlias
 
+from tsplan.errors import Finding, PlanError
 from tsplan.ts import TransitionSystem
 from tsplan.ts.builders import Cell
 from tsplan.ts.state_places import own_place
 
 Cells: TypeAlias = Mapping[str, Cell]
 """The row and the column of each state."""
+
+OTHERS = "export as csv, geojson or graphml"
+"""What to do with a plan that is on no grid."""
 
 _NAME = re.compile(r"r(\d{1,9})c(\d{1,9})")  # as `tsplan.ts.builders.cell_name` makes them
 _OFF = 1e-6  # of a cell: by which a middle may miss its place; coordinates are rounded decimals
@@ -27,6 +31,15 @@ def grid_cells(system: TransitionSystem) -> Cells | None:
     cells = _by_name(system.states) or _by_place(system)
     apart = cells is not None and len(set(cells.values())) == len(cells)
     return cells if apart else None
+
+
+def refuse_no_grid(system: TransitionSystem) -> Cells:
+    """The cells of a map; PlanError for one that is no grid."""
+    cells = grid_cells(system)
+    if cells is None:
+        what = "the map is no grid: its states are neither called as cells (r3c10) nor lie on one"
+        raise PlanError([Finding(what, OTHERS)])
+    return cells
 
 
 def _by_name(names: Iterable[str]) -> Cells | None:

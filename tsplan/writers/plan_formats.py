@@ -16,6 +16,7 @@ from tsplan.writers import (
     geojson_lines,
     graphml_moves,
     nav2_routes,
+    octile_map,
     planviz_paths,
     rmf_tasks,
 )
@@ -30,6 +31,7 @@ FORMATS: Mapping[str, Writer] = {
     "nav2": nav2_routes.write,
     "rmf": rmf_tasks.write,
     "planviz": planviz_paths.write,
+    "movingai": octile_map.write,
     "csv": csv_steps.write,
     "geojson": geojson_lines.write,
     "graphml": graphml_moves.write,

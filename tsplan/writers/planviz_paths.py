@@ -14,14 +14,13 @@ from typing import Any
 
 from tsplan.errors import Finding, PlanError
 from tsplan.plans.records import as_json
-from tsplan.writers.grid_cells import Cells, grid_cells
+from tsplan.writers.grid_cells import OTHERS, Cells, refuse_no_grid
 from tsplan.writers.handover import Handover
 from tsplan.writers.journeys import Journey
 from tsplan.writers.json_parts import document
 
 _MOVES = {(0, 1): "R", (0, -1): "L", (1, 0): "U", (-1, 0): "D", (0, 0): "W"}
 _KEPT = 1024  # journeys whose moves are kept for the agents that follow
-_OTHERS = "export as csv, geojson or graphml"
 
 
 def write(handover: Handover) -> Iterator[str]:
@@ -35,7 +34,7 @@ def write(handover: Handover) -> Iterator[str]:
         The map is no grid, a move is none of one step to a neighbouring cell, or there is none.
 
     """
-    cells = _cells(handover)
+    cells = refuse_no_grid(handover.system)
     _refuse_other_moves(handover, cells)
     moves = lru_cache(_KEPT)(lambda journey: as_json(_moves(handover, cells, journey)))
     done = [_done(journey) for _, journey in handover.journeys()]
@@ -65,18 +64,10 @@ def write(handover: Handover) -> Iterator[str]:
     yield from document(head, lists)
 
 
-def _cells(handover: Handover) -> Cells:
-    cells = grid_cells(handover.system)
-    if cells is None:
-        what = "the map is no grid: its states are neither called as cells (r3c10) nor lie on one"
-        raise PlanError([Finding(what, _OTHERS)])
-    if not handover.plan.horizon:
-        raise PlanError([Finding("the plan ends at step 0, so there are no moves", _OTHERS)])
-    return cells
-
-
 def _refuse_other_moves(handover: Handover, cells: Cells) -> None:
-    """Raise PlanError for moves that PlanViz cannot show, each with one who makes it."""
+    """Raise PlanError for no moves, and for those that PlanViz cannot show with who makes them."""
+    if not handover.plan.horizon:
+        raise PlanError([Finding("the plan ends at step 0, so there are no moves", OTHERS)])
     found: dict[str, Finding] = {}
     seen: set[Journey] = set()
     for agent, journey in handover.journeys():
@@ -84,7 +75,7 @@ def _refuse_other_moves(handover: Handover, cells: Cells) -> None:
             words = _oddity(cells, source, target, None if arrives is None else arrives - left)
             if words is not None:
                 what = f"agent {agent} goes from {source} to {target} at step {left}, {words}"
-                found.setdefault(words + source + target, Finding(what, _OTHERS))
+                found.setdefault(words + source + target, Finding(what, OTHERS))
         seen.add(journey)
     if found:
         raise PlanError(found.values())
