@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.checking.assignment import assign
@@ -12,7 +13,7 @@ from tsplan.checking.fitting import refuse_pathless
 from tsplan.checking.path_segments import Path, read_path
 from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.exact import exact
-from tsplan.plans.agent_plans import AgentPlan, Bundle, Stay
+from tsplan.plans.agent_plans import AgentPlan, Stay
 from tsplan.plans.plan import Plan
 from tsplan.ts.state_places import Point, own_place
 from tsplan.writers.journeys import Journey
@@ -32,6 +33,9 @@ class _Way(NamedTuple):
     capabilities: frozenset[str]
     stays: tuple[Stay, ...]
     heading: str | None
+
+
+_parts = attrgetter(*_Way._fields)
 
 
 @dataclass(frozen=True)
@@ -139,8 +143,9 @@ def _agents(plan: Plan, chosen: Collection[str]) -> Iterator[AgentPlan]:
     return (agent for agent in plan.agents if not chosen or agent.id in chosen)
 
 
-def _way(of: AgentPlan | Bundle) -> _Way:
-    return _Way(of.class_name, of.capabilities, of.stays, of.heading)
+def _way(of: object) -> _Way:
+    """The way of an agent, or of agents that share a path."""
+    return _Way._make(_parts(of))
 
 
 def _without_paths(plan: Plan) -> list[str]:
