@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import re
 from collections import Counter
 from dataclasses import replace
 from importlib.metadata import EntryPoint, EntryPoints
@@ -258,3 +259,35 @@ def test_the_written_plan_and_the_read_one_are_exported_alike(tmp_path):
     again = tsplan.load_plan(tmp_path / "plan.json")
     for to in ("csv", "geojson", "graphml", "nav2", "rmf"):
         assert text_of(plan, to, mission, tmp_path) == text_of(again, to, mission, tmp_path)
+
+
+PAGE = (Path(tsplan.__file__).parents[1] / "docs" / "export.md").read_text(encoding="utf-8")
+
+
+def blocks(language):
+    """The blocks of the page in a language."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+
+
+def test_the_page_shows_what_is_written(tmp_path, monkeypatch):
+    [shown], [own] = blocks("json"), blocks("yaml")
+    hall = "  hall: {at: [4, 7.5], origin: 4}\n"
+    (tmp_path / "map.yaml").write_text(f"waiting: true\n{own}{hall}edges: [[dock, hall, 2]]\n")
+    mission = Mission.of(
+        map=tmp_path / "map.yaml", team=[Group.of("scout", {"dock": 1})], formula="F[0,8] dock"
+    )
+    plan = plan_of(mission, [(((0, 3, "dock"), (5, 8, "hall")), None)])
+    assert json.loads(text_of(plan, "nav2", mission, tmp_path))["robots"] == [json.loads(shown)]
+    *_, code = blocks("python")
+    named = {}
+    exec(code, named)
+    monkeypatch.setattr(plan_formats, "FORMATS", {"fleet": named["write"]})
+    text = text_of(plan, "fleet", mission, tmp_path)
+    assert text == "scout-1 0.0 (2.0, 7.5)\nscout-1 2.5 (4.0, 7.5)\n"
+
+
+def test_the_page_names_every_format():
+    listed = re.findall(r"^\| `(\w+)` \|", PAGE, re.MULTILINE)
+    assert listed == list(plan_formats.FORMATS)
+    told = here("export", "--help").out
+    assert all(name in told for name in plan_formats.FORMATS)
