@@ -11,10 +11,11 @@ from tsplan.plans.presence import interval_counts
 
 if TYPE_CHECKING:
     from tsplan.checking.traffic import Traffic
+    from tsplan.milp.model import Floats, Ints
 
 
 def crowded(traffic: Traffic) -> Iterator[str]:
-    """Steps at which more agents are at a state or on an edge than it holds."""
+    """Steps at which more agents are at a state, on an edge or in a zone than it holds."""
     system = traffic.mission.system
     limits = {name: state.capacity for name, state in system.states.items()}
     limited = [name for name, capacity in limits.items() if capacity is not None]
@@ -32,7 +33,33 @@ def crowded(traffic: Traffic) -> Iterator[str]:
     for capacity, pairs in system.capacity_groups:
         back = " and back" if len(pairs) > 1 else ""
         places.append((capacity, f"on the edge from {pairs[0][0]} to {pairs[0][1]}{back}"))
-    counts = np.concatenate([traffic.counts(limited), on_edges])
+    places += [(system.zones[name], f"in the zone {name}") for name in system.zones]
+    counts = np.concatenate([traffic.counts(limited), on_edges, _in_zones(traffic)])
     for (capacity, where), agents in zip(places, counts, strict=True):
         for step in np.flatnonzero(agents > capacity).tolist():
             yield f"{agents[step]} agents are {where} at step {step}, which holds {capacity}"
+
+
+def _in_zones(traffic: Traffic) -> Floats | Ints:
+    """Agents in every zone at each step: at its states, or between the ends of its edges.
+
+    Whoever leaves a state of the zone is counted there, and on the edge from the next step on.
+    """
+    system, parts = traffic.mission.system, traffic.mission.system.zone_parts
+    row = {name: number for number, name in enumerate(parts)}
+    between = interval_counts(
+        (
+            (
+                row[zone],
+                segment.entered + (system.states[segment.edge.source].zone == zone),
+                segment.left - 1,
+                segment.agents,
+            )
+            for segment in traffic.segments
+            if (zone := segment.edge.zone) is not None
+        ),
+        len(row),
+        traffic.horizon,
+    )
+    at_states = [traffic.counts(part.states).sum(axis=0) for part in parts.values()]
+    return between + at_states if at_states else between

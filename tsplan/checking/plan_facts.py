@@ -68,7 +68,8 @@ def _team(plan: Plan, traffic: Traffic) -> Iterator[str]:
 def _rules(plan: Plan, traffic: Traffic) -> Iterator[str]:
     """What is kept: capacities, bounds and the margin."""
     system, swarm = traffic.mission.system, traffic.mission.swarm
-    if system.capacity_groups or any(s.capacity is not None for s in system.states.values()):
+    limited = any(state.capacity is not None for state in system.states.values())
+    if limited or system.capacity_groups or system.zones:
         yield "every capacity is kept"
     if traffic.mission.resources:
         count = len(traffic.ledger.uses)

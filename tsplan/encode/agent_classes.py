@@ -36,6 +36,7 @@ class MapArrays:
     risk: Floats
     capacity: tuple[tuple[int, int], ...]  # (state, most agents there)
     group_capacity: tuple[int, ...]
+    zone_states: Mapping[int, Ints]  # the states that share the capacity of a group with its edges
 
     def states_with(self, system: TransitionSystem, label: str) -> Ints:
         """Numbers of the states that carry a label."""
@@ -72,7 +73,9 @@ def map_arrays(system: TransitionSystem) -> MapArrays:
     pairs = list(system.edges)
     group = np.full(len(pairs), -1, dtype=np.int64)
     position = {pair: index for index, pair in enumerate(pairs)}
-    for index, (_, members) in enumerate(system.capacity_groups):
+    zones = system.zone_parts
+    groups = [*system.capacity_groups, *((system.zones[z], zones[z].edges) for z in zones)]
+    for index, (_, members) in enumerate(groups):
         for pair in members:
             group[position[pair]] = index
     return MapArrays(
@@ -87,7 +90,13 @@ def map_arrays(system: TransitionSystem) -> MapArrays:
             for state in system.states.values()
             if state.capacity is not None
         ),
-        group_capacity=tuple(capacity for capacity, _ in system.capacity_groups),
+        group_capacity=tuple(capacity for capacity, _ in groups),
+        zone_states={
+            len(system.capacity_groups) + index: np.array(
+                [number[name] for name in part.states], dtype=np.int64
+            )
+            for index, part in enumerate(zones.values())
+        },
     )
 
 

@@ -159,6 +159,8 @@ def interest(setting: Setting, graph: ClassGraph, *, rebuilt: bool = True) -> In
     wanted, limited = watched_states(setting.goal, ability, system, arrays)
     narrow = np.zeros_like(limited)
     narrow[[state for state, _ in arrays.capacity]] = True
+    for states in arrays.zone_states.values():
+        narrow[states] = True
     for term in terms_of(setting.constraints):
         if is_counted(term.capability, ability):
             limited[states_of(term, system, arrays)] = True

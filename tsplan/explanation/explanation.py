@@ -23,6 +23,7 @@ PartKind: TypeAlias = Literal[
     "booking",
     "waiting",
     "capacity",
+    "zone",
     "swarm",
     "control",
     "limit",
@@ -46,9 +47,9 @@ class SoftConstraint(NamedTuple):
     """One thing that can be taken out of a mission: a part of its formula, a bound, a count.
 
     The key says which: the way to a sub-formula and the place of a task's need (or None), the
-    number of a team's entry, the name of a resource or of a state, the ends of an edge, a swarm and
-    which bound; over signals, the name of one that begins somewhere, of one with bounds and which
-    end (0, 1), or the number of a limit.
+    number of a team's entry, the name of a resource, of a state or of a zone, the ends of an edge,
+    a swarm and which bound; over signals, the name of one that begins somewhere, of one with bounds
+    and which end (0, 1), or the number of a limit.
     """
 
     kind: PartKind

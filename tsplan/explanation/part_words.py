@@ -159,11 +159,11 @@ class TeamWording(Wording):
             return _BOOKED[self.mission.booking]
         if kind == "swarm":
             return self._group_bound(*key)
-        if kind == "capacity":
-            system = self.mission.system
-            both = len(key) > 1 and system.edges[key].both_ways
-            most = Number("capacity", key).get(self.mission)
-            return f"{ends_words(key)} holds at most {most}{' (both ways together)' * both}"
+        if kind in ("capacity", "zone"):
+            number = Number("zone" if kind == "zone" else "capacity", key)
+            both = len(key) > 1 and self.mission.system.edges[key].both_ways
+            most = number.get(self.mission)
+            return f"{room_words(number)} holds at most {most}{' (both ways together)' * both}"
         if kind == "stock":
             return stock_words(resource_of(self.mission, key[0]))
         return self._group_words(kind, self.mission.team[key[0]])
@@ -218,6 +218,11 @@ def carries_words(carries: Carries) -> str:
 def ends_words(ends: tuple[str, ...]) -> str:
     """A state, or an edge by its two ends."""
     return f"state '{ends[0]}'" if len(ends) == 1 else f"the edge from '{ends[0]}' to '{ends[1]}'"
+
+
+def room_words(number: Number) -> str:
+    """What has a capacity: a state, an edge or a zone."""
+    return f"the zone '{number.key[0]}'" if number.kind == "zone" else ends_words(number.key)
 
 
 def _order(constraint: SoftConstraint) -> tuple[int, tuple[str, ...]]:

@@ -53,8 +53,9 @@ def chance_faults(system: TransitionSystem, expected: Expectation | None) -> Ite
     if not system.actions:
         what = "the map has no actions, so all its moves are certain"
         yield Fault(("dynamics",), what, "drop 'dynamics', or give the map 'actions'")
-    for state in system.states.values():
-        if state.capacity is not None:
-            what = f"'{state.name}' has a capacity, which uncertain moves cannot keep for sure"
+    limited = [state.name for state in system.states.values() if state.capacity is not None]
+    for names, noun in ((limited, ""), (system.zones, "the zone ")):
+        for name in names:
+            what = f"{noun}'{name}' has a capacity, which uncertain moves cannot keep for sure"
             remedy = "remove it, or bound the expected number in the formula, as in max(label) <= 2"
             yield Fault(("map",), what, remedy)

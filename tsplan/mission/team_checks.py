@@ -77,6 +77,13 @@ def _start_faults(entries: Sequence[Entry], system: TransitionSystem) -> Iterato
             what = f"{count} robots start at '{name}', which holds {capacity}"
             remedy = "start some of them elsewhere or raise the state's capacity"
             yield Fault(last[name], what, remedy)
+    for zone, parts in system.zone_parts.items():
+        inside = [name for name in parts.states if starting[name]]
+        count = sum(starting[name] for name in inside)
+        if count > system.zones[zone]:
+            what = f"{count} robots start in the zone '{zone}', which holds {system.zones[zone]}"
+            remedy = "start some of them elsewhere or raise the zone's capacity"
+            yield Fault(last[inside[-1]], what, remedy)
 
 
 def _class_faults(entries: Sequence[Entry]) -> Iterator[Fault]:

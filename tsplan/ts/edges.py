@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from tsplan.words import nfc
 
@@ -68,9 +68,10 @@ Duration: TypeAlias = int | Mapping[str, int]
 class State:
     """A place where agents can be.
 
-    `at` and `shape` (a polygon) are coordinates for drawing, in any unit. `capacity` bounds the
-    agents here at each step. Only agents with all capabilities of `needs` may be here. `origin` is
-    what the file of another format calls it: the id of a node, the name of a waypoint.
+    `at` and `shape` (a polygon) are coordinates for drawing, in any unit; `level` is the storey
+    they are of. `capacity` bounds the agents here at each step, and `zone` names the zone of the
+    map whose capacity this state shares. Only agents with all capabilities of `needs` may be here.
+    `origin` is what the state is called in the file that its map was converted from.
     """
 
     name: str
@@ -80,13 +81,16 @@ class State:
     color: str | None = None
     capacity: int | None = None
     needs: frozenset[str] = NOTHING
+    zone: str | None = None
+    level: str | None = None
     origin: str | int | None = None
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection; a single word is one label."""
         object.__setattr__(self, "name", _spelled(self.name))
-        if self.color is not None:
-            object.__setattr__(self, "color", _spelled(self.color))
+        for word in ("color", "zone", "level", "origin"):
+            if getattr(self, word) is not None:
+                object.__setattr__(self, word, _spelled(getattr(self, word)))
         if self.labels is not NOTHING:
             object.__setattr__(self, "labels", words(self.labels))
         if self.needs is not NOTHING:
@@ -100,7 +104,8 @@ class Edge:
     An agent that enters the edge at step k arrives at step k + duration and is at no state in
     between. `cost` is per use; without it, a move costs its duration and a wait nothing.
     `capacity` bounds the agents that have entered and not yet arrived. The two directions of an
-    edge written `both_ways` share that capacity. Only agents with all of `needs` may use it.
+    edge written `both_ways` share that capacity. Or the edge shares the capacity of the map's
+    `zone` of that name. Only agents with all of `needs` may use it.
     `success` is how likely an agent that enters arrives, above 0 and at most 1.
     """
 
@@ -112,9 +117,12 @@ class Edge:
     needs: frozenset[str] = NOTHING
     both_ways: bool = False
     success: float = 1.0
+    zone: str | None = None
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection."""
+        if self.zone is not None:
+            object.__setattr__(self, "zone", _spelled(self.zone))
         object.__setattr__(self, "source", _spelled(self.source))
         object.__setattr__(self, "target", _spelled(self.target))
         if type(self.duration) is not int and isinstance(self.duration, Mapping):
@@ -179,6 +187,6 @@ def words(given: Iterable[str]) -> frozenset[str]:
     return frozenset(map(_spelled, (given,) if isinstance(given, str) else given))
 
 
-def _spelled(name: str) -> str:
+def _spelled(name: Any) -> Any:
     """A name in the form in which names are compared; what is no text is left to the checks."""
     return nfc(name) if isinstance(name, str) else name

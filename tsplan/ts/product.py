@@ -75,7 +75,7 @@ def _cost(edge: Edge) -> float:
 
 def _without_capacities(system: TransitionSystem) -> Iterator[Finding]:
     states = any(state.capacity is not None for state in system.states.values())
-    if states or system.capacity_groups:
+    if states or system.capacity_groups or system.zones:
         message = f"the product is not defined for capacities, which '{system.name}' has"
         yield Finding(message, "build the systems without capacities")
 
@@ -114,21 +114,31 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
             faults.append(Finding(message, "name the class"))
         elif duration == 1:
             edges.append(replace(edge, duration=1))
+        elif edge.zone is not None:
+            # on the edge, an agent is in the zone from when it leaves, as it is at the states
+            between = _between(edge, duration)
+            states += (State(name, zone=edge.zone) for name in between)
+            edges += _through(edge, between, edge.cost_for(class_name or ""))
         elif edge.capacity is not None:
             message = f"the edge from '{edge.source}' to '{edge.target}' has a capacity"
             faults.append(Finding(message, "drop its capacity, or give it duration 1"))
         else:
-            between = [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
+            between = _between(edge, duration)
             states += map(State, between)
             edges += _through(edge, between, edge.cost_for(class_name or ""))
     if faults:
         raise MapError(faults)
-    return TransitionSystem.build(states, edges, system.name)
+    return system.rebuilt(states, edges)
+
+
+def _between(edge: Edge, duration: int) -> list[str]:
+    """The names of the states that an edge passes through in single steps."""
+    return [f"{edge.source}->{edge.target}@{step}" for step in range(1, duration)]
 
 
 def _through(edge: Edge, between: Sequence[str], cost: float) -> Iterator[Edge]:
     """An edge in single steps through other states; the first has all of its cost and its risk."""
     success = edge.success
     for pair in pairwise([edge.source, *between, edge.target]):
-        yield Edge(*pair, 1, cost, needs=edge.needs, success=success)
+        yield Edge(*pair, 1, cost, needs=edge.needs, success=success, zone=edge.zone)
         cost, success = 0.0, 1.0

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tsplan import display
 from tsplan.errors import Finding, MapError, Spot, in_order
@@ -35,6 +35,13 @@ class Extras:
     edges: Mapping[Pair, Any] = field(default_factory=dict)
 
 
+class ZoneParts(NamedTuple):
+    """What shares the capacity of a zone."""
+
+    states: tuple[str, ...]
+    edges: tuple[Pair, ...]
+
+
 @dataclass(frozen=True)
 class TransitionSystem(display.Displayed):
     """States and directed edges, at most one edge for each ordered pair of states.
@@ -42,7 +49,9 @@ class TransitionSystem(display.Displayed):
     Build one with `TransitionSystem.build`, which checks it. States and edges keep the order in
     which they were given. `places` says where a file gives the costs of edges. Where outcomes are
     uncertain there are `actions`, by state and name, and the edges say what these may lead to.
-    A step takes `step_seconds` seconds, where that is known.
+    `zones` bound how many agents are at their states and on their edges at once, by their names.
+    Of a map that was converted, `step_seconds` says how long a step is, `frame` what its
+    coordinates refer to, and `notes` what was dropped or chosen.
 
     >>> town = TransitionSystem.build(
     ...     [State("home"), State("shop", frozenset({"open"}))],
@@ -58,10 +67,15 @@ class TransitionSystem(display.Displayed):
     extras: Extras | None = field(default=None, repr=False, compare=False)
     places: Mapping[Pair, Spot] = field(default_factory=dict, repr=False, compare=False)
     actions: Mapping[ActionKey, Action] = field(default_factory=dict)
+    zones: Mapping[str, int] = field(default_factory=dict)
     step_seconds: float | None = None
+    frame: str | None = None
+    notes: tuple[Finding, ...] = field(default=(), repr=False, compare=False)
 
     def __post_init__(self) -> None:
         """Freeze the mappings."""
+        zones = {nfc(name): capacity for name, capacity in self.zones.items()}
+        object.__setattr__(self, "zones", MappingProxyType(zones))
         object.__setattr__(self, "actions", MappingProxyType(dict(self.actions)))
         object.__setattr__(self, "states", MappingProxyType(dict(self.states)))
         object.__setattr__(self, "edges", MappingProxyType(dict(self.edges)))
@@ -76,7 +90,8 @@ class TransitionSystem(display.Displayed):
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as plain dicts, so that a system can be sent to another process."""
         parts = (self.name, dict(self.states), dict(self.edges), self.extras, dict(self.places))
-        return TransitionSystem, (*parts, dict(self.actions), self.step_seconds)
+        whole = (self.step_seconds, self.frame, self.notes)
+        return TransitionSystem, (*parts, dict(self.actions), dict(self.zones), *whole)
 
     @classmethod
     def build(
@@ -87,7 +102,10 @@ class TransitionSystem(display.Displayed):
         *,
         extras: Extras | None = None,
         actions: Iterable[Action] = (),
+        zones: Mapping[str, int] | None = None,
         step_seconds: float | None = None,
+        frame: str | None = None,
+        notes: Iterable[Finding] = (),
         locate: Callable[[Problem], Finding] = Problem.finding,
         locate_action: Callable[[ActionFlaw], Finding] = ActionFlaw.finding,
     ) -> TransitionSystem:
@@ -101,12 +119,13 @@ class TransitionSystem(display.Displayed):
         ------
         MapError
             No states, names that repeat, edges with unknown ends or that repeat, durations that
-            are not whole numbers from 1 on, wrong capacities and costs, probabilities that do not
-            add up to 1; all of them at once.
+            are not whole numbers from 1 on, wrong capacities and costs, unknown zones,
+            probabilities that do not add up to 1; all of them at once.
 
         """
         states, edges, actions = tuple(states), tuple(edges), tuple(actions)
-        faults = [locate(problem) for problem in problems(states, edges)]
+        zones = {nfc(name): capacity for name, capacity in (zones or {}).items()}
+        faults = [locate(problem) for problem in problems(states, edges, zones)]
         faults += [locate_action(flaw) for flaw in action_flaws(states, actions)]
         if actions and edges:
             what = "the map has edges beside its actions, and edges follow from these"
@@ -121,7 +140,24 @@ class TransitionSystem(display.Displayed):
             extras,
             {} if locate is Problem.finding else _cost_places(edges, locate),
             {action.key: action for action in actions},
+            zones,
             step_seconds,
+            frame,
+            tuple(notes),
+        )
+
+    def rebuilt(self, states: Iterable[State], edges: Iterable[Edge]) -> TransitionSystem:
+        """A system of other states and edges, with the zones, the step and the name of this one.
+
+        Raises MapError as `build` does.
+        """
+        return TransitionSystem.build(
+            states,
+            edges,
+            self.name,
+            zones=self.zones,
+            step_seconds=self.step_seconds,
+            frame=self.frame,
         )
 
     @cached_property
@@ -135,7 +171,10 @@ class TransitionSystem(display.Displayed):
 
     @cached_property
     def capacity_groups(self) -> tuple[tuple[int, tuple[Pair, ...]], ...]:
-        """Edge capacities with the edges that share each: one edge, or one in both directions."""
+        """Edge capacities with the edges that share each: one edge, or one in both directions.
+
+        Those of zones are among the `zone_parts`.
+        """
         groups: dict[Pair, tuple[int, tuple[Pair, ...]]] = {}
         for pair, edge in self.edges.items():
             back = (edge.target, edge.source)
@@ -144,6 +183,25 @@ class TransitionSystem(display.Displayed):
                 pairs = (pair, back) if edge.both_ways else (pair,)
                 groups[pair] = edge.capacity, pairs
         return tuple(groups.values())
+
+    @cached_property
+    def zone_parts(self) -> Mapping[str, ZoneParts]:
+        """The states and edges of every zone.
+
+        An agent is in the zone at every step at which it is at one of the states, or has left for
+        one of the edges and not yet arrived; while it is at a state it is not on an edge as well.
+        """
+        states: dict[str, list[str]] = {name: [] for name in self.zones}
+        edges: dict[str, list[Pair]] = {name: [] for name in self.zones}
+        for state in self.states.values():
+            if state.zone is not None:
+                states[state.zone].append(state.name)
+        for pair, edge in self.edges.items():
+            if edge.zone is not None:
+                edges[edge.zone].append(pair)
+        return MappingProxyType(
+            {name: ZoneParts(tuple(states[name]), tuple(edges[name])) for name in self.zones}
+        )
 
     @cached_property
     def cost_unit(self) -> Fraction:

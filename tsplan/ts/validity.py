@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.errors import Finding, Nearest
@@ -16,13 +17,13 @@ CORNERS = 3
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """One thing wrong with the state or edge number `index` of what was given.
+    """One thing wrong with the state, edge or zone number `index` of what was given.
 
     `part` is the field that is wrong, or None for the whole. `first` is the number of the earlier
     one that a repetition repeats.
     """
 
-    kind: Literal["system", "state", "edge"]
+    kind: Literal["system", "state", "edge", "zone"]
     index: int
     part: str | None
     message: str
@@ -41,12 +42,19 @@ class Fault(NamedTuple):
     remedy: str
 
 
+_NO_ZONES: Mapping[str, int] = MappingProxyType({})
+
 _Flaw: TypeAlias = tuple[str | None, str, str]
 """The field that is wrong, what is wrong with it, and the remedy."""
 
 
-def problems(states: Sequence[State], edges: Sequence[Edge]) -> Iterator[Problem]:
-    """Everything that keeps these states and edges from being a transition system."""
+def problems(
+    states: Sequence[State], edges: Sequence[Edge], zones: Mapping[str, int] = _NO_ZONES
+) -> Iterator[Problem]:
+    """Everything that keeps these states and edges from being a transition system.
+
+    `zones` are the capacities of its zones by their names.
+    """
     if not states:
         yield Problem("system", 0, "states", "the map has no states", "add at least one state")
     seen: dict[str, int] = {}
@@ -57,6 +65,29 @@ def problems(states: Sequence[State], edges: Sequence[Edge]) -> Iterator[Problem
             message = f"the state '{state.name}' is defined twice"
             yield Problem("state", index, None, message, "keep one of them", seen[state.name])
     yield from _edges(edges, seen)
+    yield from _zones(states, edges, zones)
+
+
+def _zones(
+    states: Sequence[State], edges: Sequence[Edge], zones: Mapping[str, int]
+) -> Iterator[Problem]:
+    """Capacities of zones that are none, and zones that are named and not there."""
+    for index, capacity in enumerate(zones.values()):
+        for flaw in _capacity(capacity):
+            yield Problem("zone", index, *flaw)
+    closest = Nearest(map(str, zones))
+    members: list[tuple[Literal["state", "edge"], int, State | Edge]]
+    members = [("state", index, state) for index, state in enumerate(states)]
+    members += [("edge", index, edge) for index, edge in enumerate(edges)]
+    for kind, index, member in members:
+        if member.zone is None:
+            continue
+        if member.zone not in zones:
+            remedy = closest(str(member.zone)) if zones else "add 'zones: {name: capacity}'"
+            yield Problem(kind, index, "zone", f"the map has no zone '{member.zone}'", remedy)
+        elif isinstance(member, Edge) and member.capacity is not None:
+            message = "an edge in a zone has a capacity of its own"
+            yield Problem(kind, index, "capacity", message, "keep the zone or the capacity")
 
 
 def _edges(edges: Sequence[Edge], names: Collection[str]) -> Iterator[Problem]:

@@ -21,8 +21,7 @@ def without_wait(system: TransitionSystem) -> tuple[str, ...]:
 def with_waits(system: TransitionSystem, names: Iterable[str]) -> TransitionSystem:
     """The map with waits of one step at some states that have none."""
     edges = [*system.edges.values(), *(Edge(name, name) for name in names)]
-    seconds = system.step_seconds
-    return TransitionSystem.build(system.states.values(), edges, system.name, step_seconds=seconds)
+    return system.rebuilt(system.states.values(), edges)
 
 
 def longest_ways(moves: Moves) -> Mapping[str, tuple[float, str]]:

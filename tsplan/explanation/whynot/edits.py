@@ -11,7 +11,7 @@ from math import ceil
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
-from tsplan.explanation.part_words import ends_words, room_of
+from tsplan.explanation.part_words import ends_words, room_of, room_words
 from tsplan.explanation.whynot.amount_edits import (
     lower_amount,
     more_carried,
@@ -82,7 +82,7 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
         return frozenset({SoftConstraint("stock" if kind == "stock" else "carries", key[:1])})
     if kind in ("wait", "booking"):
         return frozenset({WAITING if kind == "wait" else BOOKING})
-    part = SoftConstraint("capacity" if kind == "capacity" else "swarm", key)
+    part = SoftConstraint(kind if kind in ("capacity", "zone") else "swarm", key)
     return frozenset() if kind == "edge" else frozenset({part})
 
 
@@ -125,8 +125,8 @@ def _against(
             yield from _waits(context, conflict)
         case "swarm":
             yield _looser_bound(context.mission, key)
-        case "capacity":
-            yield _more_capacity(context.mission, key)
+        case "capacity" | "zone":
+            yield _more_capacity(context.mission, Number(kind, key))
 
 
 # --- the formula -------------------------------------------------------------------------------
@@ -221,12 +221,11 @@ def _shared_agents(mission: Mission) -> Edit:
     return Edit(Number("booking", ()), "share_agents", 1, text, 1, -1)
 
 
-def _more_capacity(mission: Mission, ends: tuple[str, ...]) -> Edit:
-    """More room at a state, or on an edge (in both its directions where they share it)."""
-    number = Number("capacity", ends)
+def _more_capacity(mission: Mission, number: Number) -> Edit:
+    """More room at a state, on an edge (in both directions where they share it) or in a zone."""
     now = number.get(mission)
-    text = f"raise the capacity of {literal(ends_words(ends))} from {now} to {{new}}"
-    return Edit(number, "loosen_limit" if len(ends) == 1 else "edge", mission.size, text, now)
+    text = f"raise the capacity of {literal(room_words(number))} from {now} to {{new}}"
+    return Edit(number, "loosen_limit" if len(number.key) == 1 else "edge", mission.size, text, now)
 
 
 def _quicker_edges(

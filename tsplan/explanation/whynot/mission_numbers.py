@@ -60,6 +60,7 @@ NumberKind: TypeAlias = Literal[
     "carries",
     "booking",
     "capacity",
+    "zone",
     "edge",
     "wait",
     "swarm",
@@ -82,12 +83,12 @@ class Number(NamedTuple):
     The key says which of its kind: of a `formula`, the way to a sub-formula and its field or the
     place of a need; of `agents`, the entry of the team and a state; of a `stock`, the resource and
     a state; of what an entry `carries`, its number and the resource, which is empty for one hold;
-    of a `capacity`, a state or the two ends of an edge; of an `edge`, whose duration is meant,
-    these ends; of a bound of a `swarm`, its name and which one; of a `wait`, the state where there
-    is one (1) or none (0), or nothing for all states at once; of `booking`, which is 1 where agents
-    are booked and 0 where they are shared, nothing. Over signals: of a `side` of the bounds of a
-    signal or control, and of where it may `begin`, its name and which end (0, 1); of a `limit`, its
-    number; of the `last` step of the mission, nothing.
+    of a `capacity`, a state or the two ends of an edge; of a `zone`, its name; of an `edge`, whose
+    duration is meant, these ends; of a bound of a `swarm`, its name and which one; of a `wait`, the
+    state where there is one (1) or none (0), or nothing for all states at once; of `booking`, which
+    is 1 where agents are booked and 0 where they are shared, nothing. Over signals: of a `side` of
+    the bounds of a signal or control, and of where it may `begin`, its name and which end (0, 1);
+    of a `limit`, its number; of the `last` step of the mission, nothing.
     """
 
     kind: NumberKind
@@ -263,7 +264,7 @@ def remapped(
     chosen |= {pair[::-1] for pair in shared}
     states = [change(item) if item.name in chosen else item for item in system.states.values()]
     edges = [change(item) if item.pair in chosen else item for item in system.edges.values()]
-    return TransitionSystem.build(states, edges, system.name, step_seconds=system.step_seconds)
+    return system.rebuilt(states, edges)
 
 
 def _on_map(mission: Mission, *ends: str) -> Any:
@@ -283,6 +284,15 @@ def _capacity(mission: Mission, *ends: str) -> Any:
 
 def _put_capacity(mission: Mission, value: int, *ends: str) -> Mission:
     return _put_on_map(mission, ends, lambda item: replace(item, capacity=value))
+
+
+def _room(mission: Mission, zone: str) -> int:
+    return mission.system.zones[zone]
+
+
+def _put_room(mission: Mission, value: int, zone: str) -> Mission:
+    zones = {**mission.system.zones, zone: value}
+    return replace(mission, system=replace(mission.system, zones=zones), warnings=())
 
 
 def _duration(mission: Mission, *ends: str) -> Any:
@@ -346,6 +356,7 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
         "carries": (carried, put_carried),
         "booking": (_booked, _put_booked),
         "capacity": (_capacity, _put_capacity),
+        "zone": (_room, _put_room),
         "edge": (_duration, _put_duration),
         "wait": (_waits, _put_waits),
         "swarm": (_bound, _put_bound),

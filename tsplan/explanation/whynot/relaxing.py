@@ -10,11 +10,11 @@ are as many as any plan could use.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from math import ceil
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.amount_numbers import useful_amount, useful_hold, with_carries
@@ -103,7 +103,21 @@ def _roomier(system: TransitionSystem, gone: Dropped) -> TransitionSystem:
         system = with_waits(system, without_wait(system))
     keys = [item.key for item in gone if item.kind == "capacity"]
     names = [key[0] if len(key) == 1 else key for key in keys]
-    return remapped(system, names, lambda item: replace(item, capacity=None)) if keys else system
+    if keys:
+        system = remapped(system, names, lambda item: replace(item, capacity=None))
+    open_ = {item.key[0] for item in gone if item.kind == "zone"}
+    return without_zones(system, open_) if open_ else system
+
+
+def without_zones(system: TransitionSystem, names: Container[str]) -> TransitionSystem:
+    """The map without some of its zones."""
+
+    def freed(item: Any) -> Any:
+        return replace(item, zone=None) if item.zone in names else item
+
+    zones = {name: room for name, room in system.zones.items() if name not in names}
+    states, edges = map(freed, system.states.values()), map(freed, system.edges.values())
+    return replace(system, zones=zones).rebuilt(states, edges)
 
 
 def bounded_above(mission: Mission) -> bool:
@@ -112,7 +126,7 @@ def bounded_above(mission: Mission) -> bool:
     return (
         any(isinstance(node, Count) and node.relation == "<=" for node in walk(mission.goal))
         or any(state.capacity is not None for state in system.states.values())
-        or bool(system.capacity_groups)
+        or bool(system.capacity_groups or system.zones)
     )
 
 
@@ -225,7 +239,7 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
     formula = Always(before, before, mission.formula)
     later = replace(
         mission,
-        system=TransitionSystem.build(states, edges, system.name),
+        system=system.rebuilt(states, edges),
         team=tuple(team),
         formula=formula,
         text=str(formula),

@@ -70,6 +70,7 @@ def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
             if state.capacity is not None
         ),
         *(SoftConstraint("capacity", pairs[0]) for _, pairs in system.capacity_groups),
+        *(SoftConstraint("zone", (name,)) for name in system.zones),
     )
 
 
@@ -100,8 +101,8 @@ def file_path(mission: Mission, constraint: SoftConstraint) -> Path:
         return ("map", "waiting")
     if kind == "booking":
         return ("booking",)
-    if kind == "capacity":
-        return ("map", "states", key[0], "capacity") if len(key) == 1 else ("map", "edges")
+    if kind in ("capacity", "zone"):
+        return _room_path(constraint)
     if kind == "stock":
         return ("resources", [item.name for item in mission.resources].index(key[0]))
     if kind == "swarm":
@@ -110,6 +111,14 @@ def file_path(mission: Mission, constraint: SoftConstraint) -> Path:
         return (*_entry_path(mission, names.index(key[0])), word) if key[0] else (word,)
     words = {"team": "count", "start": "at", "carries": "carries"}
     return (*_entry_path(mission, key[0]), words[kind])
+
+
+def _room_path(constraint: SoftConstraint) -> Path:
+    """Where a mission file says how many agents a state, an edge or a zone holds."""
+    kind, key = constraint
+    if kind == "zone":
+        return ("map", "zones", key[0])
+    return ("map", "states", key[0], "capacity") if len(key) == 1 else ("map", "edges")
 
 
 def _entry_path(mission: Mission, number: int) -> Path:

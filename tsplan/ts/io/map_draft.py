@@ -27,12 +27,15 @@ class MapDraft(ABC):
 
     STATES: ClassVar[Path]
     EDGES: ClassVar[Path]
+    ZONES: ClassVar[Path] = ("zones",)
 
     document: Document
     path: Path
     states: list[State] = field(default_factory=list)
     edges: list[Edge] = field(default_factory=list)
     actions: list[Action] = field(default_factory=list)
+    zones: dict[str, int] = field(default_factory=dict)
+    notes: list[Finding] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     _origins: list[tuple[Path, bool]] = field(default_factory=list)  # and whether it is the reverse
 
@@ -72,6 +75,9 @@ class MapDraft(ABC):
         if problem.kind == "state":
             path = self.state_path(self.states[problem.index].name)
             return self.document.key_finding(path, message, remedy)
+        if problem.kind == "zone":
+            path = (*self.path, *self.ZONES, list(self.zones)[problem.index])
+            return self.document.finding(path, message, remedy)
         if problem.kind == "system":
             return self.document.finding((*self.path, *self.STATES), message, remedy)
         path, reverse = self._origins[problem.index]
@@ -96,12 +102,15 @@ class MapDraft(ABC):
         name: str,
         more: Iterable[Edge] = (),
         extras: Extras | None = None,
+        *,
         step_seconds: float | None = None,
+        frame: str | None = None,
     ) -> TransitionSystem:
         """The map, with `more` edges than are listed; raises MapError with all that is wrong."""
         if self.findings:
             if self.states:  # else there is nothing that edges could fit to
-                self.findings += map(self.locate, problems(self.states, self.edges))
+                found = problems(self.states, self.edges, self.zones)
+                self.findings += map(self.locate, found)
                 self.findings += map(self.locate_action, action_flaws(self.states, self.actions))
             raise MapError(in_order(self.findings))
         return TransitionSystem.build(
@@ -110,7 +119,10 @@ class MapDraft(ABC):
             name,
             extras=extras,
             actions=self.actions,
+            zones=self.zones,
             step_seconds=step_seconds,
+            frame=frame,
+            notes=in_order(self.notes),
             locate=self.locate,
             locate_action=self.locate_action,
         )

@@ -49,7 +49,7 @@ def _duration(value: Any) -> int | ByClass:
     return ByClass({name: _steps(steps) for name, steps in value.items()})
 
 
-def _origin(value: Any) -> str | int:
+def _origin(value: Any) -> Any:
     if isinstance(value, bool) or not isinstance(value, str | int) or value == "":
         raise complaint(f"{shown(value)} is neither a name nor a whole number", "put it in quotes")
     return value
@@ -71,6 +71,8 @@ class _StateEntry(_Strict):
     color: Word | None = None
     capacity: Natural | None = None
     needs: Words = []
+    zone: Word | None = None
+    level: Word | None = None
     origin: _Origin | None = None
 
 
@@ -83,6 +85,7 @@ class _EdgeEntry(_Strict):
     capacity: Natural | None = None
     needs: Words = []
     both_ways: Truth = False
+    zone: Word | None = None
 
 
 class _EdgeList(RootModel[tuple[_Reference, _Reference, _Duration]]):
@@ -93,6 +96,8 @@ class _Map(_Strict):
     name: Word | None = None
     waiting: Truth = False
     step: Annotated[Number, Field(gt=0)] | None = None
+    frame: Word | None = None
+    zones: dict[str, Natural] = {}
     states: dict[str, Any]
     edges: list[Any] = []
     actions: dict[str, dict[str, dict[str, Any]]] = {}
@@ -174,7 +179,9 @@ def read_own(document: Document, path: Path = ()) -> TransitionSystem:
             states=_or_empty(data, "states", dict),
             edges=_or_empty(data, "edges", list),
             actions={},
+            zones=_or_empty(data, "zones", dict),
         )
+    draft.zones = content.zones
     for name in content.states:
         draft.read_state(name)
     for index, entry in enumerate(content.edges):
@@ -185,7 +192,7 @@ def read_own(document: Document, path: Path = ()) -> TransitionSystem:
     if content.waiting and draft.actions:
         draft.actions += missing_stays(draft.states, draft.actions)
     more = missing_waits(draft.states, draft.edges) if content.waiting and not draft.actions else ()
-    return draft.system(content.name or "", more, step_seconds=content.step)
+    return draft.system(content.name or "", more, step_seconds=content.step, frame=content.frame)
 
 
 def _or_empty(data: Any, key: str, kind: type[Any]) -> Any:
@@ -199,9 +206,13 @@ def map_to_yaml(system: TransitionSystem) -> str:
 
     Waits are written out as edges. What only another format knows (`extras`) is left out.
     """
-    lines = [f"name: {word(system.name)}"] if system.name else []
-    if system.step_seconds is not None:
-        lines.append(f"step: {flow(short(system.step_seconds))}")
+    head = given(
+        name=system.name,
+        step=short(system.step_seconds),
+        frame=system.frame,
+        zones=dict(system.zones),
+    )
+    lines = [f"{key}: {flow(value)}" for key, value in head.items()]
     lines.append("states:")
     named = {name: word(name) for name in system.states}  # each of them stands in several edges
     lines += [f"  {named[name]}: {flow(_state(state))}" for name, state in system.states.items()]
@@ -239,6 +250,8 @@ def _state(state: State) -> dict[str, Any]:
         color=state.color,
         capacity=state.capacity,
         needs=sorted(state.needs),
+        zone=state.zone,
+        level=state.level,
         origin=state.origin,
     )
 
@@ -251,6 +264,7 @@ def _edge(edge: Edge, named: Mapping[str, str]) -> str:
         capacity=edge.capacity,
         needs=sorted(edge.needs),
         both_ways=edge.both_ways or None,
+        zone=edge.zone,
     )
     if not more:
         return f"[{source}, {target}, {duration}]"
