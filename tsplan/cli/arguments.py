@@ -45,7 +45,7 @@ def parser() -> argparse.ArgumentParser:
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
     every = (_plan, _sweep, _explain, _check, _simulate, _parse, _robustness)
-    shown = (_show, _view, _animate, _export, _lint)
+    shown = (_show, _view, _animate, _export, _lint, _map)
     for command in (*every, *shown):
         command(commands)
     return top
@@ -270,6 +270,23 @@ def _names(text: str) -> list[str]:
     return names
 
 
+def _map(commands: Commands) -> None:
+    words = "convert a map of another program, and say what is dropped and what looks odd"
+    add = _command(commands, "map", words)
+    add("file", type=Path, metavar="FILE", help="map file of any format that is known")
+    add("-o", "--output", type=Path, metavar="FILE", help="write the map in the own format (YAML)")
+    add("--step", type=_positive, metavar="S", help="seconds of a step (default 1)")
+    what = "metres a second (default 1), or of a class as in cart=0.5; may be repeated"
+    add("--speed", type=_speed, action="append", default=[], metavar="V", help=what)
+    add("--cell", type=_positive, metavar="M", help="metres of the side of a cell of a grid")
+    what = "most agents at each state, and on each edge both ways, that says nothing of it"
+    add("--capacity", type=_whole, metavar="N", help=what)
+    what = "scenario (.scen) of a grid map: -o writes a mission, every robot to its own goal"
+    add("--scenario", type=Path, metavar="SCEN", help=what)
+    add("--robots", type=_count, metavar="N", help="the first N robots of the scenario")
+    add("--json", action="store_true", help="print the report as JSON alone")
+
+
 def _clipped(text: str) -> str:
     return text if len(text) <= DIGITS else f"{text[:DIGITS]}..."
 
@@ -298,6 +315,13 @@ def _amplitude(text: str) -> tuple[str, float]:
     return name.strip(), size
 
 
+def _speed(text: str) -> tuple[str, float]:
+    """Metres a second for all classes, by no name, or for the one that is named before them."""
+    name, _, value = text.rpartition("=")
+    speed: float = _positive(value)
+    return name.strip(), speed
+
+
 def _size(text: str) -> tuple[int, int]:
     width, cross, height = text.lower().partition("x")
     if not cross:
@@ -322,6 +346,7 @@ _positive = _reader(OPTIONS["time_limit"])
 _share = _reader(OPTIONS["gap"])
 _chance = _reader(OPTIONS["probability"])
 _count = _reader(Range(1, LARGEST, whole=True))
+_whole = _reader(Range(0, LARGEST, whole=True))
 _jobs = _reader(Range(1, MOST_JOBS, whole=True))
 _threads = _reader(OPTIONS["threads"])
 _seed = _reader(OPTIONS["seed"])

@@ -24,6 +24,7 @@ from tsplan.signals.result_check import load_result, mixed_up
 from tsplan.signals.signal_files import load_any_mission
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
+from tsplan.ts.io.map_settings import is_reference
 
 if TYPE_CHECKING:
     import argparse
@@ -175,6 +176,7 @@ def files_of(mission: AnyMission | None) -> list[Path]:
         return []
     own, data = Path(mission.origin.source), mission.origin.data
     named = data.get("map") if isinstance(data, dict) else None
+    named = named.get("file") if isinstance(named, dict) and is_reference(named) else named
     return [own, own.parent / named] if isinstance(named, str) else [own]
 
 

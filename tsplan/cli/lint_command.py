@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.output import say
-from tsplan.document import read_document
 from tsplan.document.kinds import MISSION, SIGNALS, kind_of_data
 from tsplan.mission import Mission
 from tsplan.signals.signal_files import load_any_mission
-from tsplan.ts.io.map_files import load_map
+from tsplan.ts.io.map_files import load_map, map_document
 from tsplan.ts.map_lint import lint
 from tsplan.words import many
 
@@ -37,7 +36,7 @@ def run(options: argparse.Namespace) -> Exit:
 
 def _judged(path: Path) -> tuple[Sequence[Finding], str]:
     """What looks odd in a file, and how large what it holds is."""
-    if kind_of_data(read_document(path).data) not in (MISSION, SIGNALS):
+    if kind_of_data(map_document(path).data) not in (MISSION, SIGNALS):
         system = load_map(path)
         return lint(system), f"{len(system.states)} states, {len(system.edges)} edges"
     mission = load_any_mission(path)

@@ -10,7 +10,6 @@ from tsplan.checking.fitting import refuse_pathless
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import any_mission_of, files_of, fitted, mission_beside, refuse_place
 from tsplan.cli.output import remark, say
-from tsplan.document import read_document
 from tsplan.document.files import beginning
 from tsplan.document.kinds import MISSION, SIGNALS, kind_of_data
 from tsplan.draw.map import draw_map
@@ -28,7 +27,7 @@ from tsplan.plans.plan import Plan
 from tsplan.signals.result_check import load_result
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
-from tsplan.ts.io.map_files import load_map
+from tsplan.ts.io.map_files import is_map, load_map, map_document
 
 if TYPE_CHECKING:
     import argparse
@@ -109,7 +108,7 @@ def _draw(options: argparse.Namespace, figure: Any) -> Any:
     ax = None if figure is None else figure.add_subplot()
     if _is_plan(options.file):
         return _draw_result(options, figure, ax)
-    kind = kind_of_data(read_document(options.file).data)
+    kind = kind_of_data(map_document(options.file).data)
     if kind in (MISSION, SIGNALS):
         drawn = any_mission_of(options.file)
         _refuse_inputs(options, drawn)
@@ -150,7 +149,12 @@ def _draw_signals(
 
 
 def _is_plan(path: Path) -> bool:
-    """Whether a file is JSON, which maps and missions are not."""
+    """Whether a file is a plan or a trajectory, or broken JSON; maps may be in JSON, too."""
     text = beginning(path, 1000)
     marks = ('"tsplan-plan/', '"tsplan-trajectory/')
-    return any(mark in text for mark in marks) or path.suffix.lower() == ".json"
+    if any(mark in text for mark in marks) or path.suffix.lower() != ".json":
+        return any(mark in text for mark in marks)
+    try:
+        return not is_map(map_document(path))
+    except InputError:
+        return True

@@ -2,6 +2,7 @@
 
 - `scalars`: what a plain scalar means (YAML 1.2 core rules, booleans kept narrow).
 - `yaml_nodes`, `compose`: from the YAML parser to a tree, with bounds on nesting and on aliases.
+- `json_text`: the same for texts in JSON.
 - `mishaps`: what YAML makes of a text that was meant otherwise, said in a sentence.
 - `document`: the document, and places of its parts.
 - `files`, `kinds`: reading and writing files of any kind, and telling which kind they are of.

@@ -5,11 +5,13 @@ from __future__ import annotations
 import hashlib
 import pathlib
 from dataclasses import dataclass, field
+from json import JSONDecodeError
 from typing import Any, TypeAlias
 
 from tsplan.document import mishaps
 from tsplan.document.compose import compose
 from tsplan.document.files import read_text
+from tsplan.document.json_text import json_finding, json_nodes, may_be_json
 from tsplan.document.kinds import kind_of_data, kind_of_text, remedy_for
 from tsplan.document.yaml_nodes import Node
 from tsplan.errors import Finding, InputError
@@ -190,16 +192,39 @@ def parse_document(text: str, source: str) -> Document:
 
     """
     text = text.removeprefix("\ufeff")
-    digest = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+    digest = _digest(text)
     text = nfc(text)
+    root = _nodes(text, source)
+    return Document(root.value, source, digest, text, root)
+
+
+def document_of(root: Node, text: str, source: str) -> Document:
+    """A document from the tree that somebody else made of its text."""
+    return Document(root.value, source, _digest(text), text, root)
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def _nodes(text: str, source: str) -> Node:
+    """The tree of a text in JSON or YAML."""
+    broken = None
+    if may_be_json(text):
+        try:
+            return json_nodes(text, source)
+        except JSONDecodeError as error:
+            broken = error
     try:
-        root = compose(text, source)
+        return compose(text, source)
     except InputError:
         kind = kind_of_text(text)
-        if kind is None:
-            raise
-        raise InputError([Finding(f"this is {kind}", "write it as YAML", source)]) from None
-    return Document(root.value, source, digest, text, root)
+        if kind is not None:
+            found = Finding(f"this is {kind}", remedy_for(kind, "", source), source)
+            raise InputError([found]) from None
+        if broken is not None:
+            raise InputError([json_finding(broken, source)]) from None
+        raise
 
 
 def read_document(path: str | pathlib.Path) -> Document:

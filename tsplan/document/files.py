@@ -40,13 +40,19 @@ def read_text(path: str | pathlib.Path, *, most: int) -> str:
         The file is missing, is no ordinary file, cannot be opened, is too large or not UTF-8.
 
     """
-    raw = _read(path, most, whole=True)
-    if len(raw) > most:
-        raise InputError([_too_large(most, str(path))])
+    raw = read_bytes(path, most=most)
     try:
         return raw.decode("utf-8").removeprefix("\ufeff")
     except UnicodeDecodeError as error:
         raise InputError([_undecodable(raw, error.start, str(path))]) from None
+
+
+def read_bytes(path: str | pathlib.Path, *, most: int) -> bytes:
+    """The bytes of an input file, whatever it holds; InputError as `read_text` says."""
+    raw = _read(path, most, whole=True)
+    if len(raw) > most:
+        raise InputError([_too_large(most, str(path))])
+    return raw
 
 
 def beginning(path: str | pathlib.Path, most: int) -> str:

@@ -96,6 +96,11 @@ def kind_of_data(data: Any) -> str | None:
     return MAP if "states" in data or isinstance(data.get("graph"), Mapping) else None
 
 
+def is_of_ours(kind: str) -> bool:
+    """Whether a kind is one of the files of this project, maps included."""
+    return kind in (MISSION, MAP, PLAN, TRAJECTORY, SIGNALS, SWEEP)
+
+
 def remedy_for(kind: str, wanted: str, source: str) -> str:
     """What to do with a document of one kind where another is wanted."""
     remedy = _REMEDIES.get((wanted, kind), f"what is wanted is {wanted}, written in YAML")

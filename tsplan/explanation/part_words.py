@@ -29,6 +29,7 @@ from tsplan.explanation.whynot.soft_constraints import (
     of_occurrence,
 )
 from tsplan.logic.text import number_text
+from tsplan.ts.io.map_settings import is_reference
 from tsplan.ts.map_lint import listed
 from tsplan.ts.waits import without_wait
 from tsplan.words import many
@@ -146,7 +147,9 @@ class TeamWording(Wording):
     def path(self, constraint: SoftConstraint) -> Path | None:
         """Where the mission file says a bound; None where the map has a file of its own."""
         path, origin = file_path(self.mission, constraint), self.mission.origin
-        apart = origin is None or (path[0] == "map" and not isinstance(origin.data["map"], dict))
+        given = None if origin is None else origin.data["map"]
+        inside = isinstance(given, dict) and not is_reference(given)
+        apart = origin is None or (path[0] == "map" and not inside)
         return None if apart else path
 
     def bound_text(self, constraint: SoftConstraint) -> str:

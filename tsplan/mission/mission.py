@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tsplan import display, logic
 from tsplan.errors import MissionError
@@ -43,6 +43,9 @@ from tsplan.mission.vocabulary import (
 )
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 
 @dataclass(frozen=True)
@@ -183,7 +186,7 @@ class Mission(MissionParts):
     def of(
         cls,
         *,
-        map: TransitionSystem | str | Path,  # noqa: A002  (the word of the mission file)
+        map: TransitionSystem | nx.Graph[Any] | Mapping[str, Any] | str | Path,  # noqa: A002  (the word of files)
         team: Iterable[Group | Mapping[str, Any]] | None = None,
         resources: Iterable[Resource | Mapping[str, Any]] = (),
         configurations: Mapping[str, Configuration | Mapping[str, Any]] | None = None,
@@ -210,7 +213,9 @@ class Mission(MissionParts):
     ) -> Mission:
         """A mission from Python values, with the same checks as a file.
 
-        `map` is a transition system or the path of a map file. Each member of `team` is a Group
+        `map` is a transition system, a networkx graph (see `tsplan.ts.builders.map_of_graph`), the
+        path of a map file, or a mapping as a mission file has it, such as `{"file": "nav.geojson",
+        "speed": 0.5}`. Each member of `team` is a Group
         or a mapping with the keys of a mission file; instead of a team or beside it there may be
         one `swarm` or several `swarms`, mappings with those keys, and for them `max_subswarms`
         and `margin`. Each of the `resources` is a Resource or a mapping, and so are the

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -59,6 +59,7 @@ from tsplan.mission.vocabulary import ORDERS, Order, default_language
 from tsplan.mission.weight_entries import settled, weights_in
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.map_files import load_map, map_from_document
+from tsplan.ts.io.map_settings import is_reference, read_settings
 from tsplan.words import nfc
 
 KINDS = ("team", "swarm", "swarms")
@@ -116,7 +117,10 @@ class _Draft(Filing):
     def read_map(self, folder: Path) -> TransitionSystem | None:
         """The map, inline or from the file beside the mission."""
         given = self.document.data.get("map") if isinstance(self.document.data, dict) else None
-        if isinstance(given, dict):
+        read: Callable[[], TransitionSystem]
+        if is_reference(given):
+            read = partial(_named_map, self.document, ("map",), folder)
+        elif isinstance(given, dict):
             read = partial(map_from_document, self.document, ("map",))
         elif isinstance(given, str):
             read = partial(load_map, beside(folder, given))
@@ -126,12 +130,18 @@ class _Draft(Filing):
                 self.report(("map",), what, "write the name of a map file")
             return None
         try:
-            return read()
+            system = read()
         except InputError as error:
             self.findings += error.findings
             what = "the map cannot be used, so labels and start states were not looked up in it"
             self.report(("map",), what, "correct the map first")
             return None
+        for note in system.notes:
+            if note.remedy:  # something was lost that matters
+                spot = note.source, note.line, note.column
+                fault = Fault(("map",), note.message, note.remedy, serious=False, at=spot)
+                self.file(fault)
+        return system
 
     def judge_kind(self) -> None:
         """Report what a mission file says of teams and swarms that does not go together."""
@@ -350,6 +360,12 @@ class _Draft(Filing):
             parse_seconds=self.formulas.seconds,
             origin=self.document,
         )
+
+
+def _named_map(document: Document, path: Place, folder: Path) -> TransitionSystem:
+    """The map of a file that a mission names, with what it says of reading it."""
+    name, settings = read_settings(document, path)
+    return load_map(beside(folder, name), settings)
 
 
 def misplaced(data: Mapping[str, Any]) -> Iterator[tuple[Place, str, str]]:

@@ -35,6 +35,7 @@ from tsplan.mission.team import Group
 from tsplan.mission.vocabulary import FORMAT
 from tsplan.mission.weight_entries import entries_of
 from tsplan.ts import TransitionSystem
+from tsplan.ts.builders import map_of_graph
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 T = TypeVar("T")
@@ -48,9 +49,12 @@ def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
     Raises MissionError; its findings name no lines, since there is no file.
     """
     given = values["map"]
-    if not isinstance(given, TransitionSystem | str | Path):
+    if hasattr(given, "is_directed") and hasattr(given, "nodes"):  # a graph of networkx
+        given = map_of_graph(given)
+    if not isinstance(given, TransitionSystem | str | Path | Mapping):
         what = f"the map is a value of type '{type(given).__name__}'"
-        raise MissionError([Finding(what, "give a TransitionSystem or the path of a map file")])
+        remedy = "give a TransitionSystem, a networkx graph or the path of a map file"
+        raise MissionError([Finding(what, remedy)])
     system = given if isinstance(given, TransitionSystem) else None
     weights = values["spec"].get("weights") or {}
     others, functions = entries_of(weights)
@@ -58,7 +62,7 @@ def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
         "format": FORMAT,
         **{key: value for key, value in values.items() if value is not None},
         "spec": {**values["spec"], **({"weights": others} if others else {})},
-        "map": str(given) if system is None else map_to_yaml(system),
+        "map": map_to_yaml(system) if system is not None else _named(given),
     }
     made = from_values(
         written,
@@ -66,6 +70,11 @@ def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
         lambda document: parts_from_document(document, Path(), Beside(system, functions)),
     )
     return replace(made, origin=None)  # nobody has seen that document
+
+
+def _named(given: Any) -> Any:
+    """The name of a map file, or a mapping as a mission file has it."""
+    return given if isinstance(given, Mapping) else str(given)
 
 
 def from_values(

@@ -11,11 +11,14 @@ from typing import Any
 from tsplan.document import Document, Path, parse_document
 from tsplan.document.document import LARGEST_FILE
 from tsplan.document.files import beside, read_text
+from tsplan.document.kinds import MAP, kind_of_data
 from tsplan.document.patchwork import Patchwork
 from tsplan.errors import InputError, MissionError
 from tsplan.exact_json import canonical
 from tsplan.signals.result_check import AnyMission
 from tsplan.signals.signal_files import any_mission_from_document
+from tsplan.ts.io.map_files import map_document_of
+from tsplan.ts.io.map_settings import is_reference
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +57,8 @@ class Variant:
     """The mission of a file, or the one at the path `inside` it, with the edits of a sweep.
 
     A map that the mission names is a part of it, so that paths lead into it and a worker on another
-    machine need not have it; it is None where its file cannot be read.
+    machine need not have it, but for maps of other programs; it is None where its file cannot be
+    read.
     """
 
     base: FileText
@@ -64,12 +68,13 @@ class Variant:
     map_file: FileText | None = None
 
     def named_map(self, name: Any) -> FileText | None:
-        """The file of a map, by its name in the mission; None where it is none or no YAML."""
+        """The file of a map, by its name in the mission; None where it is none or broken."""
+        name = name["file"] if is_reference(name) else name
         if not isinstance(name, str):
             return None
         try:
             found = FileText.read(beside(FilePath(self.base.source).parent, name))
-            _ = found.document
+            _ = map_document_of(found.text, found.source)
         except InputError:
             return None  # whoever reads the mission says what is wrong with it
         return found
@@ -82,13 +87,29 @@ class Variant:
     @property
     def patchwork(self) -> Patchwork:
         """The document of the mission, put together. Raises InputError for no YAML."""
-        made = _with_map(self.base, self.inside, self.map_file)
+        made = _with_map(self.base, self.inside, self._part_of_it)
         # by its digest a plan finds the file
         digest = self.base.digest if self.as_it_stands else _digest(self.content)
         for edit in sorted(self.edits, key=lambda edit: len(edit.path)):
-            if edit.path != ("map",) or self.map_file is None:
+            if edit.path != ("map",) or self._part_of_it is None:
                 made = self._edited(made, edit)
         return replace(made, document=replace(made.document, digest=digest))
+
+    @property
+    def _part_of_it(self) -> FileText | None:
+        """The map that becomes a part of the mission: one in steps, that is only named there."""
+        if self.map_file is None:
+            return None
+        given = self.base.document.at(self.inside).get("map")
+        for edit in self.edits:
+            if edit.path == ("map",) and self.sweep is not None:
+                given = self.sweep.document.at(edit.value)
+        if not isinstance(given, str):
+            return None
+        try:
+            return self.map_file if kind_of_data(self.map_file.document.data) == MAP else None
+        except InputError:  # no YAML: a map of another program
+            return None
 
     def _edited(self, made: Patchwork, edit: Edit) -> Patchwork:
         assert self.sweep is not None, "edits are those of a sweep"

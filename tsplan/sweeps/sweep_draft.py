@@ -19,6 +19,7 @@ from tsplan.sweeps.axis_entries import AxisReader
 from tsplan.sweeps.mission_variant import FileText, Variant
 from tsplan.sweeps.sweep_runs import Setting, SweepRun
 from tsplan.sweeps.sweep_schema import STAND_INS, SweepFile
+from tsplan.ts.io.map_settings import is_reference
 
 MOST_RUNS = 100_000
 """Runs of a sweep; a misprint must not fill the memory."""
@@ -150,6 +151,7 @@ class _Draft:
 
     def _map(self, variant: Variant, name: Any) -> FileText | None:
         """The map of a name, read once."""
+        name = name["file"] if is_reference(name) else name
         if isinstance(name, str) and name not in self.maps:
             self.maps[name] = variant.named_map(name)
         return self.maps.get(name) if isinstance(name, str) else None

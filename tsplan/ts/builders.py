@@ -3,23 +3,32 @@
 from __future__ import annotations
 
 import random
-import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from numbers import Integral, Real
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tsplan.errors import Finding, MapError
-from tsplan.limits import clipped
-from tsplan.ts.edges import NOTHING, Edge, State, missing_waits, words
+from tsplan.ts.edges import Edge, State, missing_waits, words
+from tsplan.ts.graph_attributes import (
+    LENGTHS,
+    OF_EDGES,
+    OF_STATES,
+    USUAL,
+    Converters,
+    Names,
+    attribute_of,
+    fields_of,
+    length_of,
+)
+from tsplan.ts.parallel_edges import choices, chosen
+from tsplan.ts.ride_durations import Ride, steps_of
 from tsplan.ts.system import TransitionSystem
-from tsplan.ts.validity import Fault, problems
+from tsplan.ts.validity import problems
 
 if TYPE_CHECKING:
     import networkx as nx
 
 Cell: TypeAlias = tuple[int, int]
 
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 _STEPS = ((0, 1), (1, 0), (0, -1), (-1, 0))
 
 
@@ -147,51 +156,105 @@ def from_networkx(
     4
 
     """
-    reading = _Reading({"labels": labels, "at": at, "duration": duration})
-    states = [
-        State(str(node), **reading.fields(f"node '{node}'", _OF_STATES, data))
-        for node, data in graph.nodes(data=True)
-    ]
-    edges = []
-    for source, target, data in graph.edges(data=True):
-        pair = str(source), str(target)
-        both_ways = not graph.is_directed() and pair[0] != pair[1]
-        fields = reading.fields(_way(*pair), _OF_EDGES, data)
-        edge = Edge(*pair, **fields, both_ways=both_ways)
-        edges += [edge, edge.reverse()] if both_ways else [edge]
-    if waits:
-        edges += missing_waits(states, edges)
-    reading.judge(states, edges)
-    return TransitionSystem.build(states, edges, name or str(graph.graph.get("name", "")))
+    reading = _Reading({"labels": (labels,), "at": (at,), "duration": (duration,)})
+    states, edges = reading.states(graph), reading.edges(graph, ())
+    return reading.made(states, edges, graph, name=name, waits=waits)
+
+
+def map_of_graph(graph: nx.Graph[Any]) -> TransitionSystem:
+    """The map of a networkx graph that is given for one, by attributes as tools call them.
+
+    The `duration` of an edge is in steps; else its `length`, `distance`, `dist` or `weight` is in
+    metres, at one metre a step and rounded up; else it takes one step. Labels may be called
+    `labels`, `label` or `prop`, coordinates `at`, `pos`, `position`, `location`, or `x` and `y`.
+    Agents can wait everywhere. Of parallel edges one is kept; the map's `notes` say so.
+
+    Raises MapError as `from_networkx` does.
+
+    >>> import networkx as nx
+    >>> graph = nx.MultiDiGraph()
+    >>> graph.add_weighted_edges_from([("a", "b", 1.5), ("a", "b", 4)])
+    >>> system = map_of_graph(graph)
+    >>> system.edges["a", "b"].duration, [note.message for note in system.notes]
+    (2, ["1 more edge from 'a' to 'b' can do nothing better than the one that is kept"])
+
+    """
+    reading = _Reading(USUAL)
+    states, edges = reading.states(graph), reading.edges(graph, LENGTHS)
+    made = list(choices(edges))
+    notes = [Finding(*choice.words(edges)) for choice in made]
+    kept = list(chosen(edges, made).values())
+    return reading.made(states, kept, graph, notes=notes)
 
 
 class _Reading:
-    """Attributes of nodes and edges as fields of states and edges; what is wrong is kept.
+    """Attributes of nodes and edges as fields of states and edges; what is wrong is kept."""
 
-    `names` has what the attribute of a field is called where it is not called as the field.
-    """
-
-    def __init__(self, names: Mapping[str, str]) -> None:
+    def __init__(self, names: Names) -> None:
         self._names = names
         self._findings: list[Finding] = []
+        self._data: dict[str, Mapping[str, Any]] = {}  # by where they are said
 
-    def fields(
-        self, where: str, converters: _Converters, data: Mapping[str, Any]
+    def states(self, graph: nx.Graph[Any]) -> list[State]:
+        """A state for every node."""
+        return [
+            State(str(node), **self._fields(f"node '{node}'", OF_STATES, data), origin=_id(node))
+            for node, data in graph.nodes(data=True)
+        ]
+
+    def edges(self, graph: nx.Graph[Any], lengths: Sequence[str]) -> list[Edge]:
+        """An edge for every edge, or one in each direction; attributes that may hold lengths."""
+        edges = []
+        for source, target, data in graph.edges(data=True):
+            pair = str(source), str(target)
+            both_ways = not graph.is_directed() and pair[0] != pair[1]
+            fields = self._fields(_way(*pair), OF_EDGES, data)
+            if "duration" not in fields:
+                length, misfits = length_of(data, lengths)
+                self._findings += (
+                    Finding(each.message, each.remedy, _part(_way(*pair), each.attribute))
+                    for each in misfits
+                )
+                if length is not None:
+                    fields["duration"] = steps_of(Ride(length), 1.0, 1.0)
+            edge = Edge(*pair, **fields, both_ways=both_ways)
+            edges += [edge, edge.reverse()] if both_ways else [edge]
+        return edges
+
+    def _fields(
+        self, where: str, converters: Converters, data: Mapping[str, Any]
     ) -> dict[str, Any]:
         """The fields that a node or edge gives."""
-        fields = {}
-        for field, converted in converters.items():
-            name = self._names.get(field, field)
-            value = converted(data[name]) if name in data else None
-            if isinstance(value, Fault):
-                self._note(where, field, f"{clipped(data[name])} is {value.what}", value.remedy)
-            elif name in data:
-                fields[field] = value
+        fields, misfits = fields_of(data, converters, self._names)
+        self._data.setdefault(where, data)
+        self._findings += (
+            Finding(each.message, each.remedy, _part(where, each.attribute)) for each in misfits
+        )
         return fields
 
-    def judge(self, states: Sequence[State], edges: Sequence[Edge]) -> None:
+    def made(
+        self,
+        states: Sequence[State],
+        edges: list[Edge],
+        graph: nx.Graph[Any],
+        *,
+        name: str = "",
+        waits: bool = True,
+        notes: Iterable[Finding] = (),
+    ) -> TransitionSystem:
+        """The system, with waits if asked for; MapError with all that is wrong."""
+        if waits:
+            edges = [*edges, *missing_waits(states, edges)]
+        zones = graph.graph.get("zones") or {}
+        self._judge(states, edges, zones)
+        title = name or str(graph.graph.get("name", ""))
+        return TransitionSystem.build(states, edges, title, zones=zones, notes=notes)
+
+    def _judge(
+        self, states: Sequence[State], edges: Sequence[Edge], zones: Mapping[str, int]
+    ) -> None:
         """Raise MapError with all that is wrong about what was read."""
-        for problem in problems(states, edges):
+        for problem in problems(states, edges, zones):
             where = "the graph"
             if problem.kind == "state":
                 where = f"node '{states[problem.index].name}'"
@@ -205,77 +268,19 @@ class _Reading:
             raise MapError(self._findings)
 
     def _note(self, where: str, field: str | None, message: str, remedy: str) -> None:
-        if field is not None and (field in _OF_STATES or field in _OF_EDGES):
-            where = f"{where}, attribute '{self._names.get(field, field)}'"
+        if field is not None and (field in OF_STATES or field in OF_EDGES):
+            where = _part(where, attribute_of(field, self._data.get(where, {}), self._names))
         self._findings.append(Finding(message, remedy, where))
+
+
+def _id(node: Any) -> str | int | None:
+    """A node as its own id, where it is text or a whole number."""
+    return node if isinstance(node, str | int) and not isinstance(node, bool) else None
+
+
+def _part(where: str, attribute: str) -> str:
+    return f"{where}, attribute '{attribute}'"
 
 
 def _way(source: str, target: str) -> str:
     return f"edge from '{source}' to '{target}'"
-
-
-def _words(value: Any) -> frozenset[str] | Fault:
-    """One word, or a collection of words; none of None."""
-    if value is None or isinstance(value, str):
-        return NOTHING if value is None else frozenset((value,))
-    if isinstance(value, Iterable) and not isinstance(value, bytes | Mapping):
-        words = tuple(value)
-        if all(isinstance(word, str) for word in words):
-            return frozenset(words)
-    remedy = "write it as 'door' or ['door', 'exit']"
-    return Fault("neither a text nor a collection of texts", remedy)
-
-
-def _text(value: Any) -> str | Fault | None:
-    if value is None or isinstance(value, str):
-        return value
-    return Fault("not a text", "write it as 'tan' or '#d2b48c'")
-
-
-def _steps(value: Any) -> Any:
-    """A number, or one for each class."""
-    if isinstance(value, Mapping):
-        return {name: _number(steps) for name, steps in value.items()}
-    return _number(value)
-
-
-def _numbers(value: Any) -> Any:
-    """Collections of collections of numbers as tuples; what is none is left for the checks."""
-    if isinstance(value, str | Mapping) or not isinstance(value, Iterable):
-        return value
-    return tuple(_numbers(_number(member)) for member in value)
-
-
-def _number(value: Any) -> Any:
-    """A number of any type, or the text of one, as Python's own; whole ones as int.
-
-    Anything else is left for the checks to refuse.
-    """
-    if isinstance(value, str):
-        written = value.strip()
-        value = float(written) if _NUMBER.fullmatch(written) else value
-    if isinstance(value, bool) or not isinstance(value, Real):
-        return value
-    if isinstance(value, Integral):
-        return int(value)
-    number = float(value)
-    return int(number) if number.is_integer() else number
-
-
-_Converters: TypeAlias = Mapping[str, Callable[[Any], Any]]
-_OF_STATES: _Converters = {
-    "labels": _words,
-    "at": _numbers,
-    "shape": _numbers,
-    "color": _text,
-    "capacity": _number,
-    "needs": _words,
-}
-_OF_EDGES: _Converters = {
-    "duration": _steps,
-    "cost": _number,
-    "success": _number,
-    "capacity": _number,
-    "needs": _words,
-}
-"""The fields that attributes give, each with what makes it of a value."""

@@ -156,8 +156,10 @@ class TransitionSystem(display.Displayed):
             edges,
             self.name,
             zones=self.zones,
+            extras=self.extras,
             step_seconds=self.step_seconds,
             frame=self.frame,
+            notes=self.notes,
         )
 
     @cached_property

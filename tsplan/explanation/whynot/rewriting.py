@@ -26,6 +26,7 @@ from tsplan.mission import mission_from_text
 from tsplan.mission.mission_writer import group_entry, margin_text, resource_entry
 from tsplan.signals.signal_files import signal_mission_from_text
 from tsplan.signals.signal_mission import SignalMission
+from tsplan.ts.io.map_settings import is_reference
 from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 if TYPE_CHECKING:
@@ -185,10 +186,11 @@ def _entries(
         lines = map_to_yaml(changed.system).splitlines()
         yield ("map",), "".join(f"\n  {line}" for line in lines) + "\n"
     else:
-        given = document.at(("map",))
+        where = ("map", "file") if is_reference(document.at(("map",))) else ("map",)
+        given = document.at(where)
         before, after = (folder.resolve() for folder in folders)
         if isinstance(given, str) and before != after and not Path(given).is_absolute():
             moved = Path(os.path.relpath(before / given, after)).as_posix()
-            yield ("map",), json.dumps(moved, ensure_ascii=False)
+            yield where, json.dumps(moved, ensure_ascii=False)
     if document.data.get("horizon") is not None and original.horizon != changed.horizon:
         yield ("horizon",), str(changed.horizon)
