@@ -127,7 +127,21 @@ def within_capacity(mission: Mission, joint: tuple[Path, ...]) -> bool:
                     load.update(range(step, min(step + duration, mission.horizon)))
         if any(count > capacity for count in load.values()):
             return False
-    return True
+    return all(
+        sum(in_zone(mission, path, zone, step) for path in joint) <= capacity
+        for zone, capacity in mission.system.zones.items()
+        for step in range(mission.horizon + 1)
+    )
+
+
+def in_zone(mission: Mission, path: Path, zone: str, step: int) -> bool:
+    """Whether an agent is at a state of a zone, or has left for an edge of it and not arrived."""
+    system, here = mission.system, path.states[step]
+    inside = here is not None and system.states[here].zone == zone
+    return inside or any(
+        system.edges[source, target].zone == zone and begun <= step < begun + duration
+        for source, target, begun, duration in path.entered
+    )
 
 
 class Counts:

@@ -176,8 +176,18 @@ NAMES = {
 }
 
 
-@pytest.mark.parametrize("name", OTHERS)
-@pytest.mark.parametrize("load", [load_map, load_mission, load_plan])
+MAPS = ("graph.json", "graph.graphml", "grid.map", "ros.yaml")
+
+
+@pytest.mark.parametrize(
+    ("load", "name"),
+    [
+        (load, name)
+        for load in (load_map, load_mission, load_plan)
+        for name in OTHERS
+        if load is not load_map or name not in MAPS
+    ],
+)
 def test_other_files_are_named_for_what_they_are(tmp_path, load, name):
     content = OTHERS[name]
     path = tmp_path / name
@@ -186,6 +196,8 @@ def test_other_files_are_named_for_what_they_are(tmp_path, load, name):
         load(path)
     assert len(caught.value.findings) == 1
     assert NAMES[name] in str(caught.value)
+    if load is load_mission and name in MAPS:
+        assert f"it can be the map of a mission: map: {{file: {name}}}" in str(caught.value)
 
 
 def test_ours_are_told_apart(tmp_path):

@@ -69,7 +69,7 @@ def test_the_guide_names_files_and_what_is_in_them():
 # --- a map format ---
 
 
-def read_corridor(document, path):
+def read_corridor(document, path, settings):
     names = [f"x{number}" for number in range(document.at((*path, "corridor")))]
     ways = [Edge(one, two) for one in names for two in names if abs(int(one[1]) - int(two[1])) < 2]
     return TransitionSystem.build(map(State, names), ways, extras=Extras("corridor"))

@@ -10,6 +10,7 @@ import numpy as np
 from tsplan.plans.presence import interval_counts
 
 if TYPE_CHECKING:
+    from tsplan.checking.path_segments import Segment
     from tsplan.checking.traffic import Traffic
     from tsplan.milp.model import Floats, Ints
 
@@ -49,17 +50,26 @@ def _in_zones(traffic: Traffic) -> Floats | Ints:
     row = {name: number for number, name in enumerate(parts)}
     between = interval_counts(
         (
-            (
-                row[zone],
-                segment.entered + (system.states[segment.edge.source].zone == zone),
-                segment.left - 1,
-                segment.agents,
-            )
+            (row[zone], first, last, segment.agents)
             for segment in traffic.segments
             if (zone := segment.edge.zone) is not None
+            for first, last in _on_the_way(segment, system.states[segment.edge.source].zone == zone)
         ),
         len(row),
         traffic.horizon,
     )
     at_states = [traffic.counts(part.states).sum(axis=0) for part in parts.values()]
     return between + at_states if at_states else between
+
+
+def _on_the_way(segment: Segment, counted: bool) -> Iterator[tuple[int, int]]:
+    """First and last steps on an edge; those at which it is entered do not count if `counted`.
+
+    A wait that is repeated is entered anew each time.
+    """
+    if not counted:
+        yield segment.entered, segment.left - 1
+        return
+    each = (segment.left - segment.entered) // segment.times
+    for step in range(segment.entered, segment.left, each) if each > 1 else ():
+        yield step + 1, step + each - 1

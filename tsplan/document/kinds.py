@@ -102,11 +102,13 @@ def is_of_ours(kind: str) -> bool:
 
 
 def remedy_for(kind: str, wanted: str, source: str) -> str:
-    """What to do with a document of one kind where another is wanted."""
-    remedy = _REMEDIES.get((wanted, kind), f"what is wanted is {wanted}, written in YAML")
-    if (wanted, kind) == (MISSION, MAP):
-        remedy += f" (map: {source.replace(chr(92), '/').rpartition('/')[2]})"
-    return remedy
+    """What to do with a document of one kind where another is wanted; none is a text of any."""
+    name = source.replace(chr(92), "/").rpartition("/")[2]
+    if kind in _FOREIGN_MAPS and wanted in ("", MISSION):
+        return f"it can be the map of a mission: map: {{file: {name}}}"
+    remedy = "write it as YAML" if not wanted else f"what is wanted is {wanted}, written in YAML"
+    remedy = _REMEDIES.get((wanted, kind), remedy)
+    return f"{remedy} (map: {name})" if (wanted, kind) == (MISSION, MAP) else remedy
 
 
 _REMEDIES: Mapping[tuple[str, str], str] = {
@@ -122,6 +124,18 @@ _REMEDIES: Mapping[tuple[str, str], str] = {
     (SWEEP, MISSION): "name it as the 'mission' of a sweep, or give the folder that it is in",
     (SWEEP, SIGNALS): "name it as the 'mission' of a sweep, or give the folder that it is in",
 }
+_FOREIGN_MAPS = (
+    "a graph in GraphML",
+    "a grid map of the MovingAI benchmarks",
+    "a graph in networkx's node-link JSON",
+    "a transition system of another planner (state_models)",
+    "a building of Open-RMF",
+    "an occupancy grid of ROS",
+    "a layout in the interchange format LIF",
+    "geographic data (GeoJSON)",
+)
+"""Kinds that the map readers know."""
+
 _GEOGRAPHIC = ("FeatureCollection", "Feature", "GeometryCollection", "Topology")
 _KEYS: tuple[tuple[frozenset[str], str], ...] = (
     (frozenset({"status", "horizon", "objective"}), PLAN),
@@ -134,4 +148,6 @@ _KEYS: tuple[tuple[frozenset[str], str], ...] = (
     (frozenset({"state_models"}), "a transition system of another planner (state_models)"),
     (frozenset({"building_name", "levels"}), "a building of Open-RMF"),
     (frozenset({"image", "resolution", "origin"}), "an occupancy grid of ROS"),
+    (frozenset({"metaInformation", "layouts"}), "a layout in the interchange format LIF"),
+    (frozenset({"metaInformation", "origins"}), "a layout in the interchange format LIF"),
 )

@@ -27,7 +27,7 @@ from tsplan.ts.io.map_settings import PLAIN, MapSettings
 from tsplan.ts.io.movingai import is_grid, open_grid, read_grid
 from tsplan.ts.io.nav2_geojson import is_route_graph, read_route_graph
 from tsplan.ts.io.node_link import is_node_link, read_node_link
-from tsplan.ts.io.occupancy import is_occupancy, read_occupancy
+from tsplan.ts.io.occupancy_grid import is_occupancy, read_occupancy
 from tsplan.ts.io.rmf_graph import is_rmf_graph, read_rmf_graph
 from tsplan.ts.io.tsplan_yaml import map_to_yaml, read_own
 from tsplan.ts.system import TransitionSystem

@@ -179,7 +179,10 @@ def read_own(document: Document, path: Path = ()) -> TransitionSystem:
             states=_or_empty(data, "states", dict),
             edges=_or_empty(data, "edges", list),
             actions={},
-            zones=_or_empty(data, "zones", dict),
+            zones={
+                name: room if type(room) is int and room >= 0 else 0  # which is told of already
+                for name, room in _or_empty(data, "zones", dict).items()
+            },
         )
     draft.zones = content.zones
     for name in content.states:

@@ -65,8 +65,10 @@ def read_occupancy(document: Document, path: Path, settings: MapSettings) -> Tra
     try:
         grey = read_grey(picture)
     except InputError as error:
-        draft.refuse((*path, "image"), f"the picture cannot be used: {file.image}", "see there")
-        raise MapError([*error.findings, *draft.findings]) from None
+        for found in error.findings:
+            message = f"the picture '{file.image}': {found.message}"
+            draft.refuse((*path, "image"), message, found.remedy)
+        raise MapError(draft.findings) from None
     side = CELL if settings.cell is None else settings.cell
     dots = max(1, round(side / file.resolution))
     side = round(dots * file.resolution, 9)
