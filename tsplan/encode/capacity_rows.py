@@ -46,9 +46,10 @@ def _zone_rows(network: Network, zone: tuple[int, int, Ints], draft: Draft) -> N
 def _on_edges(network: Network, group: int, states: Ints | None = None) -> list[Ints]:
     """Agents that entered in (k - duration, k] are on the edge at step k: their columns.
 
-    Those that entered at k itself are left out where the edge leaves one of `states`.
+    With the `states` of a zone, those that entered at k itself are left out where the edge leaves
+    one of them; and the last step counts, which only tells as much as the one before for edges.
     """
-    parts: list[list[Ints]] = [[] for _ in range(network.horizon)]
+    parts: list[list[Ints]] = [[] for _ in range(network.horizon + (states is not None))]
     for item in network.classes:
         place = None if item.graph.modes is None else item.graph.modes.place
         for edge in np.flatnonzero(item.graph.group == group).tolist():

@@ -89,6 +89,7 @@ def parts_from_document(document: Document, folder: Path, given: Beside = _NOTHI
     sound, faulty = (file, frozenset[str]()) if file else salvaged(document, MissionFile, STAND_INS)
     draft.judge_kind()
     draft.system = given.system if given.system is not None else draft.read_map(folder)
+    draft.warn_of_choices()
     known = None if sound is None or "spec" in faulty else sound.spec.weights
     draft.weights = {**weights_in(document, known), **given.weights}
     draft.formulas.reading = partial(parse_with_places, weights=draft.weights)
@@ -130,18 +131,20 @@ class _Draft(Filing):
                 self.report(("map",), what, "write the name of a map file")
             return None
         try:
-            system = read()
+            return read()
         except InputError as error:
             self.findings += error.findings
             what = "the map cannot be used, so labels and start states were not looked up in it"
             self.report(("map",), what, "correct the map first")
             return None
-        for note in system.notes:
-            if note.remedy:  # something was lost that matters
+
+    def warn_of_choices(self) -> None:
+        """Warn of what was chosen when the map was converted, where something can be done."""
+        for note in () if self.system is None else self.system.notes:
+            if note.remedy:
                 spot = note.source, note.line, note.column
                 fault = Fault(("map",), note.message, note.remedy, serious=False, at=spot)
                 self.file(fault)
-        return system
 
     def judge_kind(self) -> None:
         """Report what a mission file says of teams and swarms that does not go together."""

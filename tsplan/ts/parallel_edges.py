@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
+from tsplan.limits import is_number
 from tsplan.ts.edges import DEFAULT, Edge, Pair
 from tsplan.words import many
 
@@ -33,12 +34,15 @@ class Choice(NamedTuple):
 
 
 def choices(edges: Sequence[Edge]) -> Iterator[Choice]:
-    """One choice for each pair of states between which there are several edges."""
+    """One choice for each pair of states between which there are several edges.
+
+    None where one of them is no edge that could be compared.
+    """
     between: dict[Pair, list[int]] = {}
     for number, edge in enumerate(edges):
         between.setdefault(edge.pair, []).append(number)
     for numbers in between.values():
-        if len(numbers) > 1:
+        if len(numbers) > 1 and all(_comparable(edges[number]) for number in numbers):
             kept = min(numbers, key=lambda number: (_slowest(edges[number]), number))
             others = tuple(number for number in numbers if number != kept)
             whole = all(_as_good(edges[kept], edges[other]) for other in others)
@@ -59,6 +63,12 @@ def chosen(edges: Sequence[Edge], made: Sequence[Choice]) -> dict[int, Edge]:
         else replace(edge, both_ways=False)
         for number, edge in left.items()
     }
+
+
+def _comparable(edge: Edge) -> bool:
+    steps = edge.duration.values() if isinstance(edge.duration, Mapping) else [edge.duration]
+    others = [number for number in (edge.cost, edge.capacity) if number is not None]
+    return all(type(each) is int for each in steps) and all(map(is_number, [*others, edge.success]))
 
 
 def _classes(*edges: Edge) -> set[str]:

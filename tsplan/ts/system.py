@@ -51,7 +51,8 @@ class TransitionSystem(display.Displayed):
     uncertain there are `actions`, by state and name, and the edges say what these may lead to.
     `zones` bound how many agents are at their states and on their edges at once, by their names.
     Of a map that was converted, `step_seconds` says how long a step is, `frame` what its
-    coordinates refer to, and `notes` what was dropped or chosen.
+    coordinates refer to, and `notes` what was dropped or chosen; of those with a remedy missions
+    warn.
 
     >>> town = TransitionSystem.build(
     ...     [State("home"), State("shop", frozenset({"open"}))],

@@ -19,7 +19,10 @@ from tsplan.document.yaml_nodes import Node
 from tsplan.errors import Finding, InputError
 
 TAG = "!graphml"
-_BEGINNING = re.compile(r"\s*(<\?xml.*?\?>)?\s*(<!--.*?-->\s*)*<(\w+:)?graphml\b", re.DOTALL)
+_BEGINNING = re.compile(
+    r"\s*(<\?xml.*?\?>)?\s*(<!--.*?-->\s*|<!DOCTYPE\s[^>\[]*(\[.*?\]\s*)?>\s*)*<(\w+:)?graphml\b",
+    re.DOTALL,
+)
 _NUMBERS = ("int", "long", "float", "double")
 _OWN = ("id", "source", "target", "directed")  # what elements say of themselves
 _TRUTHS = {"true": True, "1": True, "false": False, "0": False}

@@ -17,7 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from tsplan.document import Document, Path
 from tsplan.document.fields import Number, Word
-from tsplan.errors import FormulaError, MapError, Nearest
+from tsplan.errors import FormulaError, MapError, Nearest, in_order
 from tsplan.limits import is_number
 from tsplan.logic import TRUE, Always, And, Constant, Count, Formula, Not, Or, parse
 from tsplan.ts.edges import State
@@ -186,7 +186,7 @@ def read_state_models(document: Document, path: Path, settings: MapSettings) -> 
         what = f"the state models have {count:,} states together, more than {MOST_STATES:,}"
         draft.refuse((*path, "state_models"), what, "leave some out of 'state_dim'")
     if draft.findings:
-        raise MapError(draft.findings)
+        raise MapError(in_order(draft.findings))
     draft.add_states(models)
     draft.add_actions(models, file, guards)
     starts = [str(model.initial) for _, model in models if model.initial is not None]

@@ -72,12 +72,12 @@ class _Draft(GraphDraft):
         entry = self.document.at(path)
         if not isinstance(entry, list) or not 2 <= len(entry) <= 3:  # noqa: PLR2004 - x, y, more
             self.refuse(path, "a vertex is not [x, y, {name: ...}]", "write it so")
+            self.add_node(key, State(f"{level}_{index}"), path)  # lanes know it all the same
             return
         at = self.number((*path, 0)), self.number((*path, 1))
         more = self._options(_Vertex, (*path, 2), len(entry) > 2)  # noqa: PLR2004
-        if more is None or at[0] is None or at[1] is None:
-            return
-        given = self.document.at((*path, 2)) if len(entry) > 2 else {}  # noqa: PLR2004
+        given = {} if more is None else more.model_dump()
+        more = more or _Vertex()
         lift, name = str(more.lift or ""), str(more.name or "")
         labels = {label for key, label in _FLAGS.items() if given.get(key)}
         labels |= {lift} if lift else set()
@@ -88,7 +88,7 @@ class _Draft(GraphDraft):
         state = State(
             name or f"{level}_{index}",
             frozenset(labels),
-            (at[0], at[1]),
+            None if at[0] is None or at[1] is None else (at[0], at[1]),
             zone=zone,
             level=level,
             origin=name or number,
