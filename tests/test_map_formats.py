@@ -24,6 +24,7 @@ from tests.foreign_maps import (
 )
 from tsplan import MapError
 from tsplan.document import parse_document
+from tsplan.draw.layout import places
 from tsplan.ts import Edge
 from tsplan.ts.builders import map_of_graph
 from tsplan.ts.edges import ByClass
@@ -227,6 +228,16 @@ def test_a_building_of_the_traffic_editor_is_told_from_a_graph(tmp_path):
     assert "name the navigation graph that is made of it" in refused(tmp_path, "b.yaml", text)[0]
 
 
+def test_levels_are_drawn_side_by_side(files):
+    system = read(files, "rmf.yaml")
+    where = places(system)
+    left = max(where[name][0] for name, state in system.states.items() if state.level == "L1")
+    right = min(where[name][0] for name, state in system.states.items() if state.level == "L2")
+    assert left < right
+    assert where["lobby"] == (0.0, 0.0)
+    assert places(read(files, "nav.geojson"))["2"] == (3.0, 4.0)
+
+
 # --- MovingAI ---
 
 
@@ -411,15 +422,16 @@ def test_which_parallel_edge_is_as_good_for_everybody():
 def test_an_occupancy_grid_is_one_of_larger_cells(files):
     system = read(files, "room.yaml")
     assert list(system.states) == ["r0c0", "r1c0"]  # 1 m wide, free in all their dots
-    assert system.states["r1c0"].at == (-0.5, 3.5)
+    assert system.states["r0c0"].at == (-0.5, 3.5)
+    assert system.states["r1c0"].at == (-0.5, 2.5)
     assert system.frame == "map"
     assert "2 x 2 cells of 1 m (2 x 2 dots), 2 of them free" in noted(system)[0]
     fine = read(files, "room.yaml", cell=0.5, speed=0.25)
     assert len(fine.states) == 18
     assert set(moves(fine).values()) == {2}
-    assert "r2c3" not in fine.states  # black
-    assert "r1c2" not in fine.states  # grey: unknown
-    assert fine.states["r3c4"].at == (1.25, 3.75)
+    assert "r1c3" not in fine.states  # black
+    assert "r2c2" not in fine.states  # grey: unknown
+    assert fine.states["r0c4"].at == (1.25, 3.75)
 
 
 def test_a_grid_may_be_turned_and_negated(tmp_path):

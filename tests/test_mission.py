@@ -348,5 +348,13 @@ def test_names_of_any_letters_survive_python_values():
 
 
 def test_a_map_that_is_neither_made_nor_named_is_refused():
-    with pytest.raises(MissionError, match=r"type 'dict'.*TransitionSystem or the path"):
-        Mission.of(map={"states": ["a"]}, team=[], formula="a")
+    with pytest.raises(MissionError, match=r"type 'list'.*TransitionSystem, a networkx graph or"):
+        Mission.of(map=["a"], team=[], formula="a")
+
+
+def test_a_map_may_be_given_as_a_file_has_it():
+    team = [{"class": "cart", "count": 1, "at": "a"}]
+    mission = Mission.of(map={"states": {"a": {"labels": ["x"]}}}, team=team, formula="x")
+    assert mission.system.labels["x"] == ("a",)
+    with pytest.raises(MissionError, match="mission: states: a list is not a mapping"):
+        Mission.of(map={"states": ["a"]}, team=team, formula="a")

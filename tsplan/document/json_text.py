@@ -144,6 +144,6 @@ class _Reader:
 
 def json_finding(error: Any, source: str) -> Finding:
     """What keeps a text from being JSON, and where."""
-    message = str(error.msg)
+    message = str(error.msg).removesuffix(" at")
     what = f"not valid JSON: {message[:1].lower()}{message[1:]}"
     return Finding(what, "look at the punctuation here", source, error.lineno, error.colno)

@@ -12,7 +12,9 @@ from typing import NamedTuple
 from tsplan.draw.edge_layout import Places, computed
 from tsplan.ts import TransitionSystem
 from tsplan.ts.edges import Duration
-from tsplan.ts.state_places import own_place
+from tsplan.ts.state_places import Point, own_place
+
+_GAP = 0.2  # of the size of a map: between two of its levels
 
 
 class Link(NamedTuple):
@@ -28,7 +30,7 @@ def places(system: TransitionSystem) -> Places:
     """Coordinates of every state, in the order of the map.
 
     A state's own `at`, else the centroid of its `shape`. States with neither are placed beside
-    their neighbours, or all by the edges if no state has coordinates.
+    their neighbours, or all by the edges if no state has coordinates. Levels lie side by side.
 
     >>> from tsplan.ts import Edge, State, TransitionSystem
     >>> square = ((0, 0), (2, 0), (2, 2), (0, 2))
@@ -36,10 +38,26 @@ def places(system: TransitionSystem) -> Places:
     >>> dict(places(map))
     {'p': (5.0, 1.0), 'q': (1.0, 1.0)}
     """
-    known = {name: place for name, state in system.states.items() if (place := own_place(state))}
+    own = {name: place for name, state in system.states.items() if (place := own_place(state))}
+    known = _side_by_side(system, own)
     if len(known) == len(system.states):
         return known
     return computed(system, known)
+
+
+def _side_by_side(system: TransitionSystem, known: dict[str, Point]) -> dict[str, Point]:
+    """The places of states of several levels, which else would lie on each other.
+
+    Where states have shapes, these are drawn where they are, and so are the levels.
+    """
+    level = {name: system.states[name].level for name in known}
+    order = list(dict.fromkeys(level.values()))
+    if len(order) < 2 or any(state.shape for state in system.states.values()):  # noqa: PLR2004
+        return known
+    xs, ys = zip(*known.values(), strict=True)
+    width, height = max(xs) - min(xs), max(ys) - min(ys)
+    apart = width + max(_GAP * max(width, height), 1.0)
+    return {name: (x + apart * order.index(level[name]), y) for name, (x, y) in known.items()}
 
 
 def bounds(system: TransitionSystem, where: Places) -> tuple[float, float, float, float]:

@@ -6,7 +6,6 @@ So the checks, their words and the defaults are those of files, and nothing is s
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -40,7 +39,6 @@ from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 T = TypeVar("T")
 _SOURCE = "mission"
-_PAIR = re.compile(r"\\u(d[89ab]..)\\u(d[c-f]..)")  # how JSON writes a character above U+FFFF
 
 
 def parts_from_values(values: Mapping[str, Any]) -> MissionParts:
@@ -87,7 +85,7 @@ def from_values(
     Raises MissionError; its findings name no lines, since there is no file.
     """
     try:
-        return read(parse_document(_PAIR.sub(_whole, _text(written, entry)), _SOURCE))
+        return read(parse_document(_text(written, entry), _SOURCE))
     except InputError as error:
         raise MissionError(_without_lines(finding) for finding in error.findings) from None
 
@@ -100,12 +98,6 @@ def _text(written: Mapping[str, Any], entry: Callable[[Any], Any]) -> str:
         raise
     except ValueError:  # as Python writes no number that is so long
         raise MissionError([Finding("a number has thousands of digits", "drop digits")]) from None
-
-
-def _whole(pair: re.Match[str]) -> str:
-    """A pair of surrogates as the one escape that YAML knows for it."""
-    high, low = int(pair[1], 16), int(pair[2], 16)
-    return f"\\U{0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00):08x}"
 
 
 def _entry(language: Any, weights: Mapping[str, Weight]) -> Any:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 from math import ceil
 from typing import TypeAlias
 
@@ -59,6 +60,12 @@ def steps_of(ride: Ride, step: float, speed: Speed) -> int | dict[str, int]:
 
 
 def _steps(ride: Ride, limit: float | None, step: float, speed: float) -> int:
+    alike = ride if ride.limit is None else replace(ride, limit=None)
+    return _exact_steps(alike, limit, step, speed)
+
+
+@lru_cache(maxsize=1024)  # the edges of a grid are all alike
+def _exact_steps(ride: Ride, limit: float | None, step: float, speed: float) -> int:
     pace = exact(speed) * exact(ride.share)
     pace = pace if limit is None else min(pace, exact(limit))
     seconds = (

@@ -54,7 +54,8 @@ def is_occupancy(document: Document, path: Path) -> bool:
 def read_occupancy(document: Document, path: Path, settings: MapSettings) -> TransitionSystem:
     """A grid of the free cells of a picture, of the side that the settings say.
 
-    Cells count from the lower left corner, where the origin is: `r2c10` is the third from below.
+    Cells lie from the lower left corner on, where the origin is, and are called by rows from above:
+    `r2c10` is in the third. What is left of the picture above and on the right is no cell.
     Raises MapError with all that is wrong.
     """
     draft = GraphDraft(document, path, settings=settings)
@@ -86,11 +87,11 @@ def read_occupancy(document: Document, path: Path, settings: MapSettings) -> Tra
 
 
 def _free_cells(grey: NDArray[np.float64], file: _File, dots: int) -> NDArray[np.bool_]:
-    """Which cells are free, rows from below; those that the picture has only in part are not."""
+    """Which cells are free, rows from above; those that the picture has only in part are not."""
     occupancy = grey if file.negate else 1 - grey
-    free = (occupancy < file.free_thresh)[::-1]
+    free = occupancy < file.free_thresh
     rows, columns = free.shape[0] // dots, free.shape[1] // dots
-    whole = free[: rows * dots, : columns * dots]
+    whole = free[free.shape[0] - rows * dots :, : columns * dots]
     return np.asarray(whole.reshape(rows, dots, columns, dots).all(axis=(1, 3)))
 
 
@@ -102,7 +103,7 @@ def _add_cells(
     across, up = math.cos(turn), math.sin(turn)
     where = (*draft.path, "image")
     for row, column in np.argwhere(free).tolist():
-        x, y = (column + 0.5) * side, (row + 0.5) * side
+        x, y = (column + 0.5) * side, (free.shape[0] - row - 0.5) * side
         at = origin[0] + across * x - up * y, origin[1] + up * x + across * y
         number = row * free.shape[1] + column
         state = State(cell_name(row, column), at=at, origin=number)
