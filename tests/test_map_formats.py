@@ -10,6 +10,7 @@ import networkx as nx
 import numpy as np
 import pytest
 
+from tests.command_line import ROOT
 from tests.foreign_maps import (
     FILES,
     GRAPHML,
@@ -96,6 +97,12 @@ def test_waits_are_added_unless_that_is_refused(files, name):
     assert all((state, state) in waiting.edges for state in waiting.states)
     assert not any(edge.is_wait for edge in restless.edges.values())
     assert moves(waiting) == moves(restless)
+
+
+def test_every_format_is_described():
+    page = (ROOT / "docs" / "maps.md").read_text()
+    for form in FORMATS:
+        assert f"| `{form.name}`: " in page
 
 
 def test_lengths_become_durations_in_one_place():

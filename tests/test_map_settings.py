@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import tsplan
+from tests.command_line import ROOT
 from tests.foreign_maps import FILES, GRAPHML, NAV2, OCTILE, ROOM, SCENARIO
 from tsplan import MapError, Mission, MissionError
 from tsplan.cli import main
@@ -251,6 +252,14 @@ def test_places_in_own_maps_are_labelled_by_their_shapes(files):
     assert tsplan.load_mission(written(files, said, "a", "A")).system.labels["A"] == ("a",)
     bare = TransitionSystem.build([State("a")], [])
     assert bare.step_seconds is None
+
+
+def test_the_example_of_the_page_is_planned(files):
+    page = (ROOT / "docs" / "maps.md").read_text(encoding="utf-8")
+    (files / "depot.geojson").write_text(NAV2)
+    (files / "page.yaml").write_text(page.partition("```yaml\n")[2].partition("```")[0])
+    plan = tsplan.plan(tsplan.load_mission(files / "page.yaml"))
+    assert plan.status == "optimal"
 
 
 # --- the command ---

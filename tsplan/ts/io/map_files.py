@@ -140,7 +140,7 @@ def map_from_document(
     if useless:
         raise MapError(useless)
     system = form.read(document, path, settings)
-    if settings.step is not None and system.step_seconds is None:
+    if settings.step is not None:
         system = replace(system, step_seconds=settings.step)
     if settings.waiting:
         system = with_waits(system, without_wait(system))
