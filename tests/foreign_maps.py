@@ -3,6 +3,15 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tsplan import MapError
+from tsplan.ts import TransitionSystem
+from tsplan.ts.io.map_files import load_map
+from tsplan.ts.io.map_settings import MapSettings
 
 NAV2 = """{
 	"type": "FeatureCollection",
@@ -198,7 +207,7 @@ P2
 254 254 254 254 254
 """
 
-FILES = {
+MAPS = {
     "nav.geojson": NAV2,
     "rmf.yaml": RMF,
     "grid.map": OCTILE,
@@ -208,4 +217,48 @@ FILES = {
     "plant.lif": LIF,
     "room.yaml": OCCUPANCY,
 }
-"""A file for every format, by its name; `room.yaml` needs `ROOM` beside it."""
+"""A map of every format, by the name of its file."""
+
+FILES = {**MAPS, "room.pgm": ROOM, "grid.scen": SCENARIO}
+"""The maps, and what belongs to them."""
+
+
+def read(folder: Path, name: str, text: str | None = None, **said: Any) -> TransitionSystem:
+    """The map of a file, which is written first if there is a text."""
+    path = folder / name
+    if text is not None:
+        path.write_text(text)
+    return load_map(path, MapSettings(**said))
+
+
+def refused(folder: Path, name: str, text: str, **said: Any) -> list[str]:
+    """The findings of a broken map, without the folder."""
+    with pytest.raises(MapError) as caught:
+        read(folder, name, text, **said)
+    return [str(finding).replace(f"{folder}/", "") for finding in caught.value.findings]
+
+
+def noted(system: TransitionSystem) -> list[str]:
+    """What was dropped or chosen."""
+    return [note.message for note in system.notes]
+
+
+def moves(system: TransitionSystem) -> dict[tuple[str, str], Any]:
+    """The durations of all moves."""
+    return {pair: edge.duration for pair, edge in system.edges.items() if not edge.is_wait}
+
+
+def written(
+    folder: Path, map_: Any, at: str, formula: str, name: str = "mission.yaml", **more: Any
+) -> Path:
+    """The file of a mission of one robot."""
+    mission = {
+        "format": "tsplan-mission/1",
+        "map": map_,
+        "team": [{"class": "cart", "count": 1, "at": at}],
+        "spec": {"language": "mtl", "formula": formula},
+        **more,
+    }
+    path = folder / name
+    path.write_text(json.dumps(mission, indent=1))
+    return path

@@ -38,7 +38,8 @@ def _judged(path: Path) -> tuple[Sequence[Finding], str]:
     """What looks odd in a file, and how large what it holds is."""
     if kind_of_data(map_document(path).data) not in (MISSION, SIGNALS):
         system = load_map(path)
-        return lint(system), f"{len(system.states)} states, {len(system.edges)} edges"
+        notes = [note for note in system.notes if note.remedy]
+        return [*lint(system), *notes], f"{len(system.states)} states, {len(system.edges)} edges"
     mission = load_any_mission(path)
     if isinstance(mission, Mission):
         own = many(mission.size, "agent")

@@ -43,6 +43,7 @@ class _File(BaseModel):
     occupied_thresh: Annotated[Number, Field(ge=0, le=1)] = 0.65
     free_thresh: Annotated[Number, Field(ge=0, le=1)] = 0.196
     negate: bool | int = 0
+    mode: str = "trinary"
 
 
 def is_occupancy(document: Document, path: Path) -> bool:
@@ -62,6 +63,9 @@ def read_occupancy(document: Document, path: Path, settings: MapSettings) -> Tra
     file = draft.part(_File, path)
     if file is None:
         raise MapError(draft.findings)
+    if file.mode == "raw":  # the dots are occupancies, and no thresholds apply
+        what = "mode: dots of the mode 'raw' are not read"
+        raise MapError([document.finding((*path, "mode"), what, "save the map as 'trinary'")])
     picture = beside(pathlib.Path(document.source).parent, file.image)
     try:
         grey = read_grey(picture)

@@ -3,7 +3,8 @@
 What the keys mean, and how many seconds doors, docks and lifts take, is as in RMF's own reader,
 `parse_graph` of rmf_fleet_adapter (https://github.com/open-rmf/rmf_ros2): a door opens for 4
 seconds and closes for 4, a lift is called for 4, rides for 1 from one of its levels to the next,
-and opens for 4; docking takes 5. A mutex group is a zone for one robot, and so is a lift.
+and opens for 4; docking takes 5. A mutex group is a zone for one robot, and so is a lift with the
+lanes that lead there and away.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field
 
 from tsplan.document import Document, Path
-from tsplan.document.fields import Number, Truth
+from tsplan.document.fields import Number
 from tsplan.ts.edges import State
 from tsplan.ts.io.graph_draft import GraphDraft
 from tsplan.ts.io.map_settings import MapSettings
@@ -51,7 +52,6 @@ class _Lane(BaseModel):
     dock_name: str | int | None = ""
     mutex: str | int | None = ""
     orientation_constraint: str | None = ""
-    is_bidirectional: Truth = False
 
 
 def is_rmf_graph(document: Document, path: Path) -> bool:
@@ -126,14 +126,12 @@ class _Draft(GraphDraft):
         if lane.orientation_constraint:
             where = (*path, 2, "orientation_constraint")
             self.drop("a lane has an orientation_constraint, which is not planned", where)
-        zone = str(lane.mutex or "") or None
+        zone = str(lane.mutex or "") or inside[0] or inside[1] or None
         if zone is not None:
             self.zones[zone] = 1
         length = self.distance(ends[0], ends[1])
         ride = Ride(length=length, limit=lane.speed_limit or None, pause=pause)
         self.add_ride((ends[0], ends[1]), ride, path, zone=zone)
-        if lane.is_bidirectional:
-            self.add_ride((ends[1], ends[0]), ride, path, zone=zone)
         return event and bool(lane.dock_name)
 
     def _end(self, key: tuple[str, Any], path: Path) -> str | None:
