@@ -30,7 +30,7 @@ def outline(node):
     return node.value, own, [outline(child) for child in below or ()]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(st.dictionaries(TEXTS, VALUES, min_size=1, max_size=4), st.sampled_from([None, 1, 3]))
 def test_json_is_read_as_yaml_reads_it(value, indent):
     text = json.dumps(value, indent=indent, ensure_ascii=False)
@@ -38,7 +38,7 @@ def test_json_is_read_as_yaml_reads_it(value, indent):
     assert outline(json_nodes(text, "f")) == outline(compose(text, "f"))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(st.dictionaries(TEXTS, VALUES, min_size=1, max_size=4))
 def test_tabs_and_escapes_change_nothing(value):
     plain = parse_document(json.dumps(value, ensure_ascii=False), "f").data

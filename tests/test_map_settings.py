@@ -26,7 +26,7 @@ def refused(path):
 
 MISSIONS = {
     "nav.geojson": ("0", 'F[0,20] "2"', 11),
-    "rmf.yaml": ("lobby", "F[0,60] suite", 35),
+    "rmf.yaml": ("lobby", "F[0,36] suite", 35),
     "grid.map": ("r0c0", "F[0,9] r3c1", 4),
     "graph.graphml": ("7", "F[0,9] goal", 6),
     "graph.json": ("a", "F[0,9] goal", 3),

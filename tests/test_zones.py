@@ -84,7 +84,7 @@ def zones_matter(mission: Mission) -> bool:
     return best(mission) != best(replace(mission, system=without))
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(60), [*range(60, 1500)], 15))
+@pytest.mark.parametrize("seeds", seed_blocks(range(30), [*range(30, 1500)], 15))
 def test_zones_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(zoned, seeds):
         if mission is not None and small_enough(mission):
@@ -115,7 +115,7 @@ def crossing(seed: int) -> Mission:
     )
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(30), [*range(30, 800)], 15))
+@pytest.mark.parametrize("seeds", seed_blocks(range(15), [*range(15, 800)], 15))
 def test_robots_that_cross_a_zone_do_as_well_as_can_be(seeds: list[int]) -> None:
     for mission in map(crossing, seeds):
         if small_enough(mission):
@@ -123,8 +123,7 @@ def test_robots_that_cross_a_zone_do_as_well_as_can_be(seeds: list[int]) -> None
 
 
 def test_zones_of_the_tests_matter():
-    missions = [crossing(seed) for seed in range(15)]
-    assert sum(zones_matter(mission) for mission in missions if small_enough(mission)) >= 2
+    assert all(zones_matter(crossing(seed)) for seed in (4, 5))
 
 
 def test_what_is_wrong_about_zones_is_said_where_it_stands():

@@ -81,13 +81,13 @@ def length_of(data: Mapping[str, Any], names: Iterable[str]) -> tuple[float | No
 
 
 def _words(value: Any) -> frozenset[str] | Fault:
-    """One word, or a collection of words; none of None."""
+    """One word, or a collection of words; None and empty ones are none."""
     if value is None or isinstance(value, str):
-        return NOTHING if value is None else frozenset((value,))
+        return frozenset((value,)) if value else NOTHING
     if isinstance(value, Iterable) and not isinstance(value, bytes | Mapping):
         words = tuple(value)
         if all(isinstance(word, str) for word in words):
-            return frozenset(words)
+            return frozenset(word for word in words if word)
     remedy = "write it as 'door' or ['door', 'exit']"
     return Fault("neither a text nor a collection of texts", remedy)
 

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 from tsplan.document import Path
 from tsplan.document.fields import shown
+from tsplan.document.validation import SchemaT
 from tsplan.errors import Nearest
 from tsplan.limits import is_number
 from tsplan.ts.edges import Edge, State, missing_waits
@@ -49,6 +50,8 @@ class GraphDraft(MapDraft):
 
     def add_node(self, key: Hashable, state: State, path: Path) -> None:
         """Take in the node that files call `key`; a state whose name is taken gets another one."""
+        if not self._is_id(key, path):
+            return
         if key in self._names:
             line, _ = self.document.place(self._places[self._names[key]])
             what = f"the id '{key}' is taken: it is that of the node in line {line}"
@@ -58,17 +61,37 @@ class GraphDraft(MapDraft):
         while name in self._places:
             name, number = f"{state.name}_{number}", number + 1
         self._names[key], self._places[name] = name, path
-        self._points[name] = state.at
+        sound = isinstance(state.at, tuple) and len(state.at) == 2 and all(map(is_number, state.at))  # noqa: PLR2004 - x and y
+        self._points[name] = state.at if sound else None
         self.states.append(state if name == state.name else replace(state, name=name))
 
     def name_of(self, key: Hashable, path: Path) -> str | None:
         """The state of the node that files call `key`; a finding where there is none."""
+        if not self._is_id(key, path):
+            return None
         if key not in self._names:
             if self._closest is None:
                 self._closest = Nearest(map(str, self._names))
             self.refuse(path, f"no node has the id '{key}'", self._closest(str(key)))
             return None
         return self._names[key]
+
+    def _is_id(self, key: Hashable, path: Path) -> bool:
+        """Whether something can be an id; a finding where it cannot."""
+        try:
+            hash(key)
+        except TypeError:
+            self.refuse(path, f"{shown(key)} is no id", "write a text or a whole number")
+            return False
+        return True
+
+    def part(self, schema: type[SchemaT], path: Path) -> SchemaT | None:
+        """A part of the document by a schema; None, and findings, where it does not fit."""
+        try:
+            return super().part(schema, path)
+        except KeyError:
+            self.refuse(path[:-1], f"'{path[-1]}' is missing", "add it")
+            return None
 
     def add_ride(
         self, ends: tuple[str | None, str | None], ride: Ride, path: Path, **fields: Any

@@ -22,7 +22,7 @@ from tsplan.ts.ride_durations import Ride
 from tsplan.ts.system import TransitionSystem
 
 TAG = "!octile"
-_BEGINNING = re.compile(r"\s*type \w+[ \t]*\r?\n(?:(?:height|width) [^\n]*\n){2}map\b")
+_BEGINNING = re.compile(r"\s*type \w+[ \t]*\r?\n(?:(?:height|width) [^\n]*\n){2}map[ \t]*\r?\n")
 _FREE, _BLOCKED, _WATER = frozenset(".GSEW"), frozenset("@OT"), "W"
 _STEPS = ((0, 1), (1, 0), (0, -1), (-1, 0))
 
@@ -67,6 +67,9 @@ def _cells(document: Document, path: Path, draft: GraphDraft) -> Iterator[tuple[
     """Row, column and character of every cell; what is wrong with the grid is kept."""
     sizes = {}
     for key in ("height", "width"):
+        if key not in document.at(path):
+            draft.refuse(path, f"'{key}' is missing", f"add '{key} ...'")
+            continue
         text = str(document.at((*path, key)))
         if not (text.isascii() and text.isdigit()):
             draft.refuse((*path, key), f"{key}: '{text}' is no whole number", "count the cells")

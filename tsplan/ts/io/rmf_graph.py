@@ -113,7 +113,7 @@ class _Draft(GraphDraft):
         ends = [self._end(key, (*path, place)) for place, key in enumerate(keys)]
         if lane is None:
             return False
-        inside = [self.lift_of.get(key, "") for key in keys]
+        inside = [self.lift_of.get(key, "") if isinstance(key[1], int) else "" for key in keys]
         if inside[0] and inside[1] and inside[0] != inside[1]:
             what = f"a lane leads from the lift '{inside[0]}' into the lift '{inside[1]}'"
             self.refuse(path, what, "put a vertex between them")
