@@ -26,7 +26,7 @@ _UNUSED = ("actions", "trajectory", "loadRestriction", "corridor")
 
 
 class _Loose(BaseModel):
-    model_config = ConfigDict(extra="ignore", populate_by_name=True)
+    model_config = ConfigDict(extra="ignore", defer_build=True)
 
 
 class _Position(_Loose):

@@ -31,7 +31,7 @@ _TRUE = ("", "1", "true", "True")  # guards that always hold
 
 
 class _Loose(BaseModel):
-    model_config = ConfigDict(extra="ignore")
+    model_config = ConfigDict(extra="ignore", defer_build=True)
 
 
 class _Node(_Loose):

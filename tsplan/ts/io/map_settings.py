@@ -92,7 +92,7 @@ def _polygon(value: Any) -> Any:
 
 
 class _AreaEntry(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+    model_config = ConfigDict(extra="forbid", defer_build=True)
     shape: Annotated[list[Point], Field(min_length=CORNERS)]
     level: Word | None = None
 
@@ -110,7 +110,7 @@ def _speeds(value: Any) -> Any:
 
 
 class _Entry(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+    model_config = ConfigDict(extra="forbid", defer_build=True)
     file: Word
     step: _Above | None = None
     speed: Annotated[Any, BeforeValidator(_speeds)] = None

@@ -27,7 +27,7 @@ _PERCENT = 100.0
 
 
 class _Loose(BaseModel):
-    model_config = ConfigDict(extra="ignore")
+    model_config = ConfigDict(extra="ignore", defer_build=True)
 
 
 class _Node(_Loose):

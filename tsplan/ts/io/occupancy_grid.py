@@ -36,7 +36,7 @@ _STEPS = ((0, 1), (1, 0), (0, -1), (-1, 0))
 
 
 class _File(BaseModel):
-    model_config = ConfigDict(extra="ignore")
+    model_config = ConfigDict(extra="ignore", defer_build=True)
     image: Word
     resolution: Annotated[Number, Field(gt=0)]
     origin: Annotated[list[Number], Field(min_length=2, max_length=3)]

@@ -39,14 +39,14 @@ _FLAGS = {
 
 
 class _Vertex(BaseModel):
-    model_config = ConfigDict(extra="allow")
+    model_config = ConfigDict(extra="allow", defer_build=True)
     name: str | int | None = ""
     lift: str | int | None = ""
     mutex: str | int | None = ""
 
 
 class _Lane(BaseModel):
-    model_config = ConfigDict(extra="allow")
+    model_config = ConfigDict(extra="allow", defer_build=True)
     speed_limit: Annotated[Number, Field(ge=0)] = 0.0
     door_name: str | int | None = ""
     dock_name: str | int | None = ""
