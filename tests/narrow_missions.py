@@ -39,10 +39,21 @@ def narrow(mission: Mission, seed: int) -> Mission | None:
         if back is not None and back == edge.reverse() and random.random() < 0.7:
             edges[pair] = replace(edges[pair], both_ways=edges[pair].capacity is not None)
             edges[pair[::-1]] = edges[pair].reverse()
+    zones = (
+        {"hall": max(random.randint(1, 2), sum(begin.values()))} if random.random() < 0.2 else {}
+    )
+    zones |= {"room": 1} if random.random() < 0.3 else {}
+    for zone in zones:
+        free = [n for n, s in enumerate(states) if s.zone is None and s.name not in begin]
+        for number in random.sample(free, min(len(free), random.randint(0, 2))):
+            states[number] = replace(states[number], zone=zone)
+        open_ = [p for p, e in edges.items() if e.capacity is None and e.zone is None]
+        for pair in random.sample(open_, min(len(open_), random.randint(0, 3))):
+            if not edges[pair].both_ways:
+                edges[pair] = replace(edges[pair], zone=zone)
     try:
-        return replace(
-            mission, system=TransitionSystem.build(states, edges.values(), name="narrow")
-        )
+        system = TransitionSystem.build(states, edges.values(), name="narrow", zones=zones)
+        return replace(mission, system=system)
     except MissionError:
         return None
 

@@ -13,7 +13,7 @@ from tsplan.milp.model import Ints
 
 @dataclass(frozen=True)
 class Enforced:
-    """The numbers of the states and of the groups of edges whose capacities are kept.
+    """The numbers of the states and of the groups of edges and zones whose capacities are kept.
 
     Only plans matter whose agents make detours of at most `slack` steps in all, compared with a
     plan that keeps no capacities.
@@ -55,6 +55,11 @@ class Enforced:
             group=number[arrays.group],
             capacity=tuple(pair for pair in arrays.capacity if pair[0] in self.states),
             group_capacity=tuple(arrays.group_capacity[group] for group in kept),
+            zone_states={
+                int(number[group]): states
+                for group, states in arrays.zone_states.items()
+                if group in self.groups
+            },
         )
 
 

@@ -14,7 +14,7 @@ from tsplan.routing.walks import UNDER_WAY, Walk
 
 
 @dataclass(frozen=True, eq=False)
-class Zone:
+class Quota:
     """States at which at most so many agents of the `able` classes may be, together, at `steps`."""
 
     states: Ints
@@ -25,24 +25,32 @@ class Zone:
 
 @dataclass(frozen=True, eq=False)
 class Room:
-    """What states, groups of edges and zones hold; infinite without a limit."""
+    """What states, groups of edges and quotas hold; infinite without a limit.
+
+    Groups are those of the map, its zones among them; `zone` is that of each state, or -1.
+    """
 
     states: Floats
     groups: Floats
-    zones: tuple[Zone, ...] = ()
+    zone: Ints
+    quotas: tuple[Quota, ...] = ()
 
     @classmethod
-    def of(cls, setting: Setting, zones: Sequence[Zone] = ()) -> Room:
+    def of(cls, setting: Setting, quotas: Sequence[Quota] = ()) -> Room:
         """The capacities of the map of a setting."""
         states = np.full(len(setting.arrays.names), np.inf)
         for state, capacity in setting.arrays.capacity:
             states[state] = capacity
-        return cls(states, np.array(setting.arrays.group_capacity, dtype=np.float64), tuple(zones))
+        zone = np.full(len(states), -1)
+        for group, members in setting.arrays.zone_states.items():
+            zone[members] = group
+        groups = np.array(setting.arrays.group_capacity, dtype=np.float64)
+        return cls(states, groups, zone, tuple(quotas))
 
 
 @dataclass(eq=False)
 class Crowd:
-    """Counts of agents at states, on groups of edges and in zones, kept up as agents come and go.
+    """Counts of agents at states, on groups of edges and in quotas, kept up as agents come and go.
 
     `starting` agents count at no state at step 0, where capacities are the mission's to check.
     """
@@ -52,13 +60,13 @@ class Crowd:
     horizon: int
     _there: Ints = field(init=False)
     _riding: Ints = field(init=False)
-    _zoned: Ints = field(init=False)
+    _counted: Ints = field(init=False)
 
     def __post_init__(self) -> None:
         steps = self.horizon + 1
         self._there = np.zeros((steps, len(self.room.states)), dtype=np.int64)
         self._riding = np.zeros((steps, len(self.room.groups)), dtype=np.int64)
-        self._zoned = np.zeros((steps, len(self.room.zones)), dtype=np.int64)
+        self._counted = np.zeros((steps, len(self.room.quotas)), dtype=np.int64)
 
     def add(self, walk: Walk, count: int = 1) -> None:
         """Count an agent in, or with -1 out."""
@@ -66,9 +74,9 @@ class Crowd:
         self._there[steps, where] += count
         for step, group in self._rides(walk):
             self._riding[step, group] += count
-        for number, zone in enumerate(self.room.zones):
-            if walk.number in zone.able:
-                self._zoned[steps[np.isin(where, zone.states)], number] += count
+        for number, quota in enumerate(self.room.quotas):
+            if walk.number in quota.able:
+                self._counted[steps[np.isin(where, quota.states)], number] += count
 
     def _places(self, walk: Walk) -> tuple[Ints, Ints]:
         where = walk.states(self.graphs[walk.number], self.horizon)
@@ -76,42 +84,54 @@ class Crowd:
         return steps, where[steps]
 
     def _rides(self, walk: Walk) -> list[tuple[int, int]]:
-        """The steps at which an agent is on an edge of a group."""
-        graph = self.graphs[walk.number]
-        group = graph.group[walk.edges]
-        on = np.flatnonzero(group >= 0)
-        begun, lasting = walk.steps[on], graph.duration[walk.edges[on]]
-        return [
-            (step, held)
-            for held, first, long in zip(
-                group[on].tolist(), begun.tolist(), lasting.tolist(), strict=True
-            )
-            for step in range(first, min(first + long, self.horizon))
+        """The steps at which an agent is on an edge of a group, or at a state of a zone.
+
+        Whoever leaves a state of a zone is counted there, and on the edge from the next step on.
+        """
+        graph, zones = self.graphs[walk.number], set(self.room.zone.tolist())
+        on = np.flatnonzero(graph.group[walk.edges] >= 0)
+        edges = walk.edges[on]
+        groups = graph.group[edges].tolist()
+        begun = (walk.steps[on] + self._from_inside(graph, edges)).tolist()
+        ends = (walk.steps[on] + graph.duration[edges]).tolist()
+        found = [
+            (step, group)
+            for group, first, end in zip(groups, begun, ends, strict=True)
+            for step in range(first, min(end, self.horizon + (group in zones)))
         ]
+        steps, where = self._places(walk)
+        zone = self.room.zone[where]
+        inside = zone >= 0
+        return found + list(zip(steps[inside].tolist(), zone[inside].tolist(), strict=True))
+
+    def _from_inside(self, graph: ClassGraph, edges: Ints) -> Bools:
+        """Whether edges leave a state of the zone that they are in themselves."""
+        zone = self.room.zone[graph.tail[edges]]
+        return np.asarray((zone >= 0) & (zone == graph.group[edges]))
 
     def troubled(self, walks: Sequence[Walk]) -> list[int]:
         """Which of the agents, all counted in, are somewhere without room."""
         states = self._full_states(above=0)
         states[0] = False
         groups = self._riding > self.room.groups
-        zones = np.zeros_like(self._zoned, dtype=np.bool_)
-        for number, zone in enumerate(self.room.zones):
-            zones[zone.steps, number] = self._zoned[zone.steps, number] > zone.most
+        quotas = np.zeros_like(self._counted, dtype=np.bool_)
+        for number, quota in enumerate(self.room.quotas):
+            quotas[quota.steps, number] = self._counted[quota.steps, number] > quota.most
         return [
             agent
             for agent, walk in enumerate(walks)
-            if self._is_troubled(walk, states, groups, zones)
+            if self._is_troubled(walk, states, groups, quotas)
         ]
 
-    def _is_troubled(self, walk: Walk, states: Bools, groups: Bools, zones: Bools) -> bool:
+    def _is_troubled(self, walk: Walk, states: Bools, groups: Bools, quotas: Bools) -> bool:
         steps, where = self._places(walk)
         if states[steps, where].any():
             return True
         if any(groups[step, group] for step, group in self._rides(walk)):
             return True
         return any(
-            walk.number in zone.able and zones[steps[np.isin(where, zone.states)], number].any()
-            for number, zone in enumerate(self.room.zones)
+            walk.number in quota.able and quotas[steps[np.isin(where, quota.states)], number].any()
+            for number, quota in enumerate(self.room.quotas)
         )
 
     def _full_states(self, above: int) -> Bools:
@@ -130,8 +150,8 @@ class Crowd:
         states = np.maximum(self._there[1:] - self.room.states, 0).sum()
         groups = np.maximum(self._riding - self.room.groups, 0).sum()
         total = states + groups
-        for number, zone in enumerate(self.room.zones):
-            total += np.maximum(self._zoned[zone.steps, number] - zone.most, 0).sum()
+        for number, quota in enumerate(self.room.quotas):
+            total += np.maximum(self._counted[quota.steps, number] - quota.most, 0).sum()
         return int(total)
 
     def burden(self, number: int) -> tuple[Floats, Floats]:
@@ -142,17 +162,20 @@ class Crowd:
         graph = self.graphs[number]
         states = self._full_states(above=1).astype(np.float64)
         states[0] = 0.0
-        for place, zone in enumerate(self.room.zones):
-            if number in zone.able:
-                full = zone.steps[self._zoned[zone.steps, place] >= zone.most]
-                states[np.ix_(full, zone.states)] += 1.0
+        for place, quota in enumerate(self.room.quotas):
+            if number in quota.able:
+                full = quota.steps[self._counted[quota.steps, place] >= quota.most]
+                states[np.ix_(full, quota.states)] += 1.0
         edges = np.zeros((self.horizon, len(graph.tail)))
+        full = (self._riding + 1 > self.room.groups).astype(np.float64)
+        zoned = np.flatnonzero(self.room.zone >= 0)
+        states[:, zoned] += full[:, self.room.zone[zoned]]
         grouped = np.flatnonzero(graph.group >= 0)
         if len(grouped):
-            full = (self._riding[: self.horizon] + 1 > self.room.groups).astype(np.float64)
             before = np.concatenate([np.zeros((1, full.shape[1])), np.cumsum(full, axis=0)])
-            begun = np.arange(self.horizon)[:, None]
-            ended = np.minimum(begun + graph.duration[grouped], self.horizon)
+            step = np.arange(self.horizon)[:, None]
+            begun = step + self._from_inside(graph, grouped)
+            ended = np.minimum(step + graph.duration[grouped], self.horizon)
             group = graph.group[grouped]
             edges[:, grouped] = before[ended, group] - before[begun, group]
         return states, edges

@@ -2,8 +2,8 @@
 
 What settles the formula on the counts of a point is known atom by atom and step by step
 (`tsplan.logic.obligations`). Of the agents that are where an atom wants some, as many as it asks
-for are given the duty to be there at that step; what it bounds from above becomes a zone. Ways that
-keep all duties and zones keep the formula, by the same margin.
+for are given the duty to be there at that step; what it bounds from above becomes a quota. Ways
+that keep all duties and quotas keep the formula, by the same margin.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from tsplan.logic import Count
 from tsplan.logic.evaluation import margins
 from tsplan.logic.obligations import START, obligations
 from tsplan.milp.model import Bools, Ints
-from tsplan.routing.crowd import Zone
+from tsplan.routing.crowd import Quota
 from tsplan.routing.walks import Walk
 
 Duties: TypeAlias = dict[int, Bools]
@@ -39,7 +39,7 @@ class Sharing:
     walks: Sequence[Walk]
     level: int
     duties: list[Duties] = field(init=False)
-    zones: list[Zone] = field(default_factory=list, init=False)
+    quotas: list[Quota] = field(default_factory=list, init=False)
     _where: Ints = field(init=False)
 
     def __post_init__(self) -> None:
@@ -52,7 +52,7 @@ class Sharing:
         object.__setattr__(self, "duties", [{} for _ in self.walks])
 
     def share(self, point: Point) -> None:
-        """Give duties and zones for all that settles the goal at a point."""
+        """Give duties and quotas for all that settles the goal at a point."""
         setting = self.setting
         values = margins(setting.goal, counts_of(setting, setting.goal, point))
         encoder = CountEncoder(
@@ -63,18 +63,18 @@ class Sharing:
                 self._settle(encoder.requirement(atom), owed.steps)
 
     def _settle(self, requirement: Requirement, steps: Ints) -> None:
-        zoned: dict[Bound, list[int]] = defaultdict(list)
+        wanted_few: dict[Bound, list[int]] = defaultdict(list)
         last: dict[Bound, list[int]] = {}
         for step in steps.tolist():
             for bound in self._chosen(requirement, step):
                 if bound.upper:
-                    zoned[bound].append(step)
+                    wanted_few[bound].append(step)
                 else:
                     last[bound] = self._appoint(bound, step, last.get(bound, []))
-        for bound, when in zoned.items():
+        for bound, when in wanted_few.items():
             states = np.array(bound.states, dtype=np.int64)
             able = frozenset(self._able(bound))
-            self.zones.append(Zone(states, able, np.array(when), bound.amount))
+            self.quotas.append(Quota(states, able, np.array(when), bound.amount))
 
     def _chosen(self, requirement: Requirement, step: int) -> Iterator[Bound]:
         """The bounds that are to hold: all of them, or the first that does."""

@@ -256,7 +256,7 @@ class CapacityRelaxation:
             walks,
             sharing.duties,
             [self._prices(item.graph) for item in setting.classes],
-            Room.of(setting, sharing.zones),
+            Room.of(setting, sharing.quotas),
             last=last,
             still=frozenset(n for n, walk in enumerate(walks) if few and not _moves(setting, walk)),
             seed=self._round + (self.effort.choice.seed or 0),
