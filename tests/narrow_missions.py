@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from random import Random
 
@@ -15,21 +16,40 @@ from tsplan.ts import Edge, State, TransitionSystem
 def narrow(mission: Mission, seed: int) -> Mission | None:
     """The mission with capacities on most states and edges; None if not all may begin there."""
     random = Random(f"narrow {seed}")
-    system = mission.system
-    begin: dict[str, int] = {}
+    begin: Counter[str] = Counter()
     for group in mission.team:
-        for state, count in group.starts:
-            begin[state] = begin.get(state, 0) + count
-    states = [
-        replace(state, capacity=random.choice([None, 1, 1, 1, 2, 0]))
-        for state in system.states.values()
-    ]
-    states = [
-        replace(state, capacity=begin[state.name])
-        if state.capacity is not None and begin.get(state.name, 0) > state.capacity
-        else state
-        for state in states
-    ]
+        begin.update(dict(group.starts))
+    states = [_room(state, begin, random) for state in mission.system.states.values()]
+    edges = _lanes(mission.system, random)
+    most = max(random.randint(1, 2), begin.total())
+    zones = {"hall": most} if random.random() < 0.2 else {}
+    zones |= {"room": 1} if random.random() < 0.3 else {}
+    for zone in zones:
+        free = [n for n, s in enumerate(states) if s.zone is None and s.name not in begin]
+        for number in random.sample(free, min(len(free), random.randint(0, 2))):
+            states[number] = replace(states[number], zone=zone)
+        single = [p for p, e in edges.items() if (e.capacity, e.zone, e.both_ways) == _OPEN]
+        for pair in random.sample(single, min(len(single), random.randint(0, 3))):
+            edges[pair] = replace(edges[pair], zone=zone)
+    try:
+        system = TransitionSystem.build(states, edges.values(), name="narrow", zones=zones)
+        return replace(mission, system=system)
+    except MissionError:
+        return None
+
+
+_OPEN = (None, None, False)
+
+
+def _room(state: State, begin: Counter[str], random: Random) -> State:
+    capacity = random.choice([None, 1, 1, 1, 2, 0])
+    if capacity is not None:
+        capacity = max(capacity, begin[state.name])
+    return replace(state, capacity=capacity)
+
+
+def _lanes(system: TransitionSystem, random: Random) -> dict[tuple[str, str], Edge]:
+    """Edges with capacities, of which those of both directions may be one."""
     edges = dict(system.edges)
     for pair, edge in system.edges.items():
         back = system.edges.get(pair[::-1])
@@ -39,23 +59,7 @@ def narrow(mission: Mission, seed: int) -> Mission | None:
         if back is not None and back == edge.reverse() and random.random() < 0.7:
             edges[pair] = replace(edges[pair], both_ways=edges[pair].capacity is not None)
             edges[pair[::-1]] = edges[pair].reverse()
-    zones = (
-        {"hall": max(random.randint(1, 2), sum(begin.values()))} if random.random() < 0.2 else {}
-    )
-    zones |= {"room": 1} if random.random() < 0.3 else {}
-    for zone in zones:
-        free = [n for n, s in enumerate(states) if s.zone is None and s.name not in begin]
-        for number in random.sample(free, min(len(free), random.randint(0, 2))):
-            states[number] = replace(states[number], zone=zone)
-        open_ = [p for p, e in edges.items() if e.capacity is None and e.zone is None]
-        for pair in random.sample(open_, min(len(open_), random.randint(0, 3))):
-            if not edges[pair].both_ways:
-                edges[pair] = replace(edges[pair], zone=zone)
-    try:
-        system = TransitionSystem.build(states, edges.values(), name="narrow", zones=zones)
-        return replace(mission, system=system)
-    except MissionError:
-        return None
+    return edges
 
 
 def narrow_mission(seed: int, *, states: int, most_agents: int, steps: int) -> Mission | None:
