@@ -115,8 +115,9 @@ def waypoint(state: State) -> str | int:
     ['lounge', 7, 'q1']
     """
     origin = state.origin
-    known = origin is not None and (isinstance(origin, str) or origin >= 0)
-    return origin if known and origin is not None else state.name
+    if isinstance(origin, int):
+        return origin if origin >= 0 else state.name
+    return origin or state.name
 
 
 def _transfer(category: str, place: str | int, more: Loads, kept: Loads) -> Iterator[Activity]:
