@@ -202,7 +202,7 @@ def operations() -> dict[str, Operation]:
     found = {}
     for loaded in modules():
         for place in [loaded, *filter(inspect.isclass, vars(loaded).values())]:
-            for name, value in vars(place).items():
+            for name, value in [*vars(place).items()]:  # looking builds schemas of pydantic
                 made = operation(place, name, value)
                 if made is not None and made.file == loaded.__name__:
                     found[made.name] = made
