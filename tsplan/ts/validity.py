@@ -128,7 +128,7 @@ def _state(state: State) -> Iterator[_Flaw]:
     if not isinstance(state.name, str) or not state.name:
         message = f"{state.name!r} cannot be the name of a state"
         yield "name", message, "use text of at least one character"
-    if state.at is not None and not _is_point(state.at):
+    if state.at is not None and not is_point(state.at):
         yield "at", f"at: {_told(state.at)} is not a pair of finite numbers", "write it as [x, y]"
     if state.shape is not None and not _is_polygon(state.shape):
         message = f"shape: not {CORNERS} or more pairs of finite numbers"
@@ -187,9 +187,10 @@ def _capacity(value: Any) -> Iterator[_Flaw]:
         yield "capacity", message, "leave it out where all agents fit"
 
 
-def _is_point(value: Any) -> bool:
+def is_point(value: Any) -> bool:
+    """Whether a value is a pair of finite numbers."""
     return isinstance(value, tuple) and len(value) == 2 and all(map(is_number, value))  # noqa: PLR2004 - x and y
 
 
 def _is_polygon(value: Any) -> bool:
-    return isinstance(value, tuple) and len(value) >= CORNERS and all(map(_is_point, value))
+    return isinstance(value, tuple) and len(value) >= CORNERS and all(map(is_point, value))

@@ -18,8 +18,10 @@ from tsplan.ts.io.map_settings import PLAIN, MapSettings
 from tsplan.ts.parallel_edges import choices, chosen
 from tsplan.ts.ride_durations import Ride, steps_of
 from tsplan.ts.system import TransitionSystem
+from tsplan.ts.validity import is_point
 from tsplan.words import nfc
 
+_FARTHEST = 1e300  # metres: beyond, floats know no numbers; it is too far in any case
 _NOTHING: Mapping[str, Path] = {}
 
 
@@ -61,8 +63,7 @@ class GraphDraft(MapDraft):
         while name in self._places:
             name, number = f"{state.name}_{number}", number + 1
         self._names[key], self._places[name] = name, path
-        sound = isinstance(state.at, tuple) and len(state.at) == 2 and all(map(is_number, state.at))  # noqa: PLR2004 - x and y
-        self._points[name] = state.at if sound else None
+        self._points[name] = state.at if is_point(state.at) else None
         self.states.append(state if name == state.name else replace(state, name=name))
 
     def name_of(self, key: Hashable, path: Path) -> str | None:
@@ -107,7 +108,7 @@ class GraphDraft(MapDraft):
     def distance(self, source: str | None, target: str | None) -> float:
         """The way straight from one state to another; 0 where one of them has no coordinates."""
         one, two = self._points.get(source or ""), self._points.get(target or "")
-        return 0.0 if one is None or two is None else math.dist(one, two)
+        return 0.0 if one is None or two is None else min(math.dist(one, two), _FARTHEST)
 
     def drop(self, what: str, path: Path) -> None:
         """Note that something is not used; the same words are counted, and placed at the first."""
