@@ -14,7 +14,7 @@ from tests.seeds import seed_blocks
 from tests.test_brute_force import PLAIN, REFERENCE, TIGHT, compare
 from tsplan import MapError, Mission, MissionError
 from tsplan.mission.read import mission_from_text
-from tsplan.testing import random_mission
+from tsplan.testing import random_mission, random_swarm_mission
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import from_networkx
 from tsplan.ts.product import product, unit_steps
@@ -56,10 +56,14 @@ def test_the_check_refuses_two_in_a_zone_for_one():
     assert not any("at step 4" in words for words in said)
 
 
-def zoned(seed: int) -> Mission | None:
+def zoned(seed: int, *, swarms: bool = False) -> Mission | None:
     """A tiny random mission with a zone of some of its states and edges."""
     draw = random.Random(seed)
-    mission = random_mission(seed, states=4, most_agents=3, steps=5)
+    mission = (
+        random_swarm_mission(seed, fits=small_enough)
+        if swarms
+        else random_mission(seed, states=4, most_agents=3, steps=5)
+    )
     system = mission.system
     starts = {name for group in mission.team for name, _ in group.starts}
     states = [
@@ -77,6 +81,14 @@ def zoned(seed: int) -> Mission | None:
         return replace(mission, system=made)
     except MissionError:
         return None  # more start in the zone than it holds
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(10), [*range(10, 400)], 10))
+def test_zones_of_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission = zoned(seed, swarms=True)
+        if mission is not None and small_enough(mission):
+            compare(mission, TIGHT, REFERENCE)
 
 
 def zones_matter(mission: Mission) -> bool:
