@@ -150,7 +150,7 @@ def test_a_swarm_may_have_paths_too():
     ("changes", "words"),
     [
         ({"agents": CARTS[:1]}, ["agent cart-2 has no path"]),
-        ({"agents": ()}, ["agent cart-1 has no path"]),
+        ({"agents": ()}, ["agent cart-1 (and 1 more) has no path"]),
         ({"agents": (CARTS[1], CARTS[1])}, ["cart-2 is there twice", "cart-1 has no path"]),
         (
             {"agents": (replace(CARTS[0], stays=((0, 0, "p"), (1, 5, "q"))), CARTS[1])},

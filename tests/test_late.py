@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from itertools import chain
 from math import inf
 from pathlib import Path
 from random import Random
@@ -33,7 +34,7 @@ from tsplan.errors import MissionError, SolverError
 from tsplan.logic import Count, Formula, fold, parse, positive
 from tsplan.logic.evaluation import CountTrace, holds, margins, robustness
 from tsplan.mission.read import mission_from_text
-from tsplan.plans.agent_plans import Bundle, bundles
+from tsplan.plans.bundles import Agents, Bundle
 from tsplan.plans.decomposition import paths_of
 from tsplan.plans.presence import state_counts
 from tsplan.plans.summary import summary
@@ -82,7 +83,7 @@ def test_who_is_there_for_certain_and_who_may_be(delay: int) -> None:
     random, horizon = Random(delay), 15
     for _ in range(100):
         robots = [
-            Bundle("k", frozenset(), random_stays(random, horizon), None, tuple(range(count)))
+            Bundle("k", frozenset(), random_stays(random, horizon), None, ("k",) * count)
             for count in (1, 3)
         ]
         sure, possible = (state_counts(where, "abc", horizon) for where in late(robots, delay))
@@ -238,14 +239,15 @@ def test_who_came_last_leaves_first(seed: int) -> None:
     traffic, _ = read_traffic(on_time, plan)
     assert traffic is not None
     for group, swarm in zip(mission.team, traffic.swarms, strict=True):
-        members = mission.members({group.class_name})
-        walked = paths_of(mission, members, swarm.moves, seed, late=True)
+        ranks = [rank for rank in mission.ranks if rank.class_name == group.class_name]
+        made = paths_of(mission, ranks, swarm.moves, seed, late=True)
+        walked = Agents.along(chain.from_iterable(made))
         states = list(mission.system.states)
         assert Counter(agent.stays[0][2] for agent in walked) == dict(group.starts)
         for delay in range(1, 6):
             by_paths, by_moves = (
                 [state_counts(where, states, mission.horizon) for where in counts]
-                for counts in (late(bundles(walked), delay), traffic.late(swarm, delay))
+                for counts in (late(walked.bundles, delay), traffic.late(swarm, delay))
             )
             assert (by_paths[0] == by_moves[0]).all()
             assert (by_paths[1] <= by_moves[1]).all()

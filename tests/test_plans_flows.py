@@ -3,31 +3,41 @@
 from __future__ import annotations
 
 from collections import Counter
+from itertools import chain
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tsplan.errors import TsplanError
+from tsplan.mission import Rank
+from tsplan.name_runs import Run
+from tsplan.plans.bundles import Agents
 from tsplan.plans.decomposition import decompose
 from tsplan.plans.moves import Move
 
 ABLE = frozenset({"see"})
 
 
-def members(starts):
-    return [
-        (f"a-{number}", "a", ABLE, state)
-        for number, state in enumerate(
-            (state for state, count in starts.items() for _ in range(count)), start=1
-        )
-    ]
+def ranks_of(starts):
+    """The robots that start at each state, numbered one after the other."""
+    ranks, before = [], 0
+    for state, count in starts.items():
+        if count:
+            ranks.append(Rank(Run("a-", before + 1, before + count), "a", ABLE, state, 0))
+        before += count
+    return ranks
 
 
 def flow_of(starts, edges, entries):
-    """Members, moves and durations from `{(edge number, step): agents}`."""
+    """Ranks, moves and durations from `{(edge number, step): agents}`."""
     moves = [Move(step, *edges[edge][:2], count) for (edge, step), count in entries.items()]
-    return members(starts), moves, {(u, v): duration for u, v, duration in edges}
+    return ranks_of(starts), moves, {(u, v): duration for u, v, duration in edges}
+
+
+def walked(*flow):
+    """The agents of a flow with their paths, in the order of the ranks."""
+    return Agents.along(chain.from_iterable(decompose(*flow)))
 
 
 def entered(agents, edges, horizon):
@@ -69,20 +79,20 @@ def walks(draw):
 def test_paths_add_up_to_the_flow(walk, seed):
     starts, edges, entries, horizon = walk
     flow = flow_of(starts, edges, entries)
-    agents = decompose(*flow, horizon, seed)
+    agents = walked(*flow, horizon, seed)
     assert [(a.id, a.stays[0][0], a.stays[0][2]) for a in agents] == [
-        (name, 0, start) for name, _, _, start in flow[0]
+        (agent.id, 0, agent.start) for rank in flow[0] for agent in rank.agents
     ]
     assert entered(agents, edges, horizon) == entries
     for agent in agents:
         assert (agent.heading is None) == (agent.stays[-1][1] == horizon)
-    assert agents == decompose(*flow, horizon, seed)
+    assert agents == walked(*flow, horizon, seed)
 
 
 @given(walks())
 def test_as_many_as_possible_stay_at_home(walk):
     starts, edges, entries, horizon = walk
-    agents = decompose(*flow_of(starts, edges, entries), horizon)
+    agents = walked(*flow_of(starts, edges, entries), horizon)
     wait = {source: n for n, (source, target, _) in enumerate(edges) if source == target}
     for state, count in starts.items():
         steps = range(0, horizon, edges[wait[state]][2])
@@ -94,20 +104,20 @@ def test_as_many_as_possible_stay_at_home(walk):
 def test_visitors_do_not_take_the_waits_of_those_at_home():
     edges = [("p", "p", 1), ("q", "q", 1), ("p", "q", 1)]
     entries = {(2, 0): 1, (1, 0): 1, (1, 1): 2, (1, 2): 2}
-    agents = decompose(*flow_of({"p": 1, "q": 1}, edges, entries), 3)
+    agents = walked(*flow_of({"p": 1, "q": 1}, edges, entries), 3)
     assert agents[1].stays == ((0, 3, "q"),)
 
 
 def test_another_seed_gives_the_paths_to_others():
     edges = [("p", "p", 1), ("p", "q", 1)]
     flow = flow_of({"p": 20}, edges, {(0, 0): 10, (1, 0): 10})
-    first, second = decompose(*flow, 1, 0), decompose(*flow, 1, 1)
+    first, second = walked(*flow, 1, 0), walked(*flow, 1, 1)
     assert first != second
     assert Counter(a.stays for a in first) == Counter(a.stays for a in second)
 
 
 def test_a_wait_of_two_steps_is_no_stay():
-    agents = decompose(*flow_of({"p": 1}, [("p", "p", 2)], {(0, 0): 1, (0, 2): 1}), 3)
+    agents = walked(*flow_of({"p": 1}, [("p", "p", 2)], {(0, 0): 1, (0, 2): 1}), 3)
     assert agents[0].stays == ((0, 0, "p"), (2, 2, "p"))
     assert agents[0].heading == "p"
 
@@ -133,5 +143,5 @@ def test_a_hundred_thousand_agents_are_split_into_paths():
     share = 100_000 // 30 // 2 * 2
     entries = {(e, step): share // 2 for e in range(len(edges)) for step in range(60)}
     flow = flow_of(dict.fromkeys(states, share), edges, entries)
-    agents = decompose(*flow, 60)
+    agents = walked(*flow, 60)
     assert len(agents) == share * 30

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from itertools import chain
 
 import pytest
 
@@ -12,6 +13,7 @@ from tests.swarm_lane import MOVES, SYSTEM, VALUES, mission
 from tsplan.cli import main
 from tsplan.errors import SolverError, TsplanError
 from tsplan.mission import Mission
+from tsplan.plans.bundles import Agents
 from tsplan.plans.decomposition import paths_of
 from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.run import mission_run, paths
@@ -57,8 +59,9 @@ def answers(monkeypatch, told=(), **changes):
 
     def ways(setting, moves, seed):
         few = setting.mission.size <= paths.MOST_AGENTS
-        made = paths_of(setting.mission, setting.mission.agents, moves["swarm"]) if few else ()
-        return {"moves": moves, "agents": made}
+        ranks = setting.mission.ranks
+        made = paths_of(setting.mission, ranks, moves["swarm"]) if few else ()
+        return {"moves": moves, "agents": Agents.along(chain.from_iterable(made))}
 
     monkeypatch.setattr(tsplan.Problem, "solve", solve)
     monkeypatch.setattr(mission_run, "ways_of", ways)

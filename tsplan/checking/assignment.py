@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from dataclasses import replace
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from tsplan.checking.plan_check import certify
 from tsplan.checking.traffic import read_traffic
 from tsplan.errors import Finding, PlanError
 from tsplan.parameters import refuse_options
+from tsplan.plans.bundles import Agents, Stretch
 from tsplan.plans.decomposition import paths_of
 
 if TYPE_CHECKING:
-    from tsplan.mission import Agent, Mission
+    from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
 
 
@@ -27,16 +30,18 @@ def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
         what = "the plan has no moves of swarms to make paths of"
         raise PlanError([Finding(what, "plan a mission with a swarm")])
     refuse_options(seed=seed)
-    others = tuple(agent for agent in plan.agents if agent.class_name not in plan.moves)
+    others = Agents.of(plan.agents).only(lambda bundle: bundle.class_name not in plan.moves)
     _, problems = read_traffic(mission, replace(plan, agents=others))
     if problems:
         raise PlanError(Finding(words, "name the mission that was planned") for words in problems)
-    members: dict[str, list[Agent]] = {}
-    for agent in mission.members(plan.moves):
-        members.setdefault(agent.class_name, []).append(agent)
-    agents = [*others]
-    for name, listed in members.items():
-        agents += paths_of(mission, listed, plan.moves[name], seed, late=bool(plan.delay))
+    walked: dict[int, list[Stretch]] = defaultdict(list)
+    for name, moves in plan.moves.items():
+        ranks = [rank for rank in mission.ranks if rank.class_name == name]
+        made = paths_of(mission, ranks, moves, seed, late=bool(plan.delay))
+        for rank, stretches in zip(ranks, made, strict=True):
+            walked[rank.group] += stretches
     place = {group.class_name: number for number, group in enumerate(mission.team)}
-    agents.sort(key=lambda agent: place.get(agent.class_name, -1))
-    return certify(mission, replace(plan, agents=tuple(agents)))
+    for stretch in others.stretches:
+        walked[place.get(stretch.path.class_name, -1)].append(stretch)
+    agents = Agents.along(chain.from_iterable(walked[group] for group in sorted(walked)))
+    return certify(mission, replace(plan, agents=agents))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from tsplan.checking.path_segments import Segment
-    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.bundles import Bundle
     from tsplan.plans.moves import Move
     from tsplan.plans.presence import Presence
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from tsplan.checking.path_segments import Segment
-    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.bundles import Bundle
 
 
 class Late(NamedTuple):
@@ -37,8 +37,9 @@ class Late(NamedTuple):
 def late(bundles: Iterable[Bundle], delay: int) -> Late:
     """Where agents with some paths are when each is up to `delay` steps late.
 
-    >>> from tsplan.plans.agent_plans import Bundle
-    >>> robot = Bundle("cart", frozenset(), ((0, 0, "a"), (1, 4, "b"), (6, 9, "a")), None, (0,))
+    >>> from tsplan.plans.bundles import Bundle
+    >>> stays = ((0, 0, "a"), (1, 4, "b"), (6, 9, "a"))
+    >>> robot = Bundle("cart", frozenset(), stays, None, ("cart-1",))
     >>> sure, possible = late([robot], 2)
     >>> [presence[:3] for presence in sure]
     [('a', 0, 0), ('b', 3, 4), ('a', 8, 9)]

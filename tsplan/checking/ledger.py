@@ -192,8 +192,8 @@ def read_ledger(mission: Mission, plan: Plan) -> tuple[Ledger, list[str]]:
 
 def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
     resources = {item.name: item for item in mission.resources}
-    walkers: tuple[Walker, ...] = (*plan.agents, *plan.structures)
-    agents = {agent.id: agent for agent in walkers} if plan.cargo else {}
+    walkers: tuple[Walker, ...] = (*plan.agents, *plan.structures) if plan.cargo else ()
+    agents = {agent.id: agent for agent in walkers}
     hauls, problems = [], []
     loaded: dict[tuple[str, int], dict[str, Fraction]] = defaultdict(dict)
     for item in plan.cargo:

@@ -8,7 +8,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from tsplan.mission import Group
-    from tsplan.plans.agent_plans import Bundle, Stay
+    from tsplan.plans.agent_plans import Stay
+    from tsplan.plans.bundles import Bundle
     from tsplan.ts import Edge, TransitionSystem
 
 

@@ -9,7 +9,6 @@ cannot hide here.
 from __future__ import annotations
 
 from dataclasses import replace
-from operator import eq
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -31,6 +30,7 @@ from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
 from tsplan.checking.satisfaction_check import completed, false_claims
 from tsplan.checking.supplied import unsupplied
+from tsplan.checking.team_check import strangers, told
 from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import SolverError
 from tsplan.plans.outcomes import ObjectiveValue
@@ -94,14 +94,14 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
     ends = f"the plan ends at step {plan.horizon} and the mission at step {mission.horizon}"
     problems = [] if plan.horizon == mission.horizon else [ends]
     if mission.expected is not None:
-        problems += [f"agent {agent.id} has a path" for agent in plan.agents]
+        problems += [f"{told(bundle.agents)} has a path" for bundle in plan.bundles]
         expected, wrong = read_policies(mission, plan)
         problems += wrong
         problems += [] if expected is None else _broken_formula(expected)
         return expected, problems
     if plan.policies:
         problems.append("the plan has policies, and the moves of the mission are certain")
-    problems += _strangers(mission, plan)
+    problems += strangers(mission, plan)
     traffic, impossible = read_traffic(mission, plan)
     problems += impossible
     if traffic is None or problems:
@@ -118,40 +118,6 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
     ]
     # relatives are told by the places of sub-swarms, which must be right for that
     return traffic, problems or list(unrelated(plan.groups, traffic))
-
-
-def _strangers(mission: Mission, plan: Plan) -> Iterator[str]:
-    """Whether the agents of the plan are exactly those of the mission, where they start.
-
-    The agents of a swarm have paths all of them or none.
-    """
-    named = {agent.class_name for agent in plan.agents}
-    classes = {group.class_name for group in mission.team}
-    pathless = {c for c in classes - named if mission.group_bounds(c) is not None}
-    members = mission.members(classes - pathless) if pathless else mission.agents
-    planned_members = (
-        (agent.id, agent.class_name, agent.capabilities, agent.stays[0][2] if agent.stays else "")
-        for agent in plan.agents
-    )
-    if len(plan.agents) == len(members) and all(map(eq, planned_members, members)):
-        return
-    team = {agent.id: agent for agent in members}
-    seen: set[str] = set()
-    for planned in plan.agents:
-        agent = team.get(planned.id)
-        if agent is None:
-            yield f"agent {planned.id} is not in the team"
-            continue
-        if planned.id in seen:
-            yield f"agent {planned.id} is there twice"
-        seen.add(planned.id)
-        if planned.class_name != agent.class_name:
-            yield f"agent {agent.id} is of class {agent.class_name}, not {planned.class_name}"
-        if planned.capabilities != agent.capabilities:
-            yield f"agent {agent.id} has other capabilities in the mission"
-        if planned.stays and planned.stays[0][2] != agent.start:
-            yield f"agent {agent.id} starts at {agent.start}, not at {planned.stays[0][2]}"
-    yield from (f"agent {name} has no path" for name in team if name not in seen)
 
 
 def _short_delay(traffic: Traffic) -> Iterator[str]:

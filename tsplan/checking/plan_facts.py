@@ -46,7 +46,7 @@ def _team(plan: Plan, traffic: Traffic) -> Iterator[str]:
         yield f"every policy takes actions of the map {where}"
         return
     swarms = traffic.moves
-    robots = sum(agent.class_name not in swarms for agent in plan.agents)
+    robots = sum(len(each.agents) for each in plan.bundles if each.class_name not in swarms)
     if robots:
         yield f"the team is the mission's: {robots} agents, each with one path from its start"
     for group in traffic.mission.team:

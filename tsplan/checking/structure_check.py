@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.path_segments import Path, Segment, read_path
 from tsplan.exact import exact
-from tsplan.plans.agent_plans import Bundle
+from tsplan.plans.bundles import Bundle
 from tsplan.plans.presence import Presence
 from tsplan.plans.structures import ModulePath, Structure, module_paths
 
@@ -139,7 +139,7 @@ def _read_way(each: Structure, reading: _Reading) -> list[str]:
 def structure_path(mission: Mission, each: Structure) -> Path:
     """The way of a structure while it lives, by the durations of its configuration."""
     shape = mission.modular.of[each.configuration]
-    bundle = Bundle(each.class_name, each.capabilities, each.stays, each.heading, (0,))
+    bundle = Bundle(each.class_name, each.capabilities, each.stays, each.heading, (each.id,))
     return read_path(
         mission.system,
         bundle,

@@ -20,6 +20,7 @@ from tsplan.checking.ledger import Ledger, read_ledger
 from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
 from tsplan.checking.satisfaction_check import preferences_of, satisfaction_of
 from tsplan.checking.structure_check import Rebuild, read_structures
+from tsplan.checking.team_check import told
 from tsplan.logic import Formula, capabilities
 from tsplan.logic.evaluation import robustness
 from tsplan.logic.traces import CountTrace
@@ -31,7 +32,7 @@ from tsplan.plans.supplies import execution_tables
 if TYPE_CHECKING:
     from tsplan.milp.model import Floats, Ints
     from tsplan.mission import Group, Mission
-    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.bundles import Bundle
     from tsplan.plans.plan import Plan
     from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
     from tsplan.ts import TransitionSystem
@@ -226,7 +227,9 @@ def _walks(mission: Mission, plan: Plan) -> tuple[dict[str, list[_Walk]], list[s
     for bundle in (b for b in plan.bundles if b.class_name not in modular):
         path = read_path(mission.system, bundle, plan.horizon)
         walks[bundle.class_name].append((bundle, path.segments))
-        problems += [f"{_who(plan, bundle)} {problem}" for problem in path.problems]
+        problems += [
+            f"{told(bundle.agents, 'on the same path')} {problem}" for problem in path.problems
+        ]
     return walks, problems
 
 
@@ -237,12 +240,6 @@ def _swarms(mission: Mission) -> dict[str, Group]:
         for group in mission.team
         if mission.group_bounds(group.class_name) is not None
     }
-
-
-def _who(plan: Plan, bundle: Bundle) -> str:
-    first = f"agent {plan.agents[bundle.agents[0]].id}"
-    more = len(bundle.agents) - 1
-    return f"{first} (and {more} on the same path)" if more else first
 
 
 def _walked(class_name: str, walks: Sequence[_Walk]) -> ClassTraffic:

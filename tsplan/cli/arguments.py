@@ -91,7 +91,8 @@ def _plan(commands: Commands) -> None:
         metavar="IDEA",
         help="switch an idea of the tight encoding off, to find a culprit; may be repeated",
     )
-    add("--agents", action="store_true", help="a path for every agent of a swarm, however many")
+    each = "a path for every agent of a swarm, and an entry for every agent, however many"
+    add("--agents", action="store_true", help=each)
     add("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
     add("--json", action="store_true", help="print the JSON alone")
     add("--quiet", action="store_true", help="no progress and no summary")

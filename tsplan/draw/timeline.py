@@ -94,8 +94,8 @@ def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) ->
 
 def rows_of(plan: Plan, moving: Sequence[Track]) -> tuple[Track, ...]:
     """The rows, class by class; none for a team with too many paths."""
-    alone = tuple(single(moving))
-    if len(alone) <= MOST_AGENTS:
+    if sum(len(track.ids) or 1 for track in moving) <= MOST_AGENTS:
+        alone = tuple(single(moving))
         order = {name: place for place, name in enumerate(by_class(moving))}
         place = {agent.id: place for place, agent in enumerate(plan.agents)}
         return tuple(

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
@@ -18,7 +18,7 @@ from tsplan.checking.path_segments import Path, read_path
 from tsplan.checking.structure_check import structure_path
 from tsplan.errors import Finding, PlanError
 from tsplan.mission import Mission
-from tsplan.plans.agent_plans import Bundle
+from tsplan.plans.bundles import Bundle
 from tsplan.plans.plan import Plan
 from tsplan.plans.structures import Structure
 from tsplan.plans.summary import names
@@ -71,7 +71,7 @@ class Track:
     class_name: str
     count: int
     name: str
-    ids: tuple[str, ...]
+    ids: Sequence[str]
     stops: tuple[Stop, ...]
     end: int
     modules: tuple[str, ...] = ()
@@ -180,7 +180,7 @@ def _of_agents(
     plan: Plan, bundle: Bundle, exact: TransitionSystem | None, findings: list[Finding]
 ) -> Track:
     """The track of a path; what an `exact` map does not allow about it goes to `findings`."""
-    ids = tuple(plan.agents[place].id for place in bundle.agents)
+    ids = bundle.agents
     path = None if exact is None else read_path(exact, bundle, plan.horizon)
     if path is not None:
         findings += [Finding(f"agent {ids[0]} {words}", _OTHER) for words in path.problems]

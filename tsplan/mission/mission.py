@@ -31,7 +31,7 @@ from tsplan.mission.name_resolution import (
     with_named_states,
 )
 from tsplan.mission.resources import Carries, Resource
-from tsplan.mission.team import Agent, Group
+from tsplan.mission.team import Agent, Group, Rank
 from tsplan.mission.values import parts_from_values
 from tsplan.mission.vocabulary import (
     Booking,
@@ -41,6 +41,7 @@ from tsplan.mission.vocabulary import (
     TaskInterval,
     default_language,
 )
+from tsplan.name_runs import Run
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
 
@@ -131,18 +132,22 @@ class Mission(MissionParts):
 
     def members(self, classes: Container[str]) -> tuple[Agent, ...]:
         """The robots of some classes, as `agents` has them."""
+        ranks = (rank for rank in self.ranks if rank.class_name in classes)
+        return tuple(agent for rank in ranks for agent in rank.agents)
+
+    @cached_property
+    def ranks(self) -> tuple[Rank, ...]:
+        """The robots in the order of `agents`, those of a group that start at one state as one."""
         made: dict[str, int] = {}
-        agents: list[Agent] = []
-        for group in (group for group in self.team if group.class_name in classes):
-            number = made.get(group.class_name, 0)
+        ranks: list[Rank] = []
+        for place, group in enumerate(self.team):
             for state, count in group.starts:
-                agents += (
-                    Agent(f"{group.class_name}-{n}", group.class_name, group.capabilities, state)
-                    for n in range(number + 1, number + count + 1)
-                )
-                number += count
-            made[group.class_name] = number
-        return tuple(agents)
+                before = made.get(group.class_name, 0)
+                made[group.class_name] = before + count
+                names = Run(f"{group.class_name}-", before + 1, before + count)
+                if count:
+                    ranks.append(Rank(names, group.class_name, group.capabilities, state, place))
+        return tuple(ranks)
 
     @property
     def size(self) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import ceil
@@ -12,6 +12,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from tsplan.mission.resources import Carries, merged
+from tsplan.name_runs import Run
 from tsplan.words import nfc
 
 ONE_SWARM = "swarm"
@@ -25,6 +26,24 @@ class Agent(NamedTuple):
     class_name: str
     capabilities: frozenset[str]
     start: str
+
+
+class Rank(NamedTuple):
+    """Robots of one group that start at one state, numbered one after the other.
+
+    `group` is the place of their group in the team, and `names` are their ids.
+    """
+
+    names: Run
+    class_name: str
+    capabilities: frozenset[str]
+    start: str
+    group: int
+
+    @property
+    def agents(self) -> Iterator[Agent]:
+        """The robots one by one."""
+        return (Agent(name, *self[1:4]) for name in self.names.names())
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,19 +1,37 @@
-"""The paths of agents, and of agents that share one."""
+"""The path of one agent: where it stays from when until when, and where it is heading."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Annotated, TypeAlias
 
-from pydantic import AfterValidator, Field, field_validator
+from pydantic import AfterValidator, Field
 
 from tsplan.parameters import step_within
-from tsplan.plans.records import OPTIONAL, Record, Whole, Word, as_json, json_lines, shared
+from tsplan.plans.records import OPTIONAL, Record, Whole, Word, shared
 
 Stay: TypeAlias = tuple[Whole, Whole, Word]
 """`(from, to, state)`: at that state at every step from..to, both included."""
+
+
+def _forwards(stays: tuple[Stay, ...]) -> tuple[Stay, ...]:
+    before = -1
+    for first, last, _ in stays:
+        if not before < first <= last:
+            raise ValueError(f"the stay from {first} to {last} is out of order")
+        before = last
+    return stays
+
+
+Stays: TypeAlias = Annotated[
+    tuple[Stay, ...], Field(min_length=1), AfterValidator(_forwards), AfterValidator(shared)
+]
+"""The stays of an agent in order; equal ones of one file are one object."""
+
+Able: TypeAlias = Annotated[frozenset[Word], AfterValidator(shared)]
+"""What an agent can do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,19 +44,9 @@ class AgentPlan(Record):
 
     id: Word
     class_name: Word
-    capabilities: Annotated[frozenset[Word], AfterValidator(shared)]
-    stays: Annotated[tuple[Stay, ...], Field(min_length=1), AfterValidator(shared)]
+    capabilities: Able
+    stays: Stays
     heading: Word | None = field(default=None, metadata=OPTIONAL)
-
-    @field_validator("stays")
-    @classmethod
-    def _forwards(cls, stays: tuple[Stay, ...]) -> tuple[Stay, ...]:
-        before = -1
-        for first, last, _ in stays:
-            if not before < first <= last:
-                raise ValueError(f"the stay from {first} to {last} is out of order")
-            before = last
-        return stays
 
     def state_at(self, step: int) -> str | None:
         """The agent's state at `step`; None while it is travelling.
@@ -64,45 +72,6 @@ def state_in(stays: Sequence[Stay], step: int) -> str | None:
         return None
     _, last, state = stays[place]
     return state if step <= last else None
-
-
-@dataclass(frozen=True, slots=True)
-class Bundle:
-    """Agents of one class that share one path; `agents` are their places in `Plan.agents`."""
-
-    class_name: str
-    capabilities: frozenset[str]
-    stays: tuple[Stay, ...]
-    heading: str | None
-    agents: tuple[int, ...]
-
-
-def bundles(agents: Sequence[AgentPlan]) -> tuple[Bundle, ...]:
-    """Group agents by class, capabilities and path, in order of first appearance.
-
-    Large teams share path objects, so paths are first told apart by identity, which is cheap,
-    and only the distinct objects are compared by value.
-    """
-    shared: dict[tuple[str, frozenset[str], int, str | None], list[int]] = {}
-    for place, agent in enumerate(agents):
-        key = (agent.class_name, agent.capabilities, id(agent.stays), agent.heading)
-        shared.setdefault(key, []).append(place)
-    equal: dict[Bundle, list[int]] = {}
-    for (class_name, able, _, heading), members in shared.items():
-        path = Bundle(class_name, able, agents[members[0]].stays, heading, ())
-        equal.setdefault(path, []).extend(members)
-    return tuple(replace(path, agents=tuple(sorted(members))) for path, members in equal.items())
-
-
-def agents_json(agents: Sequence[AgentPlan], grouped: Sequence[Bundle]) -> str:
-    """A list of agents in JSON; what agents on one path have in common is made only once."""
-    lines = [""] * len(agents)
-    for bundle in grouped:
-        common = as_json(replace(agents[bundle.agents[0]], id=""))
-        tail = common.removeprefix('{"id": ""')
-        for place in bundle.agents:
-            lines[place] = f'{{"id": {as_json(agents[place].id)}{tail}'
-    return json_lines(lines)
 
 
 def joined(stays: Iterable[Stay]) -> Iterator[Stay]:

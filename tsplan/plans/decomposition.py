@@ -8,42 +8,46 @@ moves and not on the number of agents.
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
-from collections.abc import Sequence
-from itertools import islice
+from collections import defaultdict, deque
+from collections.abc import Iterable, Iterator, Sequence
 from random import Random
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 
 from tsplan.errors import TsplanError
-from tsplan.plans.agent_plans import AgentPlan, Stay
+from tsplan.plans.agent_plans import Stay
+from tsplan.plans.bundles import Bundle, Stretch
 from tsplan.plans.moves import Durations, Move, Node, present
 
 if TYPE_CHECKING:
-    from tsplan.mission import Agent, Mission
+    from tsplan.mission import Mission, Rank
+    from tsplan.name_runs import Run
+
+Walked: TypeAlias = tuple[tuple[Stretch, ...], ...]
+"""Of every rank its robots in their order, with their paths."""
 
 
 def paths_of(
     mission: Mission,
-    members: Sequence[Agent],
+    ranks: Sequence[Rank],
     moves: Sequence[Move],
     seed: int | None = None,
     *,
     late: bool = False,
-) -> tuple[AgentPlan, ...]:
-    """One path per member of one class, which together make its `moves` on the mission's map.
+) -> Walked:
+    """One path per robot of one class, which together make its `moves` on the mission's map.
 
     Where agents may be `late`, whoever came last to a state leaves it first.
     """
     used = {(move.source, move.target) for move in moves}
     durations = {
-        pair: edge.duration_for(members[0].class_name) or 0
+        pair: edge.duration_for(ranks[0].class_name) or 0
         for pair, edge in mission.system.edges.items()
         if pair in used
     }
     make = last_first if late else decompose
-    return make(members, moves, durations, mission.horizon, seed)
+    return make(ranks, moves, durations, mission.horizon, seed)
 
 
 class _Path(NamedTuple):
@@ -53,66 +57,124 @@ class _Path(NamedTuple):
 
 
 def decompose(
-    members: Sequence[tuple[str, str, frozenset[str], str]],
+    ranks: Sequence[Rank],
     moves: Sequence[Move],
     durations: Durations,
     horizon: int,
     seed: int | None = None,
-) -> tuple[AgentPlan, ...]:
-    """One path per member whose paths together enter every edge exactly as the moves say.
+) -> Walked:
+    """One path per robot whose paths together enter every edge exactly as the moves say.
 
-    Members are interchangeable and have an id, a class, capabilities and a start. Agents that can
-    wait at their start for the whole time do so; otherwise an agent that can wait does, before any
-    that can move moves, and edges are taken in the order of `durations`. The result is in the order
-    of the members and the same for equal moves and seeds; another seed gives the paths to other
-    members of the same start and mixes which arrivals take which departure. Raises TsplanError for
-    moves that lose or create agents.
+    Robots are interchangeable. Those that can wait at their start for the whole time do so;
+    otherwise one that can wait does, before any that can move moves, and edges are taken in the
+    order of `durations`. The result is the same for equal moves and seeds; another seed gives the
+    paths to other robots of the same start and mixes which arrivals take which departure. Raises
+    TsplanError for moves that lose or create agents.
     """
-    waiting: dict[str, list[int]] = defaultdict(list)
-    for place, (_, _, _, start) in enumerate(members):
-        waiting[start].append(place)
-    if seed is not None:
-        random = Random(seed)  # noqa: S311  (reproducible choice, not a secret)
-        for places in waiting.values():
-            random.shuffle(places)
+    lines = _lines(ranks)
+    sizes = {state: sum(names.size for _, names in line) for state, line in lines.items()}
     flow = _Unrolled(moves, durations, horizon, seed)
-    flow.refuse_unless_conserved({state: len(places) for state, places in waiting.items()})
-    bundles = {state: [flow.patient(state, len(places))] for state, places in waiting.items()}
-    paths: list[AgentPlan | None] = [None] * len(members)
-    for state, places in waiting.items():
-        rest = len(places) - bundles[state][0].agents
-        line = iter(places)
-        for stays, heading, agents in bundles[state] + flow.paths(state, rest):
-            for place in islice(line, agents):
-                paths[place] = AgentPlan(*members[place][:3], stays, heading)
-    return tuple(agent for agent in paths if agent is not None)
+    flow.refuse_unless_conserved(sizes)
+    staying = {state: flow.patient(state, size) for state, size in sizes.items()}
+    random = None if seed is None else Random(seed)  # noqa: S311  (reproducible, no secret)
+    given: list[list[Stretch]] = [[] for _ in ranks]
+    for state, line in lines.items():
+        paths = [staying[state], *flow.paths(state, sizes[state] - staying[state].agents)]
+        if random is not None:
+            random.shuffle(paths)
+            line = _turned(line, random.randrange(sizes[state]))  # noqa: PLW2901
+        for number, names, path in _dealt(line, paths):
+            given[number].append(_stretch(ranks[number], names, *path[:2]))
+    return _in_order(given)
+
+
+_Line: TypeAlias = "list[tuple[int, Run]]"
+"""Robots that start at one state: the number of their rank, and their names."""
+
+
+def _lines(ranks: Iterable[Rank]) -> dict[str, _Line]:
+    lines: dict[str, _Line] = defaultdict(list)
+    for number, rank in enumerate(ranks):
+        lines[rank.start].append((number, rank.names))
+    return lines
+
+
+def _turned(line: _Line, first: int) -> _Line:
+    """The line from a place on, and then what comes before it."""
+    before: _Line = []
+    after: _Line = []
+    for number, names in line:
+        cut = min(max(first, 0), names.size)
+        first -= names.size
+        before += [(number, names.part(0, cut))] if cut else []
+        after += [(number, names.part(cut, names.size))] if cut < names.size else []
+    return after + before
+
+
+def _dealt(line: _Line, paths: Iterable[_Path]) -> Iterator[tuple[int, Run, _Path]]:
+    """Who of a line takes which path: as many as each is for, one after the other."""
+    waiting = deque(line)
+    for path in paths:
+        left = path.agents
+        while left:
+            number, names = waiting.popleft()
+            if names.size > left:
+                waiting.appendleft((number, names.part(left, names.size)))
+                names = names.part(0, left)
+            left -= names.size
+            yield number, names, path
+
+
+def _stretch(rank: Rank, names: Run, stays: tuple[Stay, ...], heading: str | None) -> Stretch:
+    return Stretch(names, Bundle(rank.class_name, rank.capabilities, stays, heading))
+
+
+def _in_order(given: Iterable[list[Stretch]]) -> Walked:
+    return tuple(tuple(sorted(mine, key=lambda each: each.names)) for mine in given)
 
 
 def last_first(
-    members: Sequence[tuple[str, str, frozenset[str], str]],
+    ranks: Sequence[Rank],
     moves: Sequence[Move],
     durations: Durations,
     horizon: int,
     seed: int | None = None,
-) -> tuple[AgentPlan, ...]:
+) -> Walked:
     """As `decompose`, with paths by which whoever came last to a state leaves it first.
 
     Then at every state and step as many agents as can be have been there for any number of steps.
     """
-    order = list(range(len(members)))
-    if seed is not None:
-        Random(seed).shuffle(order)  # noqa: S311  (reproducible choice, not a secret)
-    _Unrolled(moves, durations, horizon, None).refuse_unless_conserved(
-        Counter(start for *_, start in members)
-    )
+    lines = _lines(ranks)
+    sizes = {state: sum(names.size for _, names in line) for state, line in lines.items()}
+    _Unrolled(moves, durations, horizon, None).refuse_unless_conserved(sizes)
+    random = None if seed is None else Random(seed)  # noqa: S311  (reproducible, no secret)
     stacks = _Stacks(moves, durations, horizon)
-    for number in order:
-        stacks.coming[0][members[number][3]].append(number)
-    stays, heading = stacks.paths()
-    return tuple(
-        AgentPlan(*member[:3], tuple(stays[number]), heading.get(number))
-        for number, member in enumerate(members)
-    )
+    for state, line in lines.items():
+        turned = line if random is None else _turned(line, random.randrange(sizes[state]))
+        stacks.coming[0][state] += [_Party(*each) for each in turned]
+    given: list[list[Stretch]] = [[] for _ in ranks]
+    for party in stacks.parties():
+        mine = given[party.rank]
+        mine.append(_stretch(ranks[party.rank], party.names, party.stays, party.heading))
+    return _in_order(given)
+
+
+class _Party(NamedTuple):
+    """Robots of one rank that have gone the same way so far; at a state, `since` when."""
+
+    rank: int
+    names: Run
+    stays: tuple[Stay, ...] = ()
+    since: int = 0
+    heading: str | None = None
+
+    def part(self, begin: int, end: int) -> _Party:
+        """Some of them."""
+        return self._replace(names=self.names.part(begin, end))
+
+    def left(self, step: int, state: str) -> _Party:
+        """They once their stay at a state is over."""
+        return self._replace(stays=(*self.stays, (self.since, step, state)))
 
 
 class _Stacks:
@@ -125,28 +187,36 @@ class _Stacks:
         for move in moves:
             if durations[move.source, move.target] > 1 or not move.is_wait:
                 self._going[move.step].append(move)
-        self.coming: dict[int, dict[str, list[int]]] = defaultdict(lambda: defaultdict(list))
-        self._there: dict[str, list[tuple[int, int]]] = defaultdict(list)  # who, and since when
+        self.coming: dict[int, dict[str, list[_Party]]] = defaultdict(lambda: defaultdict(list))
+        self._there: dict[str, list[_Party]] = defaultdict(list)
 
-    def paths(self) -> tuple[dict[int, list[Stay]], dict[int, str]]:
-        """The stays of everybody, and where those are going that are still on their way."""
-        stays: dict[int, list[Stay]] = defaultdict(list)
-        heading: dict[int, str] = {}
+    def parties(self) -> Iterator[_Party]:
+        """Everybody with all stays, and where those are going that are still on their way."""
         for step in range(self._horizon + 1):
-            for state, numbers in self.coming[step].items():
-                self._there[state] += [(number, step) for number in numbers]
+            for state, parties in self.coming.pop(step, {}).items():
+                self._there[state] += [party._replace(since=step) for party in parties]
             for move in self._going[step]:
                 arrival = step + self._durations[move.source, move.target]
-                for _ in range(move.count):
-                    number, since = self._there[move.source].pop()
-                    stays[number].append((since, step, move.source))
-                    self.coming[arrival][move.target].append(number)
+                for party in self._taken(move):
+                    gone = party.left(step, move.source)
                     if arrival > self._horizon:
-                        heading[number] = move.target
-        for state, people in self._there.items():
-            for number, since in people:
-                stays[number].append((since, self._horizon, state))
-        return stays, heading
+                        yield gone._replace(heading=move.target)
+                    else:
+                        self.coming[arrival][move.target].append(gone)
+        for state, parties in self._there.items():
+            yield from (party.left(self._horizon, state) for party in parties)
+
+    def _taken(self, move: Move) -> Iterator[_Party]:
+        """As many as move, from the top of the stack of their state."""
+        there, left = self._there[move.source], move.count
+        while left:
+            party = there.pop()
+            stay = party.names.size - left
+            if stay > 0:
+                there.append(party.part(0, stay))
+                party = party.part(stay, party.names.size)
+            left -= party.names.size
+            yield party
 
 
 class _Unrolled:

@@ -19,6 +19,7 @@ from tsplan.plans.supplies import Cargo
 if TYPE_CHECKING:
     from tsplan.mission import Mission, Resource
     from tsplan.plans.agent_plans import AgentPlan
+    from tsplan.plans.bundles import Agents
 
 Walker: TypeAlias = "AgentPlan | Structure"
 """Who carries something on its way."""
@@ -64,20 +65,24 @@ class _Robot:
 
 
 def loading(
-    mission: Mission, agents: Sequence[Walker], carried: Iterable[Carried]
+    mission: Mission,
+    agents: Agents,
+    structures: Sequence[Structure],
+    carried: Iterable[Carried],
 ) -> tuple[Cargo, ...]:
     """The cargo of every agent, in the order of time: who has some of a resource keeps it."""
     carried = tuple(carried)
     if not carried:
         return ()
+    walkers: tuple[Walker, ...] = (*agents, *structures)
     shapes = mission.modular.of
     carries = {
         agent.id: shapes[agent.configuration].carries
         if isinstance(agent, Structure)
         else mission.loads[agent.id]
-        for agent in agents
+        for agent in walkers
     }
-    entering = _entering(agents)
+    entering = _entering(walkers)
     lanes: dict[tuple[int, str, str, int, bool], list[Carried]] = defaultdict(list)
     for item in carried:
         if item.amount > LEAST:

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import BeforeValidator, Field, field_validator, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from tsplan import display
 from tsplan.errors import Finding, PlanError
 from tsplan.limits import MOST_STEPS
 from tsplan.parameters import known_name, name_list, step_within
-from tsplan.plans.agent_plans import AgentPlan, Bundle, agents_json, bundles
+from tsplan.plans.agent_entries import READ_AGENTS, agents_json
+from tsplan.plans.agent_plans import AgentPlan, state_in
+from tsplan.plans.bundles import Agents, Bundle, by_id
 from tsplan.plans.moves import Moves, shares
 from tsplan.plans.outcomes import (
     FOUND,
@@ -48,25 +49,19 @@ from tsplan.plans.supplies import Cargo, ExecutedTask, StockHistory
 from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable
 
     from tsplan.milp.model import Floats, Ints
     from tsplan.mission import Mission
     from tsplan.plans.moves import Node
 
 
-def _entries(agents: object) -> object:
-    """The agents of a file, which may leave out what they can do, and may have none."""
-    if not isinstance(agents, list):
-        return () if agents is None else agents
-    return [{"capabilities": (), **item} if isinstance(item, dict) else item for item in agents]
-
-
 @dataclass(frozen=True)
 class Plan(Record, display.Displayed):
     """What planning a mission ended with.
 
-    `agents` is empty unless `status` is optimal or feasible. `availability` is the counting
+    `agents` is empty unless `status` is optimal or feasible; it is a sequence that makes each agent
+    when it is looked at, of whatever sequence it is given. `availability` is the counting
     robustness of the formula at step 0, None where it is infinite. `verified` says that the
     independent check accepted the paths. The formula holds, and all that is told of it is told,
     with every agent up to `delay` steps late. `notes` are sentences for the reader of the plan.
@@ -97,9 +92,7 @@ class Plan(Record, display.Displayed):
     verified: Annotated[bool, Field(strict=True)] = False
     moves: Mapping[Word, Moves] = field(default_factory=dict, hash=False, metadata=OPTIONAL)
     groups: tuple[SubSwarm, ...] = field(default=(), metadata=OPTIONAL)
-    agents: Annotated[tuple[AgentPlan, ...], BeforeValidator(_entries)] = field(
-        default=(), metadata=OPTIONAL
-    )
+    agents: Annotated[Sequence[AgentPlan], READ_AGENTS] = field(default=(), metadata=OPTIONAL)
     structures: tuple[Structure, ...] = field(default=(), metadata=OPTIONAL)
     rebuilt: tuple[Rebuilt, ...] = field(default=(), metadata=OPTIONAL)
     executions: tuple[ExecutedTask, ...] = field(default=(), metadata=OPTIONAL)
@@ -112,6 +105,7 @@ class Plan(Record, display.Displayed):
     notes: tuple[str, ...] = field(default=(), metadata=OPTIONAL)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "agents", Agents.of(self.agents))
         there = bool(self.agents or self.moves or self.policies)
         if findings := contradictions(self, "plan", "the agents' paths", there=there):
             raise PlanError(findings)
@@ -147,12 +141,16 @@ class Plan(Record, display.Displayed):
     @cached_property
     def agent(self) -> Mapping[str, AgentPlan]:
         """The agents by their ids."""
-        return MappingProxyType({agent.id: agent for agent in self.agents})
+        return by_id(self._agents)
 
-    @cached_property
+    @property
+    def _agents(self) -> Agents:
+        return Agents.of(self.agents)  # as which they are kept
+
+    @property
     def bundles(self) -> tuple[Bundle, ...]:
         """The agents grouped by identical class and path, in order of first appearance."""
-        return bundles(self.agents)
+        return self._agents.bundles
 
     @property
     def robots(self) -> tuple[Bundle, ...]:
@@ -198,10 +196,11 @@ class Plan(Record, display.Displayed):
         by its id. Raises InputError for what is no step of the plan.
         """
         step = step_within(step, self.horizon)
-        told = {agent.class_name for agent in self.agents}
-        return {agent.id: agent.state_at(step) for agent in self.agents} | {
-            group.id: group.state for group in self.groups_at(step) if group.swarm not in told
-        }
+        told = {bundle.class_name for bundle in self.bundles}
+        at = {id(bundle): state_in(bundle.stays, step) for bundle in self.bundles}
+        return {
+            name: at[id(path)] for names, path in self._agents.stretches for name in names.names()
+        } | {group.id: group.state for group in self.groups_at(step) if group.swarm not in told}
 
     def groups_at(self, step: int) -> tuple[SubSwarm, ...]:
         """The sub-swarms that exist at a step; InputError for what is no step of the plan."""
@@ -301,8 +300,12 @@ class Plan(Record, display.Displayed):
     def _caption(self) -> str:
         return f"<Plan of {self.mission.name!r}: {self.status}, {len(self.agents)} agents>"
 
-    def to_json(self) -> str:
-        """The plan as a `tsplan-plan/1` document: one key, agent, move and sub-swarm a line."""
+    def to_json(self, *, each: bool = False) -> str:
+        """The plan as a `tsplan-plan/1` document: one key, agent, move and sub-swarm a line.
+
+        More than 1,000 agents are written as bundles of agents on one path, unless `each` of them
+        is to have an entry of its own.
+        """
         first = {"format": PLANS.mark, "status": self.status, "stopped_by": self.stopped_by}
         moves = (
             f"{as_json(swarm)}: {json_lines(map(as_json, moves))}"
@@ -316,7 +319,7 @@ class Plan(Record, display.Displayed):
             "executions": lambda: json_lines(map(as_json, self.executions)),
             "cargo": lambda: json_lines(map(as_json, self.cargo)),
             "stocks": lambda: json_lines(map(as_json, self.stocks)),
-            "agents": lambda: agents_json(self.agents, self.bundles),
+            "agents": lambda: agents_json(self._agents, each=each),
             "policies": lambda: json_lines(policy.text() for policy in self.policies),
         }
         return json_document({**first, **self.data()}, large)

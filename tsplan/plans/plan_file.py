@@ -45,8 +45,16 @@ def text_of_result(path: str | Path, form: ResultFormat) -> str:
 
 
 def save_plan(plan: Written, path: str | Path) -> None:
-    """Write a plan file so that a reader sees the old file or the whole new one, never a part.
+    """Write a plan file; more than 1,000 agents as bundles of agents on one path.
 
     Raises PlanError if the place cannot be written.
     """
-    write_whole(Path(path), plan.to_json().encode(), PlanError)
+    write_result(plan.to_json(), path)
+
+
+def write_result(text: str, path: str | Path) -> None:
+    """Write the file of a plan or trajectory: a reader sees the old one or the whole new one.
+
+    Raises PlanError if the place cannot be written.
+    """
+    write_whole(Path(path), text.encode(), PlanError)

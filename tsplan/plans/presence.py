@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from tsplan.milp.model import Ints
-    from tsplan.plans.agent_plans import Bundle
+    from tsplan.plans.bundles import Bundle
     from tsplan.plans.subswarms import SubSwarm
 
 

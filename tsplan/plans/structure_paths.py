@@ -13,7 +13,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import TsplanError
-from tsplan.plans.agent_plans import AgentPlan, Stay
+from tsplan.plans.agent_plans import Stay
+from tsplan.plans.bundles import Bundle
 from tsplan.plans.structures import ModulePath, Rebuilt, Structure
 
 if TYPE_CHECKING:
@@ -77,9 +78,9 @@ def structures_of(
     return tuple(structures), tuple(sorted(rebuilt, key=lambda each: each.step))
 
 
-def module_plan(member: Agent, path: ModulePath) -> AgentPlan:
+def module_plan(member: Agent, path: ModulePath) -> Bundle:
     """The path of a module as a plan has it."""
-    return AgentPlan(*member[:3], path.stays, path.heading)
+    return Bundle(member.class_name, member.capabilities, path.stays, path.heading)
 
 
 class _Lives:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from tsplan.plans.agent_plans import Bundle
+from tsplan.plans.bundles import Bundle
 from tsplan.words import many
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def alike(structures: Sequence[Structure]) -> list[Alike]:
         Alike(
             tuple(each.id for each in mine),
             tuple(module for each in mine for module in each.modules),
-            Bundle(mine[0].configuration, mine[0].capabilities, mine[0].stays, mine[0].heading, ()),
+            Bundle(mine[0].configuration, mine[0].capabilities, mine[0].stays, mine[0].heading),
         )
         for mine in found.values()
     ]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
 from tsplan.limits import is_finite
-from tsplan.plans.agent_plans import Bundle
+from tsplan.name_runs import Names
+from tsplan.plans.bundles import Bundle
 from tsplan.plans.outcomes import ObjectiveValue, Outcome, Status
 from tsplan.plans.plan import Plan
 from tsplan.plans.policy_table import policy_table
@@ -32,7 +32,6 @@ MOST_PARTS = 40
 """Parts of a formula that are listed with how much of them holds."""
 
 _LONGEST = 80  # letters of a part of a formula
-_NUMBERED = re.compile(r"(.*-)(\d+)\Z")
 _LIMITS = {
     StoppedBy.TIME_LIMIT: "at the time limit",
     StoppedBy.GAP: "within the accepted gap",
@@ -197,7 +196,7 @@ def _share(fraction: Fraction) -> str:
 def path_words(bundle: Bundle) -> str:
     """A path as text: each state with its steps, `q1:0-4, q2:5`, and where it is heading.
 
-    >>> path_words(Bundle("a", frozenset(), ((0, 4, "q1"), (5, 5, "q2")), "q3", (0,)))
+    >>> path_words(Bundle("a", frozenset(), ((0, 4, "q1"), (5, 5, "q2")), "q3"))
     'q1:0-4, q2:5, then on the way to q3'
     """
     stays = [
@@ -215,18 +214,9 @@ def names(ids: Sequence[str], most: int = 3) -> str:
     >>> names(["a-1", "a-2", "a-3", "a-7"])
     'a-1..3, a-7'
     """
-    runs: list[tuple[str, str, int, int]] = []  # stem, first name, last number, agents
-    for name in ids:
-        match = _NUMBERED.match(name)
-        stem, digits = match.groups() if match else (name, "0")
-        place = int(digits)
-        if match and runs and runs[-1][0] == stem and runs[-1][2] + 1 == place:
-            stem, first, _, agents = runs.pop()
-            runs.append((stem, first, place, agents + 1))
-        else:
-            runs.append((stem, name, place, 1))
-    shown = [f"{first}..{last}" if agents > 1 else first for _, first, last, agents in runs[:most]]
-    rest = sum(run[3] for run in runs[most:])
+    runs = Names.of(ids).runs
+    shown = [f"{run.name()}..{run.last}" if run.size > 1 else run.name() for run in runs[:most]]
+    rest = sum(run.size for run in runs[most:])
     return ", ".join([*shown, *([f"{rest} more"] if rest else [])])
 
 
@@ -253,8 +243,7 @@ def _rebuilt(plan: Plan) -> list[str]:
 def _rows(plan: Plan) -> Iterator[tuple[str, Bundle, int]]:
     """Every path with who is on it, and how many: agents, or structures with their modules."""
     for bundle in plan.robots:
-        ids = [plan.agents[place].id for place in bundle.agents]
-        yield names(ids), bundle, len(ids)
+        yield names(bundle.agents), bundle, len(bundle.agents)
     for each in alike(moved(plan)):
         yield f"{names(each.ids)} ({names(each.modules)})", each.path, len(each.ids)
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import TypedDict
-
-import numpy as np
 
 from tsplan.encode.agent_classes import AgentClass
 from tsplan.encode.encoded import Point, Setting
@@ -19,9 +18,12 @@ from tsplan.encode.read_back import (
     moves_of,
     node_names,
 )
-from tsplan.mission import Agent
-from tsplan.plans.agent_plans import AgentPlan, joined
-from tsplan.plans.decomposition import decompose, paths_of
+from tsplan.mission import Rank
+from tsplan.name_runs import Run
+from tsplan.plans.agent_entries import MOST_LISTED
+from tsplan.plans.agent_plans import joined
+from tsplan.plans.bundles import Agents, Bundle, Stretch
+from tsplan.plans.decomposition import Walked, decompose, paths_of
 from tsplan.plans.loading import loading
 from tsplan.plans.moves import Move
 from tsplan.plans.policies import Policy
@@ -29,14 +31,14 @@ from tsplan.plans.structure_paths import module_plan, structures_of
 from tsplan.plans.structures import Rebuilt, Structure, module_paths
 from tsplan.plans.supplies import Cargo, ExecutedTask
 
-MOST_AGENTS = 1000
+MOST_AGENTS = MOST_LISTED
 """Agents up to which every one of a swarm gets a path; for more, `tsplan.assign` makes them."""
 
 
 class Ways(TypedDict, total=False):
     """Where everybody goes, and how late that may be, as fields of a plan."""
 
-    agents: tuple[AgentPlan, ...]
+    agents: Agents
     moves: dict[str, tuple[Move, ...]]
     executions: tuple[ExecutedTask, ...]
     structures: tuple[Structure, ...]
@@ -57,10 +59,10 @@ def _promised(setting: Setting, point: Point) -> int | None:
 def _by_nodes(
     setting: Setting,
     item: AgentClass,
-    members: Sequence[Agent],
+    ranks: Sequence[Rank],
     moves: Sequence[Move],
     seed: int | None,
-) -> tuple[AgentPlan, ...]:
+) -> Walked:
     """The paths of a class whose map has modes, so that its agents count as its flow does."""
     graph, names = item.graph, node_names(setting, item)
     assert graph.modes is not None
@@ -68,15 +70,29 @@ def _by_nodes(
     durations = {(names[tail], names[head]): d for tail, head, d in zip(*ends, strict=True)}
     states = (setting.arrays.names[place] for place in graph.modes.place.tolist())
     state = dict(zip(names, states, strict=True))
-    made = decompose(members, moves, durations, setting.horizon, seed)
+
+    def on_the_map(path: Bundle) -> Bundle:
+        stays = tuple(joined((*span, state[node]) for *span, node in path.stays))
+        return replace(path, stays=stays, heading=path.heading and state[path.heading])
+
+    made = decompose(ranks, moves, durations, setting.horizon, seed)
     return tuple(
-        replace(
-            agent,
-            stays=tuple(joined((*span, state[node]) for *span, node in agent.stays)),
-            heading=None if agent.heading is None else state[agent.heading],
-        )
-        for agent in made
+        tuple(Stretch(each.names, on_the_map(each.path)) for each in stretches)
+        for stretches in made
     )
+
+
+def _walked(
+    setting: Setting, item: AgentClass, moves: Sequence[Move], seed: int | None
+) -> Iterator[tuple[Rank, Sequence[Stretch]]]:
+    """The robots of a class rank by rank, with their paths."""
+    ranks = [rank for rank in setting.mission.ranks if rank.group in item.groups]
+    if item.graph.modes is None or item.bounds is not None:
+        late = item.graph.modes is not None
+        walked = paths_of(setting.mission, ranks, moves, seed, late=late)
+    else:
+        walked = _by_nodes(setting, item, ranks, moves, seed)
+    return zip(ranks, walked, strict=True)
 
 
 def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
@@ -87,8 +103,7 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
     mission = setting.mission
     if mission.expected is not None:
         return Ways(policies=tuple(policies_of(setting, point)))
-    begins = np.cumsum([0, *(group.count for group in mission.team)]).tolist()
-    agents: dict[int, AgentPlan] = {}
+    walked: dict[Rank, Sequence[Stretch]] = {}
     moves: dict[str, tuple[Move, ...]] = {}
     for item, entered in moves_of(point):
         if item.shape is not None:
@@ -98,22 +113,16 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
             moves[mission.team[item.groups[0]].class_name] = made
             if mission.size > MOST_AGENTS:
                 continue
-        spans = (range(begins[group], begins[group + 1]) for group in item.groups)
-        numbers = [number for span in spans for number in span]
-        members = [mission.agents[number] for number in numbers]
-        if item.graph.modes is None or item.bounds is not None:
-            late = item.graph.modes is not None
-            walked = paths_of(mission, members, made, seed, late=late)
-        else:
-            walked = _by_nodes(setting, item, members, made, seed)
-        agents.update(zip(numbers, walked, strict=True))
+        walked.update(_walked(setting, item, made, seed))
     structures, rebuilt = structures_of(mission, modules_at(setting, point))
     modules = module_paths(structures)
-    for number, group in enumerate(mission.team):
-        for member in range(begins[number], begins[number + 1]) if group.configuration else ():
-            agent = mission.agents[member]
-            agents[member] = module_plan(agent, modules[agent.id])
-    paths = tuple(agents[number] for number in sorted(agents))
+    for rank in mission.ranks if structures else ():
+        if mission.team[rank.group].configuration:
+            walked[rank] = [
+                Stretch(Run.of(agent.id), module_plan(agent, modules[agent.id]))
+                for agent in rank.agents
+            ]
+    paths = Agents.along(chain.from_iterable(walked.get(rank, ()) for rank in mission.ranks))
     names = setting.arrays.names
     done = [(step, names[state], task.task) for task, state, step in executions_of(point)]
     return Ways(
@@ -123,5 +132,5 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
         structures=structures,
         rebuilt=rebuilt,
         delay=_promised(setting, point),
-        cargo=loading(mission, (*paths, *structures), carried_at(setting, point)),
+        cargo=loading(mission, paths, structures, carried_at(setting, point)),
     )

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.why.stock_lines import StockLine, stock_lines
+from tsplan.plans.agent_plans import state_in
 from tsplan.plans.summary import names
 
 if TYPE_CHECKING:
@@ -58,9 +59,8 @@ class Staff:
                 known += [f"{body.id} ({names(body.modules)})"][: MOST_IDS - len(known)]
         for bundle in self.plan.robots:
             if atom.capability is None or atom.capability in bundle.capabilities:
-                agents = self.plan.agents
-                known = ids.get(agents[bundle.agents[0]].state_at(step), [])
-                known += (agents[place].id for place in bundle.agents[: MOST_IDS - len(known)])
+                known = ids.get(state_in(bundle.stays, step), [])
+                known += bundle.agents[: MOST_IDS - len(known)]
         return tuple(
             Presence(state, count, tuple(ids[state]))
             for state, count in zip(states, counts, strict=True)

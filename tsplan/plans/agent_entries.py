@@ -1,0 +1,145 @@
+"""The agents of a plan as its file has them: one an entry, or of many a bundle an entry.
+
+A bundle has `ids` in place of an `id`: runs `[stem, first, last, place]`, which stand for the
+agents named stem + first up to stem + last, the first of which is the agent number `place` of the
+plan, counted from 0. A name without a number has null for first and last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from operator import itemgetter
+from typing import Annotated, Any, Self, TypeAlias
+
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    GetCoreSchemaHandler,
+    GetPydanticSchema,
+    model_validator,
+)
+from pydantic_core.core_schema import CoreSchema, no_info_after_validator_function
+
+from tsplan.limits import MOST_ROBOTS
+from tsplan.name_runs import Run
+from tsplan.plans.agent_plans import Able, Stays
+from tsplan.plans.bundles import Agents, Bundle, Stretch
+from tsplan.plans.records import OPTIONAL, Record, Whole, Word, as_json, json_lines
+
+MOST_LISTED = 1000
+"""Agents up to which a file has an entry for every one, unless it is asked to have that anyway."""
+
+_Ids: TypeAlias = tuple[str, Whole | None, Whole | None, Whole]
+
+
+def _sound(ids: _Ids) -> _Ids:
+    """A run whose names are spelled in one way alone."""
+    stem, first, last, _ = ids
+    if (first is None) != (last is None) or (first is not None and first > (last or 0)):
+        raise ValueError(f"the numbers {first} to {last} are out of order")
+    if first is not None and Run.of(f"{stem}{first}").stem != stem:
+        raise ValueError(f"the number {first} does not begin behind '{stem}'")
+    if first is None and (not stem or Run.of(stem).counted):
+        raise ValueError(f"'{stem}' is no name without a number")
+    return ids
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry(Record):
+    """An agent, or a bundle of agents."""
+
+    class_name: Word
+    capabilities: Able
+    stays: Stays
+    id: Word | None = field(default=None, metadata=OPTIONAL)
+    ids: tuple[Annotated[_Ids, AfterValidator(_sound)], ...] = ()
+    heading: Word | None = field(default=None, metadata=OPTIONAL)
+
+    @model_validator(mode="after")
+    def _named(self) -> Self:
+        if (self.id is None) != bool(self.ids):
+            raise ValueError("an agent has an id, and a bundle of agents has ids")
+        return self
+
+
+def _agents_of(entries: tuple[_Entry, ...]) -> Agents:
+    """The agents that a file lists, one by one or in bundles."""
+    placed = sorted(_placed(entries), key=itemgetter(0))
+    before = 0
+    for place, (names, _) in placed:
+        if place != before:
+            raise ValueError(f"agent {names.name()} has place {place}, and {before} come before it")
+        before += names.size
+    if before > MOST_ROBOTS:
+        raise ValueError(f"there are {before:,} agents, more than the {MOST_ROBOTS:,} of any team")
+    return Agents.along(stretch for _, stretch in placed)
+
+
+def _placed(entries: tuple[_Entry, ...]) -> Iterator[tuple[int, Stretch]]:
+    """Runs of agents with their places; an agent by itself comes after all that is before it."""
+    paths: dict[tuple[str, frozenset[str], int, str | None], Bundle] = {}
+    place = 0
+    for entry in entries:
+        key = (entry.class_name, entry.capabilities, id(entry.stays), entry.heading)
+        if key not in paths:
+            own = entry.class_name, entry.capabilities, entry.stays, entry.heading
+            paths[key] = Bundle(*own)
+        if entry.id is not None:
+            yield place, Stretch(Run.of(entry.id), paths[key])
+            place += 1
+        for stem, first, last, where in entry.ids:
+            names = Run(stem) if first is None or last is None else Run(stem, first, last)
+            yield where, Stretch(names, paths[key])
+            place += names.size
+
+
+def _open(entries: object) -> object:
+    """The entries of a file, which may leave out what agents can do, and may be none."""
+    if not isinstance(entries, list):
+        return () if entries is None else entries
+    return [{"capabilities": (), **item} if isinstance(item, dict) else item for item in entries]
+
+
+def _read(_: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+    listed = handler.generate_schema(Annotated[tuple[_Entry, ...], BeforeValidator(_open)])
+    return no_info_after_validator_function(_agents_of, listed)
+
+
+READ_AGENTS = GetPydanticSchema(_read)
+"""How the agents of a plan are read: from entries, with findings at their places there."""
+
+
+def agents_json(agents: Agents, *, each: bool = False) -> str:
+    """The agents in JSON, every one by itself if they are few or with `each`."""
+    if each or len(agents) <= MOST_LISTED:
+        return json_lines(_listed(agents))
+    return json_lines(_bundled(agents))
+
+
+def _listed(agents: Agents) -> Iterator[str]:
+    """An entry for every agent; what agents on one path have in common is made only once."""
+    tails = {id(path): _tail(path) for path in agents.bundles}
+    for names, path in agents.stretches:
+        stem, tail = as_json(names.stem).removesuffix('"'), tails[id(path)]
+        if names.counted:
+            numbers = range(names.first, names.last + 1)
+            yield from [f'{{"id": {stem}{number}"{tail}' for number in numbers]
+        else:
+            yield f'{{"id": {stem}"{tail}'
+
+
+def _bundled(agents: Agents) -> Iterator[str]:
+    """An entry for every bundle."""
+    ids: dict[int, list[_Ids]] = {number: [] for number in range(len(agents.bundles))}
+    place = 0
+    for names, number in agents.order:
+        numbers = (names.first, names.last) if names.counted else (None, None)
+        ids[number].append((names.stem, *numbers, place))
+        place += names.size
+    for number, path in enumerate(agents.bundles):
+        yield f'{{"ids": {as_json(ids[number])}{_tail(path)}'
+
+
+def _tail(path: Bundle) -> str:
+    return as_json(replace(path.agent(""))).removeprefix('{"id": ""')

@@ -1,0 +1,195 @@
+"""The agents of a plan, those of one class on one path as one bundle however many they are.
+
+What is asked of all agents is asked of their bundles; a single agent is made when it is looked at.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import accumulate
+from types import MappingProxyType
+from typing import NamedTuple, overload
+
+from tsplan.name_runs import Names, Run, within
+from tsplan.plans.agent_plans import AgentPlan, Stay
+
+_NOBODY = Names(())
+
+
+@dataclass(frozen=True, slots=True)
+class Bundle:
+    """Agents of one class that share one path; `agents` are their ids in the plan's order.
+
+    Without agents it is a path that somebody may take.
+    """
+
+    class_name: str
+    capabilities: frozenset[str]
+    stays: tuple[Stay, ...]
+    heading: str | None
+    agents: Sequence[str] = _NOBODY
+
+    def agent(self, name: str) -> AgentPlan:
+        """One of the agents by itself."""
+        return AgentPlan(name, self.class_name, self.capabilities, self.stays, self.heading)
+
+
+class Stretch(NamedTuple):
+    """Agents that follow each other in a plan, named by a run, and their common path."""
+
+    names: Run
+    path: Bundle
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Agents(Sequence[AgentPlan]):
+    """The agents of a plan in its order; equal to any sequence of the same agents.
+
+    `bundles` are their distinct paths in order of first appearance, and `order` the agents one
+    after the other, as many at a time as follow each other in name, each run with its bundle's
+    place.
+
+    >>> first = AgentPlan("a-1", "a", frozenset(), ((0, 5, "p"),))
+    >>> agents = Agents.of([first, replace(first, id="a-2")])
+    >>> len(agents), agents[1].id, [(len(b.agents), b.stays) for b in agents.bundles]
+    (2, 'a-2', [(2, ((0, 5, 'p'),))])
+    """
+
+    bundles: tuple[Bundle, ...]
+    order: tuple[tuple[Run, int], ...]
+
+    @classmethod
+    def of(cls, agents: Iterable[AgentPlan]) -> Agents:
+        """The agents of any sequence."""
+        return agents if isinstance(agents, Agents) else cls.along(_alone(agents))
+
+    @classmethod
+    def along(cls, stretches: Iterable[tuple[Run, Bundle]]) -> Agents:
+        """The agents of some runs of names, each along a path; equal paths become one bundle."""
+        number = _Numbering()
+        ordered: list[tuple[Run, int]] = []
+        for names, path in stretches:
+            place = number(path)
+            both = ordered[-1][0].continued(names) if ordered and ordered[-1][1] == place else None
+            if both is None:
+                ordered.append((names, place))
+            else:
+                ordered[-1] = both, place
+        runs: list[list[Run]] = [[] for _ in number.paths]
+        for names, place in ordered:
+            runs[place].append(names)
+        bundles = tuple(
+            replace(path, agents=Names.joined(mine))
+            for path, mine in zip(number.paths, runs, strict=True)
+        )
+        return cls(bundles, tuple(ordered))
+
+    @property
+    def stretches(self) -> Iterator[Stretch]:
+        """The agents in order, as many at a time as follow each other in name and path."""
+        return (Stretch(names, self.bundles[place]) for names, place in self.order)
+
+    def only(self, chosen: Callable[[Bundle], bool]) -> Agents:
+        """The agents of some bundles."""
+        kept = {id(bundle) for bundle in self.bundles if chosen(bundle)}
+        return Agents.along(each for each in self.stretches if id(each.path) in kept)
+
+    @cached_property
+    def _ends(self) -> tuple[int, ...]:
+        return tuple(accumulate(names.size for names, _ in self.order))
+
+    def __len__(self) -> int:
+        return sum(len(bundle.agents) for bundle in self.bundles)
+
+    @overload
+    def __getitem__(self, place: int) -> AgentPlan: ...
+    @overload
+    def __getitem__(self, place: slice) -> tuple[AgentPlan, ...]: ...
+    def __getitem__(self, place: int | slice) -> AgentPlan | tuple[AgentPlan, ...]:
+        if isinstance(place, slice):
+            return tuple(self[n] for n in range(*place.indices(len(self))))
+        number = within(place, len(self))
+        stretch = bisect_right(self._ends, number)
+        names, path = self.order[stretch]
+        return self.bundles[path].agent(names.name(number - self._ends[stretch] + names.size))
+
+    def __iter__(self) -> Iterator[AgentPlan]:
+        return (each.path.agent(name) for each in self.stretches for name in each.names.names())
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Agents):
+            return self.bundles == other.bundles and self.order == other.order
+        if not isinstance(other, tuple | list):
+            return NotImplemented
+        return len(self) == len(other) and all(a == b for a, b in zip(self, other, strict=True))
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))  # as equal tuples have it
+
+    def __repr__(self) -> str:
+        return f"<{len(self):,} agents on {len(self.bundles):,} paths>"
+
+
+class _Numbering:
+    """Equal paths by one number; those that are one object are known without being compared."""
+
+    def __init__(self) -> None:
+        self.paths: dict[Bundle, int] = {}
+        self._known: dict[int, tuple[int, Bundle]] = {}  # an object that is kept keeps its id
+
+    def __call__(self, path: Bundle) -> int:
+        known = self._known.get(id(path))
+        if known is None:
+            bare = replace(path, agents=_NOBODY) if path.agents else path
+            known = self.paths.setdefault(bare, len(self.paths)), path
+            self._known[id(path)] = known
+        return known[0]
+
+
+def _alone(agents: Iterable[AgentPlan]) -> Iterator[Stretch]:
+    """Agents one by one; large teams share the objects of their stays, which tells most apart."""
+    paths: dict[tuple[str, frozenset[str], int, str | None], Bundle] = {}
+    for agent in agents:
+        key = (agent.class_name, agent.capabilities, id(agent.stays), agent.heading)
+        path = paths.get(key)
+        if path is None:
+            path = Bundle(agent.class_name, agent.capabilities, agent.stays, agent.heading)
+            paths[key] = path
+        yield Stretch(Run.of(agent.id), path)
+
+
+def by_id(agents: Agents) -> Mapping[str, AgentPlan]:
+    """The agents by their ids; each is made when it is asked for."""
+    index = _AgentsById(agents)
+    if len(index) == len(agents):
+        return index
+    return MappingProxyType({agent.id: agent for agent in agents})  # an id is there twice
+
+
+class _AgentsById(Mapping[str, AgentPlan]):
+    """Agents by their ids, none of which is there twice."""
+
+    def __init__(self, agents: Agents) -> None:
+        self._agents = agents
+        self._of: dict[str, list[Stretch]] = {}
+        for each in sorted(agents.stretches, key=lambda each: each.names):
+            mine = self._of.setdefault(each.names.stem, [])
+            if not mine or mine[-1].names.last < each.names.first:
+                mine.append(each)
+
+    def __getitem__(self, name: str) -> AgentPlan:
+        one = Run.of(name)
+        mine = self._of.get(one.stem, [])
+        place = bisect_right(mine, one.first, key=lambda each: each.names.first) - 1
+        if place < 0 or one.first > mine[place].names.last:
+            raise KeyError(name)
+        return mine[place].path.agent(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for each in self._agents.stretches for name in each.names.names())
+
+    def __len__(self) -> int:
+        return sum(each.names.size for mine in self._of.values() for each in mine)
