@@ -7,10 +7,10 @@ plan, counted from 0. A name without a number has null for first and last.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 from operator import itemgetter
-from typing import Annotated, Any, Self, TypeAlias
+from typing import Annotated, Any, NamedTuple, Self, TypeAlias
 
 from pydantic import (
     AfterValidator,
@@ -24,7 +24,7 @@ from pydantic_core.core_schema import CoreSchema, no_info_after_validator_functi
 from tsplan.limits import MOST_ROBOTS
 from tsplan.name_runs import Run
 from tsplan.plans.agent_plans import Able, Stays
-from tsplan.plans.bundles import Agents, Bundle, Stretch
+from tsplan.plans.bundles import Agents, Bundle
 from tsplan.plans.records import OPTIONAL, Record, Whole, Word, as_json, json_lines
 
 MOST_LISTED = 1000
@@ -50,8 +50,8 @@ class _Entry(Record):
     """An agent, or a bundle of agents."""
 
     class_name: Word
-    capabilities: Able
     stays: Stays
+    capabilities: Able = frozenset()
     id: Word | None = field(default=None, metadata=OPTIONAL)
     ids: tuple[Annotated[_Ids, AfterValidator(_sound)], ...] = ()
     heading: Word | None = field(default=None, metadata=OPTIONAL)
@@ -63,46 +63,72 @@ class _Entry(Record):
         return self
 
 
+class _Placed(NamedTuple):
+    """Agents of a file in a row: the place of the first one in the plan, and their path."""
+
+    place: int
+    names: Run
+    path: Bundle
+
+    def continued(self, after: _Placed) -> _Placed | None:
+        """Both as one, if the other goes on where this one ends."""
+        if after.path is not self.path or after.place != self.place + self.names.size:
+            return None
+        both = self.names.continued(after.names)
+        return None if both is None else _Placed(self.place, both, self.path)
+
+
 def _agents_of(entries: tuple[_Entry, ...]) -> Agents:
     """The agents that a file lists, one by one or in bundles."""
-    placed = sorted(_placed(entries), key=itemgetter(0))
+    placed = sorted(_joined(_placed(entries)), key=itemgetter(0))
     before = 0
-    for place, (names, _) in placed:
+    for place, names, _ in placed:
         if place != before:
             raise ValueError(f"agent {names.name()} has place {place}, and {before} come before it")
         before += names.size
     if before > MOST_ROBOTS:
         raise ValueError(f"there are {before:,} agents, more than the {MOST_ROBOTS:,} of any team")
-    return Agents.along(stretch for _, stretch in placed)
+    return Agents.along(each[1:] for each in placed)
 
 
-def _placed(entries: tuple[_Entry, ...]) -> Iterator[tuple[int, Stretch]]:
-    """Runs of agents with their places; an agent by itself comes after all that is before it."""
+def _joined(placed: Iterable[_Placed]) -> Iterator[_Placed]:
+    """The same in as few rows as follow each other."""
+    open_: _Placed | None = None
+    for each in placed:
+        both = None if open_ is None else open_.continued(each)
+        if open_ is not None and both is None:
+            yield open_
+        open_ = both or each
+    if open_ is not None:
+        yield open_
+
+
+def _placed(entries: tuple[_Entry, ...]) -> Iterator[_Placed]:
+    """Rows of agents; an agent by itself comes after all that is before it in the file."""
     paths: dict[tuple[str, frozenset[str], int, str | None], Bundle] = {}
-    place = 0
+    after = 0
     for entry in entries:
         key = (entry.class_name, entry.capabilities, id(entry.stays), entry.heading)
-        if key not in paths:
+        path = paths.get(key)
+        if path is None:
             own = entry.class_name, entry.capabilities, entry.stays, entry.heading
-            paths[key] = Bundle(*own)
+            path = paths[key] = Bundle(*own)
         if entry.id is not None:
-            yield place, Stretch(Run.of(entry.id), paths[key])
-            place += 1
-        for stem, first, last, where in entry.ids:
+            yield _Placed(after, Run.of(entry.id), path)
+            after += 1
+        for stem, first, last, place in entry.ids:
             names = Run(stem) if first is None or last is None else Run(stem, first, last)
-            yield where, Stretch(names, paths[key])
-            place += names.size
+            yield _Placed(place, names, path)
+            after = place + names.size
 
 
-def _open(entries: object) -> object:
-    """The entries of a file, which may leave out what agents can do, and may be none."""
-    if not isinstance(entries, list):
-        return () if entries is None else entries
-    return [{"capabilities": (), **item} if isinstance(item, dict) else item for item in entries]
+def _listing(given: object) -> object:
+    """The entries of a file, which may be none."""
+    return () if given is None else given
 
 
 def _read(_: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-    listed = handler.generate_schema(Annotated[tuple[_Entry, ...], BeforeValidator(_open)])
+    listed = handler.generate_schema(Annotated[tuple[_Entry, ...], BeforeValidator(_listing)])
     return no_info_after_validator_function(_agents_of, listed)
 
 
@@ -142,4 +168,4 @@ def _bundled(agents: Agents) -> Iterator[str]:
 
 
 def _tail(path: Bundle) -> str:
-    return as_json(replace(path.agent(""))).removeprefix('{"id": ""')
+    return as_json(path.agent("")).removeprefix('{"id": ""')

@@ -14,6 +14,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from tsplan.document import Document, parse_document
 from tsplan.document.kinds import PLAN, kind_of_data, kind_of_text
+from tsplan.document.pause import collector_paused
 from tsplan.errors import Finding, InputError, PlanError
 from tsplan.limits import DIGITS
 from tsplan.words import nfc
@@ -47,7 +48,11 @@ def read_result(kind: type[T], form: ResultFormat, text: str, source: str) -> T:
 
     Equal paths become one object, which makes grouping cheap.
     """
-    text = text.removeprefix("\ufeff")
+    with collector_paused():
+        return _read(kind, form, text.removeprefix("\ufeff"), source)
+
+
+def _read(kind: type[T], form: ResultFormat, text: str, source: str) -> T:
     refuse_other(text, form, source)
     data = _parsed(text, form, source)
     if not isinstance(data, dict):
