@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import random
+from collections import Counter
 from contextlib import suppress
 
 import pytest
@@ -14,6 +15,7 @@ from tests.seeds import sampled
 from tsplan.cli import main
 from tsplan.errors import PlanError, TsplanError
 from tsplan.mission import load_mission
+from tsplan.plans import agent_entries
 from tsplan.plans.plan_file import load_plan
 
 MAP = """\
@@ -77,6 +79,9 @@ def folder(tmp_path_factory):
         (made / f"{name}.yaml").write_text(text)
         plan = tsplan.plan(load_mission(made / f"{name}.yaml"))
         (made / f"{name}.json").write_text(plan.to_json())
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(agent_entries, "MOST_LISTED", 0)
+            (made / f"{name}-bundles.json").write_text(plan.to_json())
     return made
 
 
@@ -129,17 +134,17 @@ def change(around, key, chance):
         value[chance.choice(WORDS)] = value.pop(chance.choice(list(value)))
 
 
-def forged_file(folder, seed):
+def forged_file(folder, seed, form=""):
     """Name of a mission and the text of a forged plan of it."""
     chance = random.Random(seed)
     name = chance.choice(list(MISSIONS))
-    data = forged(json.loads((folder / f"{name}.json").read_text()), chance)
+    data = forged(json.loads((folder / f"{name}{form}.json").read_text()), chance)
     return name, json.dumps(data)
 
 
-def judge(folder, seed, capsys, *, pictures):
+def judge(folder, seed, capsys, *, pictures, form=""):
     """Run every command on a forged plan."""
-    name, text = forged_file(folder, seed)
+    name, text = forged_file(folder, seed, form)
     mission, plan = str(folder / f"{name}.yaml"), folder / "plan.json"
     plan.write_text(text)
     commands = [
@@ -163,9 +168,52 @@ def test_forged_plans_end_in_findings_or_a_verdict(folder, seed, capsys):
     judge(folder, seed, capsys, pictures=seed % (10 if seed < 60 else 5) == 0)
 
 
+@pytest.mark.parametrize("seed", sampled([*range(40), *range(7000, 9000)], range(20)))
+def test_forged_bundles_end_in_findings_or_a_verdict(folder, seed, capsys):
+    judge(folder, seed, capsys, pictures=seed % 10 == 0, form="-bundles")
+
+
+def forge_ids(data, chance):
+    """Another name in place of one of the bundles', or one of them once more."""
+    bundles = data["agents"]
+    ids = chance.choice(bundles)["ids"]
+    place = chance.randrange(len(ids))
+    stem, first, last, where = ids[place]
+    other = chance.choice(chance.choice(bundles)["ids"])
+    ids[place] = chance.choice(
+        (
+            [other[0], other[1], other[1] + last - first, where],
+            [stem, first + 1, last + 1, where],
+            [stem, first - 1, last - 1, where],
+            [f"{stem}x", first, last, where],
+            [stem, first, last - 1, where],
+        )
+    )
+    if chance.random() < 0.3:
+        agents = sum(last - first + 1 for entry in bundles for _, first, last, _ in entry["ids"])
+        ids.append([*other[:3], agents])
+
+
+@pytest.mark.parametrize("name", ["team", "part", "mixed"])
+@pytest.mark.parametrize("seed", range(8))
+def test_bundles_of_others_are_refused(folder, name, seed):
+    chance = random.Random(f"{name} {seed}")
+    data = json.loads((folder / f"{name}-bundles.json").read_text())
+    mission = load_mission(folder / f"{name}.yaml")
+    whole = tsplan.Plan.from_json(json.dumps(data))
+    assert tsplan.check(mission, whole).ok
+    forge_ids(data, chance)
+    try:
+        plan = tsplan.Plan.from_json(json.dumps(data))
+    except PlanError:
+        return  # places with a gap, or a run without names
+    same = Counter(plan.agents) == Counter(whole.agents)
+    assert tsplan.check(mission, plan).ok == same
+
+
 def ask_in_python(folder, seed):
     """Everything that is made of a plan in Python: it ends, or in an error of the package."""
-    name, text = forged_file(folder, seed)
+    name, text = forged_file(folder, seed, "-bundles" if seed % 3 == 0 else "")
     try:
         plan = tsplan.Plan.from_json(text)
     except PlanError:
