@@ -21,7 +21,6 @@ from tsplan.checking.plan_check import check
 from tsplan.checking.team_check import strangers
 from tsplan.errors import PlanError
 from tsplan.mission import Mission
-from tsplan.mission.roster import Roster
 from tsplan.name_runs import Names, Run, joined_runs
 from tsplan.plans import agent_entries
 from tsplan.plans.agent_plans import AgentPlan
@@ -147,8 +146,11 @@ def test_few_agents_are_listed_and_many_in_bundles():
         ([["a-1", 1, 3, 0]], "the number 1 does not begin behind 'a-1'"),
         ([["", None, None, 0]], "'' is no name without a number"),
         ([["a-1", None, None, 0]], "'a-1' is no name without a number"),
-        ([["a-", 0, 10**14, 0]], "more than the 10,000,000 of any team"),
-        ([["a-", 0, 10**15 - 1, 0]], "more than the 10,000,000 of any team"),
+        ([["a-", 0, 10**15 - 1, 0]], "'a-' has more than the 10,000,000 agents of any team"),
+        (
+            [["a-", 0, 10**7 - 1, 0], ["b-", 0, 0, 10**7]],
+            "there are 10,000,001 agents, more than the 10,000,000 of any team",
+        ),
         ([["a-", -1, 3, 0]], "agents[0].ids[0][1]"),
         ([["a-", 1, 3]], "agents[0].ids[0][3]"),
         ([], "a bundle of agents has ids"),
@@ -301,14 +303,14 @@ def test_a_roster_knows_every_name(spans, last):
         formula=True,
     )
     team = {agent.id: agent for agent in mission.agents}
-    roster = Roster(mission.ranks)
+    roster = mission.roster
     parts = [*roster.parts(Run("a-", 0, last + 20))]
     assert [*chain.from_iterable(part.names() for part, _ in parts)] == [
         *Run("a-", 0, last + 20).names()
     ]
     for part, rank in parts:
         for name in part.names():
-            assert (name in roster) == (name in team) == (rank is not None)
+            assert (roster.get(name) is not None) == (name in team) == (rank is not None)
             assert rank is None or rank.start == team[name].start
 
 

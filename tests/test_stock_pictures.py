@@ -21,7 +21,8 @@ from tsplan.draw.views import draw_page
 from tsplan.errors import InputError
 from tsplan.explanation.why.stock_lines import stock_lines
 from tsplan.mission import Group, Resource
-from tsplan.plans.supplies import Cargo, loads_of
+from tsplan.plans.cargo_rows import loads_of
+from tsplan.plans.supplies import Cargo
 from tsplan.viewer.page_data import page_data
 
 matplotlib = pytest.importorskip("matplotlib")
@@ -57,9 +58,9 @@ def test_lines_say_what_lies_stays_and_is_needed():
     assert bricks.amounts.tolist() == [1, 1, 3, 3, 0, 0, 0, 0]
     assert bricks.staying.tolist() == [1, 1, 3, 0, 0, 0, 0, 0]
     assert bricks.needs.tolist() == [0, 0, 0, 3, 0, 0, 0, 0]
-    assert [(haul.agent, haul.come, haul.amount) for haul in bricks.brought] == [
-        ("man-1", 2, 1),
-        ("man-2", 2, 1),
+    assert [([*h.agents.names()], h.come, h.amount) for h in bricks.brought] == [
+        (["man-1"], 2, 1),
+        (["man-2"], 2, 1),
     ]
     assert drill.needs.tolist() == [0, 0, 0, 1, 1, 0, 0, 0]  # in use, and still there
     assert drill.staying.tolist() == [0, 0, 1, 1, 1, 1, 1, 1]

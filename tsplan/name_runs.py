@@ -5,12 +5,14 @@ A team of a million has a million names, and hardly more than its classes to say
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import accumulate, chain
-from typing import NamedTuple, overload
+from itertools import accumulate, chain, pairwise
+from typing import Generic, NamedTuple, TypeVar, overload
+
+T = TypeVar("T")
 
 _DIGITS = "0123456789"
 _LONGEST = 15  # digits of a number
@@ -163,6 +165,18 @@ class Names(Sequence[str]):
         place = bisect_right(mine, one.first, key=lambda run: run.first) - 1
         return place >= 0 and one.first <= mine[place].last
 
+    def among(self, run: Run) -> int:
+        """How many names of a run are among these.
+
+        >>> Names((Run("a-", 1, 5), Run("a-", 8, 9))).among(Run("a-", 4, 8))
+        3
+        """
+        mine = self._by_stem.get(run.stem, [])
+        first = bisect_left(mine, run.first, key=lambda own: own.last)
+        end = bisect_right(mine, run.last, key=lambda own: own.first)
+        both = (own.common(run) for own in mine[first:end])
+        return sum(part.size for part in both if part is not None)
+
     def __eq__(self, other: object) -> bool:
         if isinstance(other, Names):
             return self.runs == other.runs
@@ -175,6 +189,79 @@ class Names(Sequence[str]):
 
     def __repr__(self) -> str:
         return f"Names({', '.join(map(repr, self.runs))})"
+
+
+class RunMap(Generic[T]):
+    """Values by names, given to many names in a row at once; what is given later counts.
+
+    >>> made = RunMap([(Run("a-", 1, 9), "x"), (Run("a-", 4, 5), "y")])
+    >>> [(f"{part.first}..{part.last}", value) for part, value in made.parts(Run("a-", 3, 11))]
+    [('3..3', 'x'), ('4..5', 'y'), ('6..9', 'x'), ('10..11', None)]
+    """
+
+    def __init__(self, rows: Iterable[tuple[Run, T]] = ()) -> None:
+        self._of: dict[str, list[tuple[int, int, T]]] = {}
+        for names, value in rows:
+            self.give(names, value)
+
+    def __len__(self) -> int:
+        return sum(last - first + 1 for mine in self._of.values() for first, last, _ in mine)
+
+    def give(self, names: Run, value: T) -> None:
+        """Give a value to some names, in place of what they have."""
+        mine = self._of.setdefault(names.stem, [])
+        begin = bisect_left(mine, names.first, key=lambda span: span[1])
+        end = bisect_right(mine, names.last, lo=begin, key=lambda span: span[0])
+        new = [(names.first, names.last, value)]
+        if begin < end:
+            first, _, before = mine[begin]
+            _, last, after = mine[end - 1]
+            new = [(first, names.first - 1, before)] * (first < names.first) + new
+            new += [(names.last + 1, last, after)] * (last > names.last)
+        mine[begin:end] = new
+
+    def parts(self, names: Run) -> Iterator[tuple[Run, T | None]]:
+        """The names in order, as many at a time as were given a value together; None without."""
+        mine = self._of.get(names.stem, [])
+        begin = names.first
+        for place in range(bisect_left(mine, begin, key=lambda span: span[1]), len(mine)):
+            first, last, value = mine[place]
+            if first > names.last:
+                break
+            if first > begin:
+                yield Run(names.stem, begin, first - 1), None
+            yield Run(names.stem, max(first, begin), min(last, names.last)), value
+            begin = last + 1
+        if begin <= names.last:
+            yield Run(names.stem, begin, names.last), None
+
+    def get(self, name: str) -> T | None:
+        """The value of one name."""
+        return next(value for _, value in self.parts(Run.of(name)))
+
+
+def overlaid(rows: Iterable[tuple[Run, T]]) -> Iterator[tuple[Run, list[T]]]:
+    """Names that rows name, as many in a row as are named by the same ones, with all values.
+
+    >>> made = overlaid([(Run("a-", 1, 5), "x"), (Run("a-", 4, 6), "y")])
+    >>> [(part.first, part.last, values) for part, values in made]
+    [(1, 3, ['x']), (4, 5, ['x', 'y']), (6, 6, ['y'])]
+    """
+    of: dict[str, list[tuple[Run, T]]] = {}
+    for row in rows:
+        of.setdefault(row[0].stem, []).append(row)
+    for stem, mine in of.items():
+        mine.sort(key=lambda row: row[0].first)
+        cuts = sorted({cut for run, _ in mine for cut in (run.first, run.last + 1)})
+        open_: list[tuple[Run, T]] = []
+        coming = 0
+        for begin, end in pairwise(cuts):
+            open_ = [row for row in open_ if row[0].last >= begin]
+            while coming < len(mine) and mine[coming][0].first == begin:
+                open_.append(mine[coming])
+                coming += 1
+            if open_:
+                yield Run(stem, begin, end - 1), [value for _, value in open_]
 
 
 def within(place: int, size: int) -> int:

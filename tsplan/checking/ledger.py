@@ -15,13 +15,18 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
+from tsplan.checking.team_check import told
 from tsplan.exact import digits, exact
 from tsplan.logic import Task, walk
+from tsplan.name_runs import Names, Run, RunMap, overlaid
+from tsplan.plans.bundles import Agents
+from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.structures import Structure
 from tsplan.plans.supplies import StockHistory
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission, Resource
+    from tsplan.plans.cargo_rows import CargoRow
     from tsplan.plans.loading import Walker
     from tsplan.plans.plan import Plan
     from tsplan.ts import Edge
@@ -33,9 +38,12 @@ _NOTHING = Fraction(0)
 
 
 class Haul(NamedTuple):
-    """An amount that leaves a state with an agent at step `left` and is at another at `come`."""
+    """An amount that leaves a state at step `left` and is at another at `come`.
 
-    agent: str
+    `agents` carry it together, the same amount each.
+    """
+
+    agents: Run
     resource: str
     source: str
     target: str
@@ -191,29 +199,56 @@ def read_ledger(mission: Mission, plan: Plan) -> tuple[Ledger, list[str]]:
 
 
 def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
+    """What is hauled, and what of it cannot be; whoever carries the same is told of together."""
+    steps: dict[int, list[tuple[Run, CargoRow]]] = defaultdict(list)
+    for row in CargoRows.of(plan.cargo).order:
+        steps[row.step].append((row.names, row))
+    walkers: RunMap[Walker] = RunMap(Agents.of(plan.agents).stretches if steps else ())
+    for each in plan.structures if steps else ():
+        walkers.give(Run.of(each.id), each)
+    hauls: list[Haul] = []
+    problems: list[str] = []
+    for step, rows in sorted(steps.items()):
+        for names, loads in overlaid(rows):
+            for part, who in walkers.parts(names):
+                loaded = _Loaded(part, step, who, loads)
+                mine, wrong = _hauled(mission, loaded)
+                hauls += mine
+                problems += wrong or _overloaded(mission, loaded)
+    return hauls, problems
+
+
+class _Loaded(NamedTuple):
+    """Agents that carry the same loads from a step on; `who` is None if the plan has no such."""
+
+    names: Run
+    step: int
+    who: Walker | None
+    loads: Sequence[CargoRow]
+
+
+def _hauled(mission: Mission, loaded: _Loaded) -> tuple[list[Haul], list[str]]:
+    """What some agents haul, and what of it cannot be."""
+    names, step, who, loads = loaded
     resources = {item.name: item for item in mission.resources}
-    walkers: tuple[Walker, ...] = (*plan.agents, *plan.structures) if plan.cargo else ()
-    agents = {agent.id: agent for agent in walkers}
+    ride = None if who is None else _ride(mission, who, step)
+    times = Counter(row.resource for row in loads)
     hauls, problems = [], []
-    loaded: dict[tuple[str, int], dict[str, Fraction]] = defaultdict(dict)
-    for item in plan.cargo:
-        what = f"agent {item.agent} carries {item.resource} from step {item.step} on"
-        ride = None if item.agent not in agents else _ride(mission, agents[item.agent], item.step)
-        if item.resource not in resources:
+    for row in loads:
+        what = f"{told(Names((names,)))} carries {row.resource} from step {step} on"
+        if row.resource not in resources:
             problems.append(f"{what}, which the mission does not have")
-        elif item.agent not in agents:
+        elif who is None:
             problems.append(f"{what} and is not in the plan")
         elif ride is None:
             problems.append(f"{what} and enters no edge then but a wait")
-        elif item.resource in loaded[item.agent, item.step]:
+        elif times[row.resource] > 1:
             problems.append(f"{what} twice")
-        elif resources[item.resource].indivisible and item.amount != int(item.amount):
-            problems.append(f"{what}: {item.amount} pieces, which is no whole number")
+        elif resources[row.resource].indivisible and row.amount != int(row.amount):
+            problems.append(f"{what}: {row.amount} pieces, which is no whole number")
         else:
-            amount = exact(item.amount)
-            loaded[item.agent, item.step][item.resource] = amount
-            hauls.append(Haul(item.agent, item.resource, *ride, amount))
-    return hauls, [*problems, *_overloaded(mission, plan, loaded)]
+            hauls.append(Haul(names, row.resource, *ride, exact(row.amount) * names.size))
+    return hauls, list(dict.fromkeys(problems))
 
 
 def _ride(mission: Mission, agent: Walker, step: int) -> tuple[str, str, int, int] | None:
@@ -238,29 +273,29 @@ def _duration(mission: Mission, agent: Walker, edge: Edge) -> int | None:
     return edge.duration_for(agent.class_name)
 
 
-def _overloaded(
-    mission: Mission, plan: Plan, loaded: Mapping[tuple[str, int], Mapping[str, Fraction]]
-) -> Iterator[str]:
+def _overloaded(mission: Mission, loaded: _Loaded) -> Iterator[str]:
     """Agents that carry more than they can."""
-    if not loaded:
-        return
-    shapes = mission.modular.of
-    carries = dict(mission.loads)
-    carries |= {each.id: shapes[each.configuration].carries for each in plan.structures}
-    for (name, step), loads in loaded.items():
-        limit = carries.get(name, ())
+    names, step, who, loads = loaded
+    if isinstance(who, Structure):
+        limits = [(names, mission.modular.of[who.configuration].carries)]
+    else:
+        limits = [
+            (part, () if rank is None else mission.team[rank.group].carries)
+            for part, rank in mission.roster.parts(names)
+        ]
+    amounts = [(exact(row.amount), row.resource) for row in loads]
+    everything = sum((amount for amount, _ in amounts), _NOTHING), "everything together"
+    for part, limit in limits:
         if isinstance(limit, tuple):
-            rooms = [
-                (amount, exact(dict(limit).get(resource, 0.0)), resource)
-                for resource, amount in loads.items()
-            ]
+            own = dict(limit)
+            rooms = [(*each, exact(own.get(each[1], 0.0))) for each in amounts]
         else:
-            rooms = [(sum(loads.values(), _NOTHING), exact(limit), "everything together")]
-        for amount, room, what in rooms:
+            rooms = [(*everything, exact(limit))]
+        for amount, what, room in rooms:
             if amount > room * (1 + FORGIVEN):
                 yield (
-                    f"agent {name} carries {digits(amount)} of {what} at step {step}, and can "
-                    f"carry {digits(room)}"
+                    f"{told(Names((part,)))} carries {digits(amount)} of {what} at step {step}, "
+                    f"and can carry {digits(room)}"
                 )
 
 

@@ -6,8 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from tsplan.mission.roster import Roster
-from tsplan.name_runs import Names, Run
+from tsplan.name_runs import Names, Run, RunMap
 from tsplan.plans.bundles import Agents
 
 if TYPE_CHECKING:
@@ -25,7 +24,7 @@ def strangers(mission: Mission, plan: Plan) -> Iterator[str]:
     classes = {group.class_name for group in mission.team}
     pathless = {c for c in classes - named if mission.group_bounds(c) is not None}
     ranks = [rank for rank in mission.ranks if rank.class_name not in pathless]
-    roster = Roster(ranks)
+    roster = RunMap((rank.names, rank) for rank in ranks)
     there: dict[Rank, list[Run]] = defaultdict(list)
     for names, path in Agents.of(plan.agents).stretches:
         for part, rank in roster.parts(names):

@@ -25,8 +25,9 @@ from tsplan.draw.state_labels import StateLabel
 from tsplan.draw.text_placement import Box, direction
 from tsplan.draw.tracks import Track, agents_of, by_class, tracks
 from tsplan.mission import Mission
+from tsplan.plans.cargo_rows import AgentLoads, loads_of
 from tsplan.plans.plan import Plan
-from tsplan.plans.supplies import AgentLoads, Loads, load_words, loads_of, together
+from tsplan.plans.supplies import Loads, load_words, together
 from tsplan.words import visible
 
 MOST_PATHS = len(HUES) * len(STROKES) - 8

@@ -18,11 +18,13 @@ from tsplan.checking.path_segments import Path, read_path
 from tsplan.checking.structure_check import structure_path
 from tsplan.errors import Finding, PlanError
 from tsplan.mission import Mission
+from tsplan.name_runs import Names
 from tsplan.plans.bundles import Bundle
+from tsplan.plans.cargo_rows import AgentLoads, carried_by
 from tsplan.plans.plan import Plan
 from tsplan.plans.structures import Structure
 from tsplan.plans.summary import names
-from tsplan.plans.supplies import AgentLoads, Loads, together
+from tsplan.plans.supplies import Loads
 from tsplan.ts import TransitionSystem
 
 MoveTuple: TypeAlias = tuple[int, str, str, int]
@@ -96,7 +98,7 @@ class Track:
 
     def load(self, step: int, loads: AgentLoads) -> Loads:
         """What all of them carry together along the edge that they enter at a step."""
-        return together(loads[agent, step] for agent in self.ids if (agent, step) in loads)
+        return carried_by(Names.of(self.ids), step, loads) if step in loads else {}
 
     def present(self, time: float) -> bool:
         """Whether they are there: agents always are, parts of a swarm while they last."""

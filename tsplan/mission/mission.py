@@ -30,7 +30,7 @@ from tsplan.mission.name_resolution import (
     with_named_configurations,
     with_named_states,
 )
-from tsplan.mission.resources import Carries, Resource
+from tsplan.mission.resources import Resource
 from tsplan.mission.team import Agent, Group, Rank
 from tsplan.mission.values import parts_from_values
 from tsplan.mission.vocabulary import (
@@ -41,7 +41,7 @@ from tsplan.mission.vocabulary import (
     TaskInterval,
     default_language,
 )
-from tsplan.name_runs import Run
+from tsplan.name_runs import Run, RunMap
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
 
@@ -155,10 +155,9 @@ class Mission(MissionParts):
         return sum(group.count for group in self.team)
 
     @cached_property
-    def loads(self) -> Mapping[str, Carries]:
-        """What each robot carries at most, by its id."""
-        groups = (group for group in self.team for _ in range(group.count))
-        return {agent.id: group.carries for agent, group in zip(self.agents, groups, strict=True)}
+    def roster(self) -> RunMap[Rank]:
+        """The rank of every robot by its id."""
+        return RunMap((rank.names, rank) for rank in self.ranks)
 
     @cached_property
     def cost_unit(self) -> Fraction:

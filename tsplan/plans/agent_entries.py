@@ -30,17 +30,31 @@ from tsplan.plans.records import OPTIONAL, Record, Whole, Word, as_json, json_li
 MOST_LISTED = 1000
 """Agents up to which a file has an entry for every one, unless it is asked to have that anyway."""
 
+Counted: TypeAlias = tuple[str, Whole, Whole]
+"""Names that count on, as a file has them: `[stem, first, last]`."""
+
 _Ids: TypeAlias = tuple[str, Whole | None, Whole | None, Whole]
 
 
-def _sound(ids: _Ids) -> _Ids:
-    """A run whose names are spelled in one way alone."""
-    stem, first, last, _ = ids
-    if (first is None) != (last is None) or (first is not None and first > (last or 0)):
+def sound(names: Counted) -> Counted:
+    """Names that are spelled in one way alone, and no more than any team has."""
+    stem, first, last = names
+    if first > last:
         raise ValueError(f"the numbers {first} to {last} are out of order")
-    if first is not None and Run.of(f"{stem}{first}").stem != stem:
+    if Run.of(f"{stem}{first}").stem != stem:
         raise ValueError(f"the number {first} does not begin behind '{stem}'")
-    if first is None and (not stem or Run.of(stem).counted):
+    if last - first >= MOST_ROBOTS:
+        raise ValueError(f"'{stem}' has more than the {MOST_ROBOTS:,} agents of any team")
+    return names
+
+
+def _sound(ids: _Ids) -> _Ids:
+    stem, first, last, _ = ids
+    if first is not None and last is not None:
+        sound((stem, first, last))
+    elif first != last:
+        raise ValueError(f"the numbers {first} to {last} are out of order")
+    elif not stem or Run.of(stem).counted:
         raise ValueError(f"'{stem}' is no name without a number")
     return ids
 

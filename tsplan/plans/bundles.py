@@ -5,16 +5,13 @@ What is asked of all agents is asked of their bundles; a single agent is made wh
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from itertools import accumulate
-from types import MappingProxyType
-from typing import NamedTuple, overload
+from typing import NamedTuple
 
-from tsplan.name_runs import Names, Run, within
+from tsplan.name_runs import Names, Run, RunMap
 from tsplan.plans.agent_plans import AgentPlan, Stay
+from tsplan.plans.unfolded import Unfolded
 
 _NOBODY = Names(())
 
@@ -45,7 +42,7 @@ class Stretch(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Agents(Sequence[AgentPlan]):
+class Agents(Unfolded[AgentPlan]):
     """The agents of a plan in its order; equal to any sequence of the same agents.
 
     `bundles` are their distinct paths in order of first appearance, and `order` the agents one
@@ -59,7 +56,7 @@ class Agents(Sequence[AgentPlan]):
     """
 
     bundles: tuple[Bundle, ...]
-    order: tuple[tuple[Run, int], ...]
+    order: tuple[tuple[Run, int], ...] = ()
 
     @classmethod
     def of(cls, agents: Iterable[AgentPlan]) -> Agents:
@@ -97,37 +94,16 @@ class Agents(Sequence[AgentPlan]):
         kept = {id(bundle) for bundle in self.bundles if chosen(bundle)}
         return Agents.along(each for each in self.stretches if id(each.path) in kept)
 
-    @cached_property
-    def _ends(self) -> tuple[int, ...]:
-        return tuple(accumulate(names.size for names, _ in self.order))
-
-    def __len__(self) -> int:
-        return sum(len(bundle.agents) for bundle in self.bundles)
-
-    @overload
-    def __getitem__(self, place: int) -> AgentPlan: ...
-    @overload
-    def __getitem__(self, place: slice) -> tuple[AgentPlan, ...]: ...
-    def __getitem__(self, place: int | slice) -> AgentPlan | tuple[AgentPlan, ...]:
-        if isinstance(place, slice):
-            return tuple(self[n] for n in range(*place.indices(len(self))))
-        number = within(place, len(self))
-        stretch = bisect_right(self._ends, number)
-        names, path = self.order[stretch]
-        return self.bundles[path].agent(names.name(number - self._ends[stretch] + names.size))
-
-    def __iter__(self) -> Iterator[AgentPlan]:
-        return (each.path.agent(name) for each in self.stretches for name in each.names.names())
+    def made(self, row: tuple[Run, int], name: str) -> AgentPlan:
+        """The agent of a name."""
+        return self.bundles[row[1]].agent(name)
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, Agents):
             return self.bundles == other.bundles and self.order == other.order
-        if not isinstance(other, tuple | list):
-            return NotImplemented
-        return len(self) == len(other) and all(a == b for a, b in zip(self, other, strict=True))
+        return super().__eq__(other)
 
-    def __hash__(self) -> int:
-        return hash(tuple(self))  # as equal tuples have it
+    __hash__ = Unfolded.__hash__
 
     def __repr__(self) -> str:
         return f"<{len(self):,} agents on {len(self.bundles):,} paths>"
@@ -161,35 +137,22 @@ def _alone(agents: Iterable[AgentPlan]) -> Iterator[Stretch]:
         yield Stretch(Run.of(agent.id), path)
 
 
-def by_id(agents: Agents) -> Mapping[str, AgentPlan]:
-    """The agents by their ids; each is made when it is asked for."""
-    index = _AgentsById(agents)
-    if len(index) == len(agents):
-        return index
-    return MappingProxyType({agent.id: agent for agent in agents})  # an id is there twice
-
-
-class _AgentsById(Mapping[str, AgentPlan]):
-    """Agents by their ids, none of which is there twice."""
+class AgentsById(Mapping[str, AgentPlan]):
+    """The agents of a plan by their ids, of an id that is there twice the last; made when asked."""
 
     def __init__(self, agents: Agents) -> None:
         self._agents = agents
-        self._of: dict[str, list[Stretch]] = {}
-        for each in sorted(agents.stretches, key=lambda each: each.names):
-            mine = self._of.setdefault(each.names.stem, [])
-            if not mine or mine[-1].names.last < each.names.first:
-                mine.append(each)
+        self._paths: RunMap[Bundle] = RunMap(agents.stretches)
 
     def __getitem__(self, name: str) -> AgentPlan:
-        one = Run.of(name)
-        mine = self._of.get(one.stem, [])
-        place = bisect_right(mine, one.first, key=lambda each: each.names.first) - 1
-        if place < 0 or one.first > mine[place].names.last:
+        path = self._paths.get(name)
+        if path is None:
             raise KeyError(name)
-        return mine[place].path.agent(name)
+        return path.agent(name)
 
     def __iter__(self) -> Iterator[str]:
-        return (name for each in self._agents.stretches for name in each.names.names())
+        names = (name for each in self._agents.stretches for name in each.names.names())
+        return names if len(self) == len(self._agents) else iter(dict.fromkeys(names))
 
     def __len__(self) -> int:
-        return sum(each.names.size for mine in self._of.values() for each in mine)
+        return len(self._paths)

@@ -17,7 +17,8 @@ from tsplan.limits import MOST_STEPS
 from tsplan.parameters import known_name, name_list, step_within
 from tsplan.plans.agent_entries import READ_AGENTS, agents_json
 from tsplan.plans.agent_plans import AgentPlan, state_in
-from tsplan.plans.bundles import Agents, Bundle, by_id
+from tsplan.plans.bundles import Agents, AgentsById, Bundle
+from tsplan.plans.cargo_rows import READ_CARGO, CargoRows, cargo_json
 from tsplan.plans.moves import Moves, shares
 from tsplan.plans.outcomes import (
     FOUND,
@@ -60,12 +61,12 @@ if TYPE_CHECKING:
 class Plan(Record, display.Displayed):
     """What planning a mission ended with.
 
-    `agents` is empty unless `status` is optimal or feasible; it is a sequence that makes each agent
-    when it is looked at, of whatever sequence it is given. `availability` is the counting
-    robustness of the formula at step 0, None where it is infinite. `verified` says that the
-    independent check accepted the paths. The formula holds, and all that is told of it is told,
-    with every agent up to `delay` steps late. `notes` are sentences for the reader of the plan.
-    `satisfaction` and `preferences` tell what holds where the mission does not demand it all.
+    `agents` is empty unless `status` is optimal or feasible; it and `cargo` make each item when it
+    is looked at, and may be given as any sequence. `availability` is the counting robustness of the
+    formula at step 0, None where it is infinite. `verified` says that the independent check
+    accepted the paths. The formula holds, and all that is told of it is told, with every agent up
+    to `delay` steps late. `notes` are sentences for the reader of the plan. `satisfaction` and
+    `preferences` tell what holds where the mission does not demand it all.
 
     The plan of a mission with swarms has the `moves` of every swarm, by its name, and `groups`, the
     sub-swarms that they make; the `agents` of swarms are there if they were asked for, or are few.
@@ -96,7 +97,7 @@ class Plan(Record, display.Displayed):
     structures: tuple[Structure, ...] = field(default=(), metadata=OPTIONAL)
     rebuilt: tuple[Rebuilt, ...] = field(default=(), metadata=OPTIONAL)
     executions: tuple[ExecutedTask, ...] = field(default=(), metadata=OPTIONAL)
-    cargo: tuple[Cargo, ...] = field(default=(), metadata=OPTIONAL)
+    cargo: Annotated[Sequence[Cargo], READ_CARGO] = field(default=(), metadata=OPTIONAL)
     stocks: tuple[StockHistory, ...] = field(default=(), metadata=OPTIONAL)
     policies: tuple[Policy, ...] = field(default=(), metadata=OPTIONAL)
     solver: SolverUse = field(default_factory=SolverUse)
@@ -106,6 +107,7 @@ class Plan(Record, display.Displayed):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "agents", Agents.of(self.agents))
+        object.__setattr__(self, "cargo", CargoRows.of(self.cargo))
         there = bool(self.agents or self.moves or self.policies)
         if findings := contradictions(self, "plan", "the agents' paths", there=there):
             raise PlanError(findings)
@@ -141,7 +143,7 @@ class Plan(Record, display.Displayed):
     @cached_property
     def agent(self) -> Mapping[str, AgentPlan]:
         """The agents by their ids."""
-        return by_id(self._agents)
+        return AgentsById(self._agents)
 
     @property
     def _agents(self) -> Agents:
@@ -303,8 +305,8 @@ class Plan(Record, display.Displayed):
     def to_json(self, *, each: bool = False) -> str:
         """The plan as a `tsplan-plan/1` document: one key, agent, move and sub-swarm a line.
 
-        More than 1,000 agents are written as bundles of agents on one path, unless `each` of them
-        is to have an entry of its own.
+        More than 1,000 agents are written as bundles of agents on one path, and what they carry
+        likewise, unless `each` of them is to have an entry of its own.
         """
         first = {"format": PLANS.mark, "status": self.status, "stopped_by": self.stopped_by}
         moves = (
@@ -317,7 +319,7 @@ class Plan(Record, display.Displayed):
             "structures": lambda: json_lines(map(as_json, self.structures)),
             "rebuilt": lambda: json_lines(map(as_json, self.rebuilt)),
             "executions": lambda: json_lines(map(as_json, self.executions)),
-            "cargo": lambda: json_lines(map(as_json, self.cargo)),
+            "cargo": lambda: cargo_json(CargoRows.of(self.cargo), each=each),
             "stocks": lambda: json_lines(map(as_json, self.stocks)),
             "agents": lambda: agents_json(self._agents, each=each),
             "policies": lambda: json_lines(policy.text() for policy in self.policies),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from tsplan.limits import is_finite
 from tsplan.name_runs import Names
 from tsplan.plans.bundles import Bundle
+from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.outcomes import ObjectiveValue, Outcome, Status
 from tsplan.plans.plan import Plan
 from tsplan.plans.policy_table import policy_table
@@ -133,8 +134,8 @@ def supply_lines(plan: Plan) -> list[str]:
     if rest := len(plan.executions) - len(lines):
         lines.append(f"  ... and {rest} further executions")
     loads: dict[str, float] = {}
-    for cargo in plan.cargo:
-        loads[cargo.resource] = loads.get(cargo.resource, 0.0) + cargo.amount
+    for row in CargoRows.of(plan.cargo).order:
+        loads[row.resource] = loads.get(row.resource, 0.0) + row.names.size * row.amount
     if loads:
         told = ", ".join(f"{name} {number(amount)}" for name, amount in loads.items())
         lines.append(f"  carried along edges, summed up: {told}")

@@ -20,9 +20,6 @@ Amount: TypeAlias = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 Loads: TypeAlias = "dict[str, float]"
 """Amounts of resources by their names."""
 
-AgentLoads: TypeAlias = "Mapping[tuple[str, int], Loads]"
-"""What each agent carries along the edge that it enters at a step, by its id and the step."""
-
 
 @dataclass(frozen=True, slots=True)
 class ExecutedTask(Record):
@@ -57,18 +54,6 @@ class Cargo(Record):
     step: Whole
     resource: Word
     amount: Annotated[float, Field(gt=0, allow_inf_nan=False)]
-
-
-def loads_of(cargo: Iterable[Cargo]) -> AgentLoads:
-    """What each agent carries along each edge that it enters with some load.
-
-    >>> loads_of([Cargo("truck-1", 3, "brick", 2.0)])
-    {('truck-1', 3): {'brick': 2.0}}
-    """
-    found: dict[tuple[str, int], Loads] = {}
-    for item in cargo:
-        found.setdefault((item.agent, item.step), {})[item.resource] = item.amount
-    return found
 
 
 def together(loads: Iterable[Loads]) -> Loads:

@@ -23,13 +23,14 @@ from tsplan.name_runs import Run
 from tsplan.plans.agent_entries import MOST_LISTED
 from tsplan.plans.agent_plans import joined
 from tsplan.plans.bundles import Agents, Bundle, Stretch
+from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.decomposition import Walked, decompose, paths_of
 from tsplan.plans.loading import loading
 from tsplan.plans.moves import Move
 from tsplan.plans.policies import Policy
 from tsplan.plans.structure_paths import module_plan, structures_of
 from tsplan.plans.structures import Rebuilt, Structure, module_paths
-from tsplan.plans.supplies import Cargo, ExecutedTask
+from tsplan.plans.supplies import ExecutedTask
 
 MOST_AGENTS = MOST_LISTED
 """Agents up to which every one of a swarm gets a path; for more, `tsplan.assign` makes them."""
@@ -43,7 +44,7 @@ class Ways(TypedDict, total=False):
     executions: tuple[ExecutedTask, ...]
     structures: tuple[Structure, ...]
     rebuilt: tuple[Rebuilt, ...]
-    cargo: tuple[Cargo, ...]
+    cargo: CargoRows
     policies: tuple[Policy, ...]
     delay: int | None
 

@@ -14,8 +14,9 @@ from tsplan.draw.edge_layout import Point
 from tsplan.draw.text_placement import direction
 from tsplan.draw.tracks import Track
 from tsplan.mission import Mission
+from tsplan.plans.cargo_rows import AgentLoads
 from tsplan.plans.plan import Plan
-from tsplan.plans.supplies import AgentLoads, Loads, load_words, together
+from tsplan.plans.supplies import Loads, load_words, together
 from tsplan.viewer.markers import Ground
 
 

@@ -13,10 +13,11 @@ from tsplan.draw.palette import PLAIN, Paint, Palette, classes_of
 from tsplan.draw.tracks import Track, tracks
 from tsplan.explanation.why.stock_lines import StockLine, stock_lines
 from tsplan.mission import Mission
+from tsplan.plans.cargo_rows import AgentLoads, loads_of
 from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.plans.plan import Plan
 from tsplan.plans.summary import infinite_word, objective_line, outcome
-from tsplan.plans.supplies import AgentLoads, load_words, loads_of
+from tsplan.plans.supplies import load_words
 from tsplan.ts import State, TransitionSystem
 from tsplan.viewer.formula_rows import Part, formula_parts
 from tsplan.viewer.freight import freights, rebuildings

@@ -23,8 +23,9 @@ from tsplan.draw.palette import Palette, classes_of
 from tsplan.draw.tracks import tracks
 from tsplan.explanation.why.stock_lines import stock_lines
 from tsplan.mission import Mission
+from tsplan.plans.cargo_rows import loads_of
 from tsplan.plans.plan import Plan
-from tsplan.plans.supplies import load_words, loads_of
+from tsplan.plans.supplies import load_words
 from tsplan.viewer.formula_rows import Part, formula_parts
 from tsplan.viewer.freight import freight_point, freights, rebuildings
 from tsplan.viewer.markers import Ground, Markers, markers

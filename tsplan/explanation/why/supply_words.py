@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from tsplan.name_runs import Names
+from tsplan.plans.summary import names
 from tsplan.words import number
 
 if TYPE_CHECKING:
@@ -31,7 +33,8 @@ def supply_words(supply: Supply) -> str:
     what = f"{_amount(supply.needed)} {supply.resource}{there} at {supply.state}"
     sources = [_brought(haul) for haul in supply.brought[:_DELIVERIES]]
     if rest := supply.brought[_DELIVERIES:]:
-        sources.append(f"{_amount(float(sum(haul.amount for haul in rest)))} in {len(rest)} more")
+        times = sum(haul.agents.size for haul in rest)
+        sources.append(f"{_amount(float(sum(haul.amount for haul in rest)))} in {times} more")
     if supply.first:
         sources.insert(0, f"{_amount(supply.first)} there from the start")
     gone = f"; {_amount(supply.gone)} used or carried away before" if supply.gone else ""
@@ -39,7 +42,9 @@ def supply_words(supply: Supply) -> str:
 
 
 def _brought(haul: Haul) -> str:
-    return f"{haul.agent} brought {_amount(float(haul.amount))} at step {haul.come}"
+    return (
+        f"{names(Names((haul.agents,)))} brought {_amount(float(haul.amount))} at step {haul.come}"
+    )
 
 
 def _amount(value: float) -> str:
