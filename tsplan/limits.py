@@ -19,7 +19,7 @@ MOST_STEPS = 1_000_000
 """Steps up to the horizon, and of one move."""
 
 MOST_ROBOTS = 10_000_000
-"""Robots in a team; each one gets a path of its own, so a misprint must not fill the memory."""
+"""Robots in a team; whoever asks for each one gets them, so a misprint must not fill the memory."""
 
 MOST_COST = 1e20
 """The cost of an edge is below this: solvers take it for infinity."""

@@ -15,16 +15,15 @@ from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.path_segments import Path, Segment, read_path
 from tsplan.exact import exact
 from tsplan.plans.bundles import Bundle
-from tsplan.plans.presence import Presence
-from tsplan.plans.structures import ModulePath, Structure, module_paths
+from tsplan.plans.structures import ModulePath, Structure, module_paths, of_structures
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
     from tsplan.mission import Configuration, Group, Mission, Reconfiguration
-    from tsplan.plans.agent_plans import AgentPlan
     from tsplan.plans.plan import Plan
     from tsplan.plans.structures import Rebuilt
+    from tsplan.ts import Edge
 
 
 class Rebuild(NamedTuple):
@@ -44,6 +43,7 @@ class _Reading:
     plan: Plan
     problems: list[str] = field(default_factory=list)
     segments: dict[str, tuple[Segment, ...]] = field(default_factory=dict)
+    ways: dict[tuple[object, ...], Path] = field(default_factory=dict)
     rebuilds: list[Rebuild] = field(default_factory=list)
 
 
@@ -62,7 +62,7 @@ def read_structures(
     if not reading.problems:
         _read_births(reading)
     if not reading.problems:
-        reading.problems += _astray(plan.agents, module_paths(plan.structures), mission)
+        reading.problems += _astray(plan.bundles, module_paths(plan.structures), mission)
     if reading.problems:
         return (), (), reading.problems
     return tuple(_traffic(reading)), tuple(reading.rebuilds), []
@@ -131,7 +131,17 @@ def _read_way(each: Structure, reading: _Reading) -> list[str]:
     ended = each.stays[-1][1]
     if ended != each.last and (each.last < horizon or each.heading is None):
         return [f"is last seen at step {ended}, and it is there until {each.last}"]
-    path = structure_path(reading.mission, each)
+    key = (
+        each.class_name,
+        each.capabilities,
+        each.configuration,
+        each.stays,
+        each.first,
+        each.last,
+    )
+    path = reading.ways.get((*key, each.heading))
+    if path is None:
+        path = reading.ways[*key, each.heading] = structure_path(reading.mission, each)
     reading.segments[each.id] = path.segments
     return list(path.problems)
 
@@ -220,15 +230,15 @@ def _shapes(structures: Sequence[Structure]) -> Counter[str]:
 
 
 def _astray(
-    agents: Sequence[AgentPlan], paths: Mapping[str, ModulePath], mission: Mission
+    bundles: Sequence[Bundle], paths: Mapping[str, ModulePath], mission: Mission
 ) -> Iterator[str]:
     """Modules whose own paths are not those of the structures that they are part of."""
     modular = _modular(mission)
-    for agent in agents:
-        if agent.class_name in modular:
-            path = paths.get(agent.id)
-            if path is None or (path.stays, path.heading) != (agent.stays, agent.heading):
-                yield f"agent {agent.id} is elsewhere than the structures that it is part of"
+    for bundle in (each for each in bundles if each.class_name in modular):
+        for name in bundle.agents:
+            path = paths.get(name)
+            if path is None or (path.stays, path.heading) != (bundle.stays, bundle.heading):
+                yield f"agent {name} is elsewhere than the structures that it is part of"
 
 
 def _traffic(reading: _Reading) -> Iterator[ClassTraffic]:
@@ -248,13 +258,22 @@ def _traffic(reading: _Reading) -> Iterator[ClassTraffic]:
         starting = {module for each in mine if not each.first for module in each.modules}
         yield ClassTraffic(
             class_name,
-            tuple(segment for each in mine for segment in reading.segments[each.id]),
-            tuple(
-                Presence(state, first, last, 1, each.capabilities)
-                for each in mine
-                for first, last, state in each.stays
-            ),
+            _together(segment for each in mine for segment in reading.segments[each.id]),
+            tuple(of_structures(mine)),
             len(moved & starting),
             factor=exact(shape.cost),
             shape=name,
         )
+
+
+def _together(segments: Iterable[Segment]) -> tuple[Segment, ...]:
+    """The times of structures on edges, those on one edge at the same time as one."""
+    edges: dict[tuple[str, str], Edge] = {}
+    counts: Counter[tuple[tuple[str, str], int, int, int]] = Counter()
+    for edge, entered, left, agents, times in segments:
+        edges[edge.pair] = edge
+        counts[edge.pair, entered, left, times] += agents
+    return tuple(
+        Segment(edges[pair], entered, left, agents, times)
+        for (pair, entered, left, times), agents in counts.items()
+    )

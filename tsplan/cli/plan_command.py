@@ -12,7 +12,7 @@ from tsplan.cli.progress import Progress
 from tsplan.errors import SolverError
 from tsplan.plans.outcomes import FOUND, Status
 from tsplan.plans.plan import Plan
-from tsplan.plans.plan_file import write_result
+from tsplan.plans.plan_file import EachAgent, Written, save_plan
 from tsplan.process.child_process import may_have_children
 from tsplan.process.interrupt import Requests
 from tsplan.run.isolate import Planning
@@ -50,21 +50,21 @@ def run(options: argparse.Namespace) -> Exit:
         if options.agents and isinstance(plan, Plan) and plan.moves and not plan.agents:
             plan = assign(cast("Mission", mission), plan, seed=options.seed)
         if options.output is not None:
-            unwritten = attempted(lambda: write_result(_text(plan, options), options.output))
+            unwritten = attempted(lambda: save_plan(_written(plan, options), options.output))
     _show(plan, options)
     if unwritten is not None:
         raise unwritten
     return _CODES[plan.status]
 
 
-def _text(plan: Result, options: argparse.Namespace) -> str:
-    """The plan as JSON; with `--agents` every agent by itself, however many there are."""
-    return plan.to_json(each=options.agents) if isinstance(plan, Plan) else plan.to_json()
+def _written(plan: Result, options: argparse.Namespace) -> Written:
+    """What is written as JSON: with `--agents` every agent has an entry of its own."""
+    return EachAgent(plan) if options.agents and isinstance(plan, Plan) else plan
 
 
 def _show(plan: Result, options: argparse.Namespace) -> None:
     if options.json:
-        say_json(_text(plan, options))
+        say_json(_written(plan, options).to_json())
     elif not options.quiet:
         from tsplan.plans.summary import print_parts, summary  # noqa: PLC0415  (needs rich, slow)
 

@@ -154,6 +154,11 @@ class Mission(MissionParts):
         """How many robots the team has."""
         return sum(group.count for group in self.team)
 
+    @property
+    def pieces(self) -> int:
+        """What a plan is made of one by one: modules; other robots are planned many at a time."""
+        return sum(group.count for group in self.team if group.configuration is not None)
+
     @cached_property
     def roster(self) -> RunMap[Rank]:
         """The rank of every robot by its id."""

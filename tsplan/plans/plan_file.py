@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
@@ -44,17 +44,21 @@ def text_of_result(path: str | Path, form: ResultFormat) -> str:
         ) from None
 
 
+@dataclass(frozen=True)
+class EachAgent:
+    """A plan in whose file every agent has an entry of its own, however many there are."""
+
+    plan: Plan
+
+    def to_json(self) -> str:
+        """The text of its file."""
+        return self.plan.to_json(each=True)
+
+
 def save_plan(plan: Written, path: str | Path) -> None:
-    """Write a plan file; more than 1,000 agents as bundles of agents on one path.
+    """Write a plan file so that a reader sees the old file or the whole new one, never a part.
 
-    Raises PlanError if the place cannot be written.
+    More than 1,000 agents are written as bundles of agents on one path. Raises PlanError if the
+    place cannot be written.
     """
-    write_result(plan.to_json(), path)
-
-
-def write_result(text: str, path: str | Path) -> None:
-    """Write the file of a plan or trajectory: a reader sees the old one or the whole new one.
-
-    Raises PlanError if the place cannot be written.
-    """
-    write_whole(Path(path), text.encode(), PlanError)
+    write_whole(Path(path), plan.to_json().encode(), PlanError)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import TsplanError
@@ -83,6 +84,9 @@ def module_plan(member: Agent, path: ModulePath) -> Bundle:
     return Bundle(member.class_name, member.capabilities, path.stays, path.heading)
 
 
+_HAS_MOVED = attrgetter("moved")
+
+
 class _Lives:
     """The lives of the structures of one pool, step by step."""
 
@@ -149,7 +153,7 @@ class _Lives:
     def _leave(self, step: int) -> None:
         """Give out what leaves at a step: short waits first, then moves, then reconfigurations."""
         for bodies in self._there.values():
-            bodies.sort(key=lambda body: body.moved)
+            bodies.sort(key=_HAS_MOVED)
         kept: dict[tuple[str, str], list[_Body]] = defaultdict(list)
 
         def length(entry: tuple[str, Move]) -> tuple[bool, int]:
@@ -158,10 +162,11 @@ class _Lives:
 
         for name, move in sorted(self._going[step], key=length):
             steps = self._steps[name, (move.source, move.target)]
-            for body in self._taken(name, move.source, move.count):
-                if move.is_wait and steps == 1:
-                    kept[name, move.source].append(body)
-                    continue
+            taken = self._taken(name, move.source, move.count)
+            if move.is_wait and steps == 1:
+                kept[name, move.source] += taken
+                continue
+            for body in taken:
                 body.leave(step)
                 body.moved |= not move.is_wait
                 body.state = move.target

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Annotated, NamedTuple
@@ -89,7 +89,9 @@ def module_paths(structures: Iterable[Structure]) -> dict[str, ModulePath]:
 
 
 def of_structures(structures: Iterable[Structure]) -> Iterator[Presence]:
-    """Where structures stay."""
+    """Where structures stay, those at one state at the same time as one."""
+    counts: Counter[tuple[str, int, int, frozenset[str]]] = Counter()
     for each in structures:
-        for first, last, state in each.stays:
-            yield Presence(state, first, last, 1, each.capabilities)
+        counts.update((state, first, last, each.capabilities) for first, last, state in each.stays)
+    for (state, first, last, able), count in counts.items():
+        yield Presence(state, first, last, count, able)

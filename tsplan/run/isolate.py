@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 _EVERY = 0.1  # seconds between bounds that are passed on
 _LEAST = 1.0  # seconds that a second try gets at least
-_MANY = 1_000_000  # robots times steps whose paths take seconds to make and check
+_MANY = 1_000_000  # pieces times steps that take seconds to make and check
 _SHARE = 0.05  # of the time may go into plans that are handed over on the way
 
 
@@ -134,7 +134,7 @@ def _job(order: Order, send: Callable[[object], object]) -> Any:
     """The child's part."""
     module, name = order.planner  # it loads the solver, in the child alone
     mission, choice = order.mission, order.choice
-    many = mission.size * mission.horizon > _MANY
+    many = mission.pieces * mission.horizon > _MANY
     return getattr(import_module(module), name)(
         mission,
         solver=choice.name,

@@ -50,6 +50,11 @@ class SignalParts:
         """How many values a trajectory has at a step."""
         return len(self.system.names)
 
+    @property
+    def pieces(self) -> int:
+        """What a trajectory is made of one by one at a step: its values."""
+        return self.size
+
     def parsed(self, text: str) -> tuple[Formula, Written]:
         """A formula that may name what the mission does, and where its parts stand in the text."""
         return parse_with_places(
