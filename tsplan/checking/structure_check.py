@@ -70,21 +70,17 @@ def read_structures(
 
 def _read_bodies(reading: _Reading) -> None:
     """What each structure is made of, and its way over the map."""
-    groups = _groups(reading.mission)
-    begins = {agent.id: agent.start for agent in reading.mission.agents}
+    mission = reading.mission
+    modules = [rank for rank in mission.ranks if mission.team[rank.group].configuration]
+    groups = {name: mission.team[rank.group] for rank in modules for name in rank.names.names()}
+    begins = {name: rank.start for rank in modules for name in rank.names.names()}
     for each in reading.plan.structures:
-        problems = list(_unfit(each, reading.mission, groups))
+        problems = list(_unfit(each, mission, groups))
         if not problems and each.first == 0:
             problems += _misbegun(each, begins, groups)
         if not problems:
             problems += _read_way(each, reading)
         reading.problems += [f"structure {each.id} {problem}" for problem in problems]
-
-
-def _groups(mission: Mission) -> dict[str, Group]:
-    """The group of every module, by its id."""
-    members = iter(mission.agents)
-    return {next(members).id: group for group in mission.team for _ in range(group.count)}
 
 
 def _unfit(each: Structure, mission: Mission, groups: Mapping[str, Group]) -> Iterator[str]:
@@ -93,9 +89,9 @@ def _unfit(each: Structure, mission: Mission, groups: Mapping[str, Group]) -> It
     if shape is None:
         yield f"is a '{each.configuration}', which the mission does not know"
         return
-    if each.id in groups:
+    if mission.roster.get(each.id) is not None:
         yield "is called as a module is"
-    strangers = [m for m in each.modules if m not in groups or not groups[m].configuration]
+    strangers = [m for m in each.modules if m not in groups]
     if strangers:
         yield f"is made of {strangers[0]}, which is no module of the mission"
         return
@@ -180,8 +176,8 @@ def _read_births(reading: _Reading) -> None:
             problems.append(f"structure {name} is rebuilt, and heads for {body.heading}")
     modular = _modular(reading.mission)
     begun = Counter(m for body in bodies.values() if not body.first for m in body.modules)
-    for agent in reading.mission.agents:
-        if agent.class_name in modular and begun[agent.id] != 1:
+    for agent in reading.mission.members(modular):
+        if begun[agent.id] != 1:
             problems.append(f"module {agent.id} is in {begun[agent.id]} structures at the start")
 
 

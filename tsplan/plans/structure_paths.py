@@ -129,11 +129,10 @@ class _Lives:
 
     def _begin(self) -> None:
         """Modules in the structures in which they start, in the order of the team."""
-        agents = iter(self._mission.agents)
-        for number, group in enumerate(self._mission.team):
-            members = [next(agents) for _ in range(group.count)]
-            if number not in self._pool.groups:
-                continue
+        for number in self._pool.groups:
+            group = self._mission.team[number]
+            ranks = (rank for rank in self._mission.ranks if rank.group == number)
+            members = [agent for rank in ranks for agent in rank.agents]
             shape = self._mission.modular.of[str(group.configuration)]
             for begin in range(0, len(members), shape.modules):
                 mine = members[begin : begin + shape.modules]
