@@ -13,8 +13,10 @@ from itertools import pairwise
 from typing import Any, TypeAlias
 
 from tsplan.errors import Finding, PlanError
+from tsplan.name_runs import Names
+from tsplan.plans.cargo_rows import AgentLoads, carried_by, loads_of
 from tsplan.plans.records import as_json
-from tsplan.plans.supplies import AgentLoads, Loads, loads_of
+from tsplan.plans.supplies import Loads
 from tsplan.ts import State
 from tsplan.writers.handover import Handover
 from tsplan.writers.journeys import Journey, Stop
@@ -62,12 +64,12 @@ def _refuse(handover: Handover, loads: AgentLoads) -> None:
     if handover.plan.structures:
         what = "the robots of the plan are built together, and RMF knows no robots that are"
         raise PlanError([Finding(what, "export as csv, geojson, graphml or nav2")])
-    agents = {agent for agent, _ in handover.journeys()} if loads else set()
+    agents = Names.of([agent for agent, _ in handover.journeys()] if loads else [])
     parted = {
-        resource
-        for (agent, _), load in loads.items()
-        for resource, amount in load.items()
-        if agent in agents and not float(amount).is_integer()
+        row.resource
+        for rows in loads.values()
+        for row in rows
+        if not float(row.amount).is_integer() and agents.among(row.names)
     }
     if parted:
         remedy = "choose a unit in which what is carried is whole, and say 'indivisible: true'"
@@ -80,7 +82,8 @@ def _refuse(handover: Handover, loads: AgentLoads) -> None:
 def _carried(agent: str, journey: Journey, loads: AgentLoads) -> tuple[Loads, ...]:
     """What an agent carries from each of its visits on."""
     steps = (stop.last for stop in journey.visits)
-    return tuple({} if step is None else loads.get((agent, step), {}) for step in steps)
+    one = Names.of([agent])
+    return tuple({} if step is None else carried_by(one, step, loads) for step in steps)
 
 
 def _request(handover: Handover, agent: str, fleet: str, phases: str) -> str:

@@ -49,8 +49,8 @@ def _duration(value: Any) -> int | ByClass:
     return ByClass({name: _steps(steps) for name, steps in value.items()})
 
 
-def _origin(value: Any) -> Any:
-    if isinstance(value, bool) or not isinstance(value, str | int) or value == "":
+def _origin(value: Any) -> str | int:
+    if isinstance(value, bool) or not isinstance(value, str | int):
         raise complaint(f"{shown(value)} is neither a name nor a whole number", "put it in quotes")
     return value
 
