@@ -38,6 +38,7 @@ from tsplan.encode.stocks import stocks
 from tsplan.encode.structure_flows import PART as STRUCTURES
 from tsplan.encode.structure_flows import growth_rows, rebuilding
 from tsplan.encode.switches import Switch
+from tsplan.encode.visitor_cuts import Visits
 from tsplan.encode.witness import WitnessEncoder, Witnesses, WitnessRules
 from tsplan.logic import Formula
 from tsplan.milp.model import Draft, Ints
@@ -95,6 +96,7 @@ class _Assembly:
         self._flows: list[Ints] = []
         self._laid: dict[int, ClassColumns] = {}
         self._built: Sequence[Built] = ()
+        self._visits: Sequence[Visits] = ()
 
     def tight(self, ask: Asking, rules: WitnessRules, *, optional: bool) -> Encoded:
         setting, draft = self._setting, self._draft
@@ -132,7 +134,8 @@ class _Assembly:
         if "rebuilt" in own:
             growth_rows(own["own_columns"][STRUCTURES], network, self._built, draft)
         encoded = self._encoded(network, witnesses, self._flows, decided=list(swarms.values()))
-        return replace(encoded, occupied=occupied, families=tuple(families), **own)
+        own |= {"families": tuple(families), "visits": tuple(self._visits)}
+        return replace(encoded, occupied=occupied, **own)
 
     def _free(self, network: Network) -> Executions | None:
         """Columns of executions beyond what is demanded, which may perform better, or None."""
@@ -265,6 +268,7 @@ class _Assembly:
         rows = DemandRows(network, self._draft, switches)
         rows.write(witnesses)
         self._built = rows.built
+        self._visits = () if self._swarms else rows.visits
         return rows.families
 
     def _occupied(self, robots: Network, witnesses: Witnesses, *, optional: bool) -> Encoded:

@@ -30,6 +30,7 @@ from tsplan.encode.running_sums import RunningSums
 from tsplan.encode.selection import Selection, less
 from tsplan.encode.step_runs import Run, most_at_once
 from tsplan.encode.switches import Switch
+from tsplan.encode.visitor_cuts import Visits
 from tsplan.milp.model import Block, Draft, Floats, Ints, Terms
 
 LONG = 1000
@@ -87,6 +88,7 @@ class DemandRows:
         self._needs = Block("demand")
         self._arrivals = Block("arrival")
         self.families: list[tuple[SiteColumns, Family]] = []
+        self.visits: list[Visits] = []
         self.built: list[Built] = []
 
     def write(self, witnesses: Witnesses) -> None:
@@ -101,14 +103,14 @@ class DemandRows:
             for made in families:
                 self._asked(site, made, states, capability)
                 self._demand_rows(site, made)
-            self._cover_rows(site, asked, witnesses.covers)
+            self._cover_rows(site, asked, witnesses.covers, (states, capability))
             hull = self._hull(states, wanted)
             if len(hull) > len(states):
                 around = self._site(np.array(hull), capability, *span)
                 for made in families:
                     self.families.append((around, made))
                     self._window_rows(around, made)
-                self._cover_rows(around, asked, witnesses.covers)
+                self._cover_rows(around, asked, witnesses.covers, (hull, capability))
         if Switch.TOGETHER in self._options:
             self._together([need for needs in lower.values() for need in needs], witnesses)
         for place, visits in _by_place(witnesses.visits).items():
@@ -139,6 +141,8 @@ class DemandRows:
         selections = [visit.selection for visit in visits]
         lower = np.array([0.0 if selection else 1.0 for selection in selections]) - constant
         self._needs.add(come, (visit, there[at], 1.0), less(selections), lower=lower)
+        for visit in visits:
+            self._once((states, capability), (visit.first, visit.last), 1.0, visit.selection)
 
     def _together(self, lower: Sequence[Demand], witnesses: Witnesses) -> None:
         """Rule out witnesses that need too many agents at once; arrival cuts of whole regions."""
@@ -164,14 +168,40 @@ class DemandRows:
         for columns in witnesses.choices.families(region.columns):
             made = family(columns, region.columns, region.always, everywhere=False)
             self._asked(site, made, region.states, capability)
-        self._cover_rows(site, region.columns, witnesses.covers)
+        self._cover_rows(site, region.columns, witnesses.covers, (region.states, capability))
 
     def _asked(self, site: SiteColumns, made: Family, states: Site, capability: str | None) -> None:
         """Arrival cuts of a family; of structures, what has to be built is noted."""
         self.families.append((site, made))
         self._window_rows(site, made)
+        if len(made.columns) >= _SEVERAL:
+            self._visits_of(made, (states, capability))
         if self._network.reborn(capability):
             self.built.append(Built(states, capability, made))
+
+    def _visits_of(self, made: Family, place: Place) -> None:
+        """What a family asks of different agents: the most that each column asks for at once."""
+        column, first, _, amount = made.pieces
+        order = np.lexsort((first, -amount, column))
+        most = order[np.append(True, np.diff(column[order]) > 0)]
+        steps, every = made.steps[first[most]], np.arange(len(most))
+        terms = every, column[most], amount[most]
+        self._visit(Visits(*place, steps, steps, terms, np.zeros(len(most))))
+
+    def _once(
+        self, place: Place, window: tuple[int, int], amount: float, selection: Selection
+    ) -> None:
+        """So many agents are at a place together at some step of a window."""
+        first, last = np.array(window).reshape(2, 1)
+        members = np.array(selection, dtype=np.int64)
+        terms = np.zeros_like(members), members, np.full(len(members), amount)
+        constant = np.array([0.0 if selection else amount])
+        self._visit(Visits(*place, first, last, terms, constant))
+
+    def _visit(self, visits: Visits) -> None:
+        """Note demands of different agents where all of them have ways from their starts."""
+        if Switch.VISITORS in self._options and self._network.begun(visits.capability):
+            self.visits.append(visits)
 
     def _site(self, states: Ints, capability: str | None, first: int, last: int) -> SiteColumns:
         """Count columns for steps first..last and, for the cuts, cumulative arrivals."""
@@ -224,7 +254,11 @@ class DemandRows:
         self._arrivals.add(*come, *asked, lower=np.zeros(len(low)))
 
     def _cover_rows(
-        self, site: SiteColumns, asked: Mapping[int, Sequence[Run]], covers: Sequence[Cover]
+        self,
+        site: SiteColumns,
+        asked: Mapping[int, Sequence[Run]],
+        covers: Sequence[Cover],
+        place: Place,
     ) -> None:
         """Arrival cuts of shared windows: if every witness asks for agents here, some must come."""
         edges: dict[int, list[tuple[Ints, Floats]]] = {}
@@ -237,10 +271,14 @@ class DemandRows:
                 ]
             members = slice(cover.begin, cover.end)
             # the first, then the last step at which a witness needs agents
-            for steps, amounts in edges[id(cover.columns)]:
+            for number, (steps, amounts) in enumerate(edges[id(cover.columns)]):
                 if cover.begin < cover.end and amounts[members].all():
                     window = steps[members].min(keepdims=True), steps[members].max(keepdims=True)
-                    self._arrive(site, window, float(amounts[members].min()), cover.selection)
+                    need = float(amounts[members].min())
+                    self._arrive(site, window, need, cover.selection)
+                    if not number:
+                        ends = int(window[0][0]), int(window[1][0])
+                        self._once(place, ends, need, cover.selection)
 
     def _arrive(
         self, site: SiteColumns, window: tuple[Ints, Ints], need: float, selection: Selection

@@ -24,6 +24,7 @@ from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import Stocks
 from tsplan.encode.structure_flows import Change
 from tsplan.encode.switches import ALL_SWITCHES, Switch
+from tsplan.encode.visitor_cuts import Visits
 from tsplan.logic import Formula, conjunction, simplify, tighten
 from tsplan.logic.margin import shifted
 from tsplan.milp.model import Draft, Floats, Ints, Model
@@ -119,6 +120,7 @@ class Encoded:
     steps: Ints = field(default_factory=lambda: _NO_INTS)
     choices: tuple[Ints, ...] = ()
     families: tuple[tuple[SiteColumns, Family], ...] = ()
+    visits: tuple[Visits, ...] = ()
 
     @property
     def repaired(self) -> Ints:

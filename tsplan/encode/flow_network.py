@@ -53,6 +53,10 @@ class Network:
         """Whether some that have a capability may be rebuilt, or be new."""
         return any(item.graph.layer is not None for item in self.having(capability))
 
+    def begun(self, capability: str | None) -> bool:
+        """Whether whole agents that have a capability all begin somewhere and stay what they are."""
+        return self.horizon > 0 and not self.expected and not self.reborn(capability)
+
     def agents(self, capability: str | None) -> int:
         """How many agents have a capability, or of structures can have it at once."""
         return sum(most for most, _ in self._able(self.having(capability)))

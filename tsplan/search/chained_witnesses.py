@@ -21,7 +21,7 @@ from tsplan.search.dive import Earliest
 from tsplan.search.effort import Effort
 from tsplan.search.search import Search
 
-_CUTS = frozenset({Switch.VISITS, Switch.LAZY, Switch.TOGETHER})
+_CUTS = frozenset({Switch.VISITS, Switch.LAZY, Switch.VISITORS, Switch.TOGETHER})
 
 
 def chain_model(setting: Setting, level: int) -> Encoded:

@@ -14,14 +14,13 @@ from dataclasses import replace
 import numpy as np
 
 from tsplan.clock import Clock
-from tsplan.encode.arrival_cuts import violated
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
 from tsplan.exact import digits, relative_gap
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import LPResult, WarmLP
-from tsplan.milp.model import INFINITY, Floats, Model
+from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
@@ -29,9 +28,9 @@ from tsplan.search.dive import Earliest, Picker, dive, largest
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found
 from tsplan.search.rounding import Rounding
+from tsplan.search.separation import Separation
 from tsplan.stopping import StoppedBy
 
-_ROUNDS = 12  # of separation at the root
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
 _LONG = 2.0  # seconds at the root after which a second dive is worth its while
 _REST = 0.5  # of what the tree has gained may be left for it to go on
@@ -242,22 +241,16 @@ class Search:
                 break
 
     def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
-        """Add violated arrival cuts, to the LP and to the model, while they raise the bound."""
-        if Switch.LAZY not in self._effort.switches or self._first:
+        """Add cuts to the LP and to the model, while they raise the bound."""
+        if self._first:
             return root
-        for _ in range(_ROUNDS):
-            assert root.values is not None
-            columns = self._model.size.columns
-            cuts = violated(self._encoded.families, root.values, columns)
-            if cuts is None or self._clock.over:
-                break
-            lp.add_rows(cuts, np.zeros(cuts.shape[0]), np.full(cuts.shape[0], np.inf))
-            self._model = self._model.with_rows(cuts, 0.0, INFINITY, "arrival")
-            before = root.objective
-            root = lp.solve(time_limit=self._clock.left)
-            if root.status != "optimal" or root.objective < before + 1e-3 * max(abs(before), 1.0):
-                break
-        return root
+        self._raise_bound(root.objective)
+        switches = self._effort.switches
+        cuts = Separation(self._encoded, self._model, switches, self._clock, self._raise_bound)
+        try:
+            return cuts.tightened(lp, root)
+        finally:
+            self._model = cuts.model
 
     def _grow(self, lp: WarmLP) -> None:
         root = lp.solve(time_limit=self._clock.left)

@@ -26,7 +26,7 @@ from tsplan.search.kernel import Kernel
 from tsplan.search.question import Question, start_in
 from tsplan.search.search import Search
 
-_CUTS = frozenset({Switch.VISITS, Switch.LAZY, Switch.TOGETHER})
+_CUTS = frozenset({Switch.VISITS, Switch.LAZY, Switch.VISITORS, Switch.TOGETHER})
 _TURNS = (8, 16)  # how often ways may begin within the horizon
 _FIRST, _BETTER = 15.0, 20.0  # seconds for a plan, and for better ones
 _SHARE = 1 / 3  # of the time that is left may be spent on better ones

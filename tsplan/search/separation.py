@@ -1,0 +1,73 @@
+"""Cuts that the linear program of a model violates, added round by round while that pays.
+
+Arrival cuts (`encode.arrival_cuts`) and cuts of visitors (`encode.visitor_cuts`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from tsplan.clock import Clock
+from tsplan.encode.arrival_cuts import violated
+from tsplan.encode.encoded import Encoded
+from tsplan.encode.switches import Switch
+from tsplan.encode.visitor_cuts import VisitorCuts
+from tsplan.milp.lp import LPResult, WarmLP
+from tsplan.milp.model import INFINITY, Model
+
+_ROUNDS = 60
+_GAIN = 1e-4  # relative rise of the bound that counts as one
+_IDLE = 6  # rounds without one: cuts of visitors often need several for a rise
+
+
+@dataclass(eq=False)
+class Separation:
+    """Adds cuts to the linear program of an encoded problem, and to its `model`.
+
+    `hear` is told every bound on the way.
+    """
+
+    encoded: Encoded
+    model: Model
+    switches: frozenset[Switch]
+    clock: Clock
+    hear: Callable[[float], None]
+
+    def tightened(self, lp: WarmLP, root: LPResult) -> LPResult:
+        """The program's solution with cuts; the last one that was found where time is up."""
+        idle = 0
+        visitors = VisitorCuts(self.encoded.network, self.encoded.visits)
+        for _ in range(_ROUNDS):
+            if self.clock.over or not self._add(lp, root, visitors):
+                break
+            after = lp.solve(time_limit=self.clock.left)
+            if after.status == "limit":
+                break
+            if after.status != "optimal":
+                return after
+            gain = after.objective - root.objective
+            root = after
+            self.hear(root.objective)
+            idle = 0 if gain >= _GAIN * max(abs(root.objective), 1.0) else idle + 1
+            if idle >= (_IDLE if visitors.demands else 1):
+                break
+        return root
+
+    def _add(self, lp: WarmLP, root: LPResult, visitors: VisitorCuts) -> bool:
+        """Add what a solution violates; whether there is anything."""
+        values, columns = root.values, self.model.size.columns
+        assert values is not None
+        found = []
+        if Switch.LAZY in self.switches:
+            rows = violated(self.encoded.families, values, columns)
+            found += [] if rows is None else [(rows, np.zeros(rows.shape[0]), "arrival")]
+        if Switch.VISITORS in self.switches:
+            cuts = visitors.violated(values, columns)
+            found += [] if cuts is None else [(*cuts, "visitors")]
+        for rows, lower, kind in found:
+            lp.add_rows(rows, lower, np.full(len(lower), np.inf))
+            self.model = self.model.with_rows(rows, lower, INFINITY, kind)
+        return bool(found)
