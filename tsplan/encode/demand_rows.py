@@ -141,8 +141,8 @@ class DemandRows:
         selections = [visit.selection for visit in visits]
         lower = np.array([0.0 if selection else 1.0 for selection in selections]) - constant
         self._needs.add(come, (visit, there[at], 1.0), less(selections), lower=lower)
-        for visit in visits:
-            self._once((states, capability), (visit.first, visit.last), 1.0, visit.selection)
+        for one in visits:
+            self._once((states, capability), (one.first, one.last), 1.0, one.selection)
 
     def _together(self, lower: Sequence[Demand], witnesses: Witnesses) -> None:
         """Rule out witnesses that need too many agents at once; arrival cuts of whole regions."""

@@ -54,7 +54,7 @@ class Network:
         return any(item.graph.layer is not None for item in self.having(capability))
 
     def begun(self, capability: str | None) -> bool:
-        """Whether whole agents that have a capability all begin somewhere and stay what they are."""
+        """Whether whole agents with a capability all begin somewhere and stay what they are."""
         return self.horizon > 0 and not self.expected and not self.reborn(capability)
 
     def agents(self, capability: str | None) -> int:

@@ -67,7 +67,7 @@ def prepare(
     setting = _on_late_maps(setting) if setting.delay else setting
     # quickest ways say nothing of uncertain moves
     reducible = Switch.REDUCTION in switches and mission.expected is None
-    return _on_reduced_maps(setting) if reducible else setting
+    return on_reduced_maps(setting) if reducible else setting
 
 
 def delayed(setting: Setting, delay: int) -> Setting:
@@ -116,8 +116,8 @@ def _classes(
     return (*robots, *structures), changes
 
 
-def _on_reduced_maps(setting: Setting) -> Setting:
-    """The setting on reduced maps, or as it is where these would not be exact."""
+def on_reduced_maps(setting: Setting) -> Setting:
+    """A setting of whole maps on reduced ones, or as it is where these would not be exact."""
     if not all(objective.reducible(setting) for objective in objectives_of(setting.mission)):
         return setting
     interests = [_tolled(setting, item.graph) for item in setting.classes]

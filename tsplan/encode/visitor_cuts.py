@@ -53,7 +53,9 @@ class Visits(NamedTuple):
         _, members, amount = self.terms
         ends = self.first.min(keepdims=True), self.last.max(keepdims=True)
         constant = self.constant.sum(keepdims=True)
-        return self._replace(first=ends[0], last=ends[1], terms=(0, members, amount), constant=constant)
+        return self._replace(
+            first=ends[0], last=ends[1], terms=(0, members, amount), constant=constant
+        )
 
 
 class Separated(NamedTuple):
@@ -98,7 +100,7 @@ class _Unrolled:
         wanted = np.concatenate([part.ravel() for part in places])
         place = np.searchsorted(self.nodes, wanted)
         place = np.minimum(place, len(self.nodes) - 1)
-        return place[self.nodes[place] == wanted]
+        return np.asarray(place[self.nodes[place] == wanted])
 
 
 def _unrolled(classes: Sequence[ClassColumns], horizon: int) -> _Unrolled:
@@ -198,7 +200,7 @@ def _cut(flows: _Flows, demand: Visits, values: Floats) -> _Found | None:
         (parts, np.full(len(parts), end), need),
     ]
     tail, head, capacity = (np.concatenate(each) for each in zip(*arcs, strict=True))
-    graph = sparse.csr_matrix(
+    graph = sparse.csr_array(
         (np.minimum(capacity, most).astype(np.int32), (tail, head)), shape=(end + 1, end + 1)
     )
     flow = maximum_flow(graph, begin, end)

@@ -37,8 +37,11 @@ _ENDS: dict[Ended, LPStatus] = {
 }
 _LARGE = 100_000  # entries from which presolve may take seconds, in which HiGHS hears nothing
 _QUIET = 0.2  # seconds that a warm solve may take before `stop` is asked in every iteration
-_MOMENT = 0.2  # seconds of the simplex method before an interior point method takes over
 _INFINITY = float("inf")
+PATIENCE = 5.0
+"""Seconds of the simplex method before an interior point method takes over."""
+MOMENT = 0.2
+"""The same for programs that are known to be slow by it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,9 +85,9 @@ class WarmLP:
 
     Integrality is ignored. `stop` is asked now and then while solving; once it is true the solve
     ends with status "limit". Changes keep the basis, so the next solve goes on from the last one
-    (dual simplex after changed bounds and new rows, primal after changed costs). With `interior`
-    what the simplex method does not solve in a moment is left to an interior point method, whose
-    end is made a basis.
+    (dual simplex after changed bounds and new rows, primal after changed costs). What the simplex
+    method does not solve of a large program in so many seconds of `patience` is left to an interior
+    point method, whose end is made a basis; with `degenerate` that is so from a basis, too.
     """
 
     def __init__(
@@ -92,7 +95,8 @@ class WarmLP:
         model: Model,
         stop: Callable[[], bool] | None = None,
         *,
-        interior: bool = False,
+        patience: float = PATIENCE,
+        degenerate: bool = False,
     ) -> None:
         self._highs = load(model, relaxed=True)
         self._stop = stop
@@ -105,7 +109,8 @@ class WarmLP:
         # HiGHS calls a program without columns empty, whatever its rows say
         self._offset = float(model.offset)
         self._refuted = trivially_infeasible(model)
-        self._interior = interior
+        self._patience = patience
+        self._degenerate = degenerate
         set_option(self._highs, "solver", "simplex")
 
     def bounds(
@@ -160,7 +165,7 @@ class WarmLP:
             set_option(self._highs, "objective_bound", most)
             self._cutoff = most
         until = _INFINITY if time_limit is None else began + max(time_limit, 0.0)
-        ended = self._from_inside(until) if self._interior else self._run(until)
+        ended = self._run_by_either(until)
         if self._left_running:
             return LPResult("limit", _INFINITY, time.perf_counter() - began)
         if ended == Ended.kUnboundedOrInfeasible:
@@ -177,10 +182,13 @@ class WarmLP:
         self._warm = True
         return self._result(ended, most, time.perf_counter() - began)
 
-    def _from_inside(self, until: float) -> Ended:
-        """Run by the simplex method for a moment, and else by an interior point method."""
-        if self._warm or not self._large:
-            ended = self._run(min(until, time.perf_counter() + _MOMENT))
+    def _run_by_either(self, until: float) -> Ended:
+        """Run by the simplex method for a while, and else by an interior point method."""
+        known = self._warm or not self._large
+        if known and not self._degenerate:
+            return self._run(until)
+        if known or not self._degenerate:
+            ended = self._run(until, patience=self._patience)
             if ended != Ended.kTimeLimit or self._left_running or time.perf_counter() >= until:
                 return ended
         checked(self._highs.clearSolver(), "to forget the basis")
@@ -199,23 +207,24 @@ class WarmLP:
             return LPResult("cutoff", _INFINITY, seconds)
         return LPResult("optimal", objective, seconds, self._highs.getSolution())
 
-    def _run(self, until: float) -> Ended:
-        """Run until it ends, the time is up or `stop` is true.
+    def _run(self, until: float, patience: float = _INFINITY) -> Ended:
+        """Run until it ends, the time or the patience is up, or `stop` is true.
 
         Asking `stop` in every iteration would slow small programs down by a third, so a warm solve
         runs without for a moment; on reaching a limit HiGHS keeps its basis.
         """
         watched = self._stop is not None and not self._warm
+        patient = min(until, time.perf_counter() + patience)
         while True:
             quiet = self._stop is not None and not watched
             self._watch(on=watched)
             now = time.perf_counter()
-            ended = self._once(min(until, now + _QUIET) if quiet else until, now)
-            if ended != Ended.kTimeLimit or not quiet or time.perf_counter() >= until:
+            ended = self._once(min(patient, now + _QUIET) if quiet else patient, now, until)
+            if ended != Ended.kTimeLimit or not quiet or time.perf_counter() >= patient:
                 return ended
             watched = True
 
-    def _once(self, until: float, now: float) -> Ended:
+    def _once(self, until: float, now: float, deadline: float) -> Ended:
         highs = self._highs
         if until <= now:
             return Ended.kTimeLimit
@@ -225,7 +234,7 @@ class WarmLP:
             checked(highs.setOptionValue("time_limit", limit), "the time limit")
             self._limit = limit
         if self._large and not self._warm:
-            return self._apart(until)
+            return self._apart(deadline)
         try:
             status = highs.run()
         except KeyboardInterrupt:

@@ -19,7 +19,7 @@ from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
 from tsplan.exact import digits, relative_gap
 from tsplan.milp.confirmation import confirmed
-from tsplan.milp.lp import LPResult, WarmLP
+from tsplan.milp.lp import MOMENT, PATIENCE, LPResult, WarmLP
 from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.milp.target import Target
@@ -325,8 +325,9 @@ class Search:
     def _warm(self) -> WarmLP:
         if self._lp is None:
             # programs of expected numbers are degenerate, and slow by the simplex method
-            interior = self._encoded.network.expected
-            self._lp = WarmLP(self._model, self._clock.stop, interior=interior)
+            slow = self._encoded.network.expected
+            patience = MOMENT if slow else PATIENCE
+            self._lp = WarmLP(self._model, self._clock.stop, patience=patience, degenerate=slow)
         return self._lp
 
     # --- the solver's side -------------------------------------------------------------------

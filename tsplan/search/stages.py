@@ -30,11 +30,14 @@ from tsplan.search.question import NOTHING_KEPT, Kept, Question, start_in
 from tsplan.search.search import Search
 from tsplan.search.still_bound import still_bound
 from tsplan.search.straight_plans import StraightPlans
+from tsplan.search.sub_teams import SubTeams
 from tsplan.search.tidying import tidied
 
 _CHAIN_SECONDS = 15.0
 LARGE = 30_000
 """Nonzeros from which on missions with resources are first planned by straight ways."""
+WIDE = 100_000
+"""Nonzeros from which on goals of many parts are first planned by teams."""
 _SHARE = 0.2  # of the time that is left, for one level of a large mission
 _HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands allow
 
@@ -208,6 +211,8 @@ class Stages(Lexicographic[Point, StageObjective]):
         start = None if question.first else start_in(encoded, self.point)
         if self._large(whole):
             self._begin(search, question, encoded, clock)
+        if self._many(whole) and search.scout is None:
+            search.scout = lambda: SubTeams(self.effort).flows(whole, clock)
         return search.minimise(start, first=question.first)
 
     def _begin(self, search: Search, question: Question, encoded: Encoded, clock: Clock) -> None:
@@ -230,6 +235,11 @@ class Stages(Lexicographic[Point, StageObjective]):
             and not encoded.refuted
             and encoded.model.matrix.nnz > LARGE
         )
+
+    def _many(self, encoded: Encoded) -> bool:
+        """Whether a plan is better looked for by teams first: of a large model."""
+        teams = self.tight and Switch.TEAMS in self.effort.switches and self.point is None
+        return teams and not encoded.refuted and encoded.model.matrix.nnz > WIDE
 
     def _hear(self, question: Question, point: Point | None, bound: float | None) -> None:
         """Keep a point, and tell of it and of a bound in the own unit of what is told."""
