@@ -32,6 +32,7 @@ from tsplan.search.separation import Separation
 from tsplan.stopping import StoppedBy
 
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
+_SLOW = 1.0  # seconds of the first linear program after which a plan comes before cuts
 _LONG = 2.0  # seconds at the root after which a second dive is worth its while
 _REST = 0.5  # of what the tree has gained may be left for it to go on
 _SMALL = 50_000  # nonzeros up to which a model counts as small
@@ -195,7 +196,7 @@ class Search:
         lp = self._warm()
         root = lp.solve(time_limit=self._clock.left)
         if root.status == "optimal":
-            root = self._tighten(lp, root)
+            root = self._tighten(lp, self._hurried(lp, root))
         if root.status == "infeasible":
             self._none_below(self._cutoff)
         if root.status != "optimal":
@@ -207,6 +208,16 @@ class Search:
             self._dive(lp, root)
         if not self.done and Switch.TREE in self._effort.switches:
             self._grow(lp)
+
+    def _hurried(self, lp: WarmLP, root: LPResult) -> LPResult:
+        """The root again, after a dive for some plan if cuts would take long."""
+        slow = self._clock.elapsed - self._began > _SLOW
+        dives = Switch.DIVE in self._effort.switches and not self._first
+        if self._values is not None or not slow or not dives:
+            return root
+        self._raise_bound(root.objective)
+        self._dive(lp, root)
+        return lp.solve(time_limit=self._clock.left)
 
     def _none_below(self, cutoff: float | None) -> None:
         """There is no point below the cutoff, or none at all without one."""
