@@ -17,10 +17,11 @@ if TYPE_CHECKING:
 class ClassTraffic:
     """What the agents of one class do.
 
-    `segments` are their times on edges, `present` their stays at states up to the horizon, and
-    `moving` is how many of them ever make a move that is no wait: by their paths, or as few as can
-    be where there are only moves. A swarm has `moves`, the segments as a plan writes them.
-    `bundles` are the agents with their paths. Structures of modules are of a configuration, their
+    `segments` are their times on edges, `present` their stays at states up to the horizon, both
+    counted together where they are the same, and `moving` is how many of them ever make a move that
+    is no wait: by their paths, or as few as can be where there are only moves. A swarm has `moves`,
+    the segments as a plan writes them. `bundles` are the agents with their paths. Structures of
+    modules are of a configuration, their
     `shape`: `factor` is by how much more their edges cost, and `moving` counts the modules that
     start in them.
     """

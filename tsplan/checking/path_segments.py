@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from tsplan.mission import Group
     from tsplan.plans.agent_plans import Stay
@@ -24,6 +25,19 @@ class Segment(NamedTuple):
     left: int
     agents: int
     times: int = 1
+
+
+def together(segments: Iterable[Segment]) -> tuple[Segment, ...]:
+    """Segments of many paths, those on one edge at the same time as one."""
+    edges: dict[tuple[str, str], Edge] = {}
+    counts: Counter[tuple[tuple[str, str], int, int, int]] = Counter()
+    for edge, entered, left, agents, times in segments:
+        edges[edge.pair] = edge
+        counts[edge.pair, entered, left, times] += agents
+    return tuple(
+        Segment(edges[pair], entered, left, agents, times)
+        for (pair, entered, left, times), agents in counts.items()
+    )
 
 
 class Path(NamedTuple):

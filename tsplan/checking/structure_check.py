@@ -12,18 +12,17 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.checking.class_traffic import ClassTraffic
-from tsplan.checking.path_segments import Path, Segment, read_path
+from tsplan.checking.path_segments import Path, Segment, read_path, together
 from tsplan.exact import exact
 from tsplan.plans.bundles import Bundle
 from tsplan.plans.structures import ModulePath, Structure, module_paths, of_structures
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from tsplan.mission import Configuration, Group, Mission, Reconfiguration
     from tsplan.plans.plan import Plan
     from tsplan.plans.structures import Rebuilt
-    from tsplan.ts import Edge
 
 
 class Rebuild(NamedTuple):
@@ -254,22 +253,9 @@ def _traffic(reading: _Reading) -> Iterator[ClassTraffic]:
         starting = {module for each in mine if not each.first for module in each.modules}
         yield ClassTraffic(
             class_name,
-            _together(segment for each in mine for segment in reading.segments[each.id]),
+            together(segment for each in mine for segment in reading.segments[each.id]),
             tuple(of_structures(mine)),
             len(moved & starting),
             factor=exact(shape.cost),
             shape=name,
         )
-
-
-def _together(segments: Iterable[Segment]) -> tuple[Segment, ...]:
-    """The times of structures on edges, those on one edge at the same time as one."""
-    edges: dict[tuple[str, str], Edge] = {}
-    counts: Counter[tuple[tuple[str, str], int, int, int]] = Counter()
-    for edge, entered, left, agents, times in segments:
-        edges[edge.pair] = edge
-        counts[edge.pair, entered, left, times] += agents
-    return tuple(
-        Segment(edges[pair], entered, left, agents, times)
-        for (pair, entered, left, times), agents in counts.items()
-    )

@@ -17,7 +17,7 @@ from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.lateness import Late, late, late_swarm
 from tsplan.checking.ledger import Ledger, read_ledger
-from tsplan.checking.path_segments import Segment, read_path, unwelcome, usable_edge
+from tsplan.checking.path_segments import Segment, read_path, together, unwelcome, usable_edge
 from tsplan.checking.satisfaction_check import preferences_of, satisfaction_of
 from tsplan.checking.structure_check import Rebuild, read_structures
 from tsplan.checking.team_check import told
@@ -244,7 +244,7 @@ def _swarms(mission: Mission) -> dict[str, Group]:
 
 def _walked(class_name: str, walks: Sequence[_Walk]) -> ClassTraffic:
     """What the agents of a class do by their paths."""
-    segments = tuple(segment for _, path in walks for segment in path)
+    segments = together(segment for _, path in walks for segment in path)
     own = tuple(bundle for bundle, _ in walks)
     present = tuple(of_bundles(own))
     return ClassTraffic(class_name, segments, present, _moving(walks), bundles=own)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -25,10 +26,14 @@ class Presence(NamedTuple):
 
 
 def of_bundles(bundles: Iterable[Bundle]) -> Iterator[Presence]:
-    """Where the agents of some bundles stay."""
+    """Where the agents of some bundles stay, those at one state at the same time as one."""
+    counts: Counter[tuple[str, int, int, frozenset[str]]] = Counter()
     for bundle in bundles:
+        agents, able = len(bundle.agents), bundle.capabilities
         for first, last, state in bundle.stays:
-            yield Presence(state, first, last, len(bundle.agents), bundle.capabilities)
+            counts[state, first, last, able] += agents
+    for (state, first, last, able), agents in counts.items():
+        yield Presence(state, first, last, agents, able)
 
 
 def of_groups(groups: Iterable[SubSwarm]) -> Iterator[Presence]:
