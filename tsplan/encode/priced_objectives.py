@@ -17,33 +17,33 @@ from tsplan.milp.target import Target
 from tsplan.ts.edges import RISKS
 
 
-class PricedObjective(ModelObjective):
-    """An objective that gives every edge a price, paid by each agent that enters it."""
+class Priced(ModelObjective):
+    """An objective that gives every edge a price, and adds up what the agents' moves cost."""
 
     @abstractmethod
-    def price(self, graph: ClassGraph) -> Floats:
-        """The price of every edge of a class's map."""
+    def price(self, graph: ClassGraph) -> Floats | Ints:
+        """What an agent that enters each edge costs, in whole units."""
 
     def vector(self, setting: Setting, encoded: Encoded) -> Floats:
-        """The price of every flow column's edge."""
+        """The price of every flow column."""
         vector = np.zeros(encoded.model.size.columns)
         for item in encoded.network.classes:
             item.price(vector, self.price(item.graph))
         return vector
 
 
-class Travel(PricedObjective):
+class Travel(Priced):
     """Agent-steps spent in moves that are not waits."""
 
     name = "travel"
     grouping = Grouping.FEW_MOVES
 
-    def price(self, graph: ClassGraph) -> Floats:
+    def price(self, graph: ClassGraph) -> Ints:
         """The duration of every move."""
-        return graph.travel.astype(np.float64)
+        return graph.travel
 
 
-class Cost(PricedObjective):
+class Cost(Priced):
     """Summed edge costs of all moves; waits are free unless their edge says otherwise."""
 
     name = "cost"
@@ -78,7 +78,7 @@ class Energy(Cost):
         return vector
 
 
-class Risk(PricedObjective):
+class Risk(Priced):
     """-log of the probability that no move of the plan fails."""
 
     name = "risk"

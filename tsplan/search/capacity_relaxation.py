@@ -25,7 +25,7 @@ from tsplan.encode.enforced_capacities import Enforced
 from tsplan.encode.model_objectives import Availability, Makespan, MovingAgents
 from tsplan.encode.objective_kinds import StageObjective
 from tsplan.encode.preparation import prepare
-from tsplan.encode.priced_objectives import PricedObjective, Travel
+from tsplan.encode.priced_objectives import Priced, Travel
 from tsplan.encode.switches import Switch
 from tsplan.exact import relative_gap
 from tsplan.milp.model import Floats
@@ -176,7 +176,7 @@ class CapacityRelaxation:
         if self._best is None or len(self.objectives) != 1:
             return NOTHING_KEPT
         (objective,) = self.objectives
-        if not isinstance(objective, PricedObjective):
+        if not isinstance(objective, Priced):
             return NOTHING_KEPT
         target = objective.target(self.setting, self._best.encoded)
         value = objective.minimised(self.setting, self._best)
@@ -264,7 +264,7 @@ class CapacityRelaxation:
 
     def _prices(self, graph: ClassGraph) -> Floats:
         """What every edge of a class costs in the objectives, the first of them above all."""
-        priced = [each for each in self.objectives if isinstance(each, PricedObjective)]
+        priced = [each for each in self.objectives if isinstance(each, Priced)]
         parts = [each.price(graph) for each in priced or [Travel()]]
         return np.asarray(sum(part * _LESSER**place for place, part in enumerate(parts)))
 

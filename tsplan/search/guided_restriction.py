@@ -23,7 +23,9 @@ from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
 
 _SECONDS = 10.0  # for the tokens
-_SLACKS = (0, 2, 6)  # steps that a plan may differ from the tokens it follows
+SLACKS = (0, 2, 6)
+"""Steps that a plan may differ from the tokens it follows."""
+
 _SPLIT = 1e4  # steps of moving that are worth a split
 
 
@@ -46,8 +48,8 @@ def guided(
     if whole is None:
         return
     best = np.inf
-    for slack in _SLACKS:
-        narrow = _near(encoded.model, encoded.swarms, tokens.tracks(whole), slack)
+    for slack in SLACKS:
+        narrow = near(encoded.model, encoded.swarms, tokens.tracks(whole), slack)
         values = solve(narrow.with_objective(splits))
         value = np.inf if values is None else float(np.round(splits @ values))
         if value < best:
@@ -79,7 +81,7 @@ def _least_moving(tokens: Tokens, values: Floats) -> Model:
     return model.with_fixed(fixed, values[fixed]).with_objective(price)
 
 
-def _near(model: Model, swarms: Sequence[Swarm], tracks: Sequence[Track], slack: int) -> Model:
+def near(model: Model, swarms: Sequence[Swarm], tracks: Sequence[Track], slack: int) -> Model:
     """The model in which swarms move along tracks, so many steps sooner or later, or wait there."""
     upper = model.upper.copy()
     for swarm, track in zip(swarms, tracks, strict=True):

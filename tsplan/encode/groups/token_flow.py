@@ -70,12 +70,7 @@ class Tokens:
         for columns, reduced, graph in zip(self._entered, self._reduced, self._graphs, strict=True):
             edge, step, column = columns.unrolled()
             taken = np.flatnonzero(values[column] > _SOME)
-            paths = [reduced.paths[short] for short in edge[taken].tolist()]
-            lasting = [graph.duration[path] for path in paths]
-            after = [np.cumsum(each) - each for each in lasting]
-            begun = [when + each for when, each in zip(step[taken].tolist(), after, strict=True)]
-            empty = np.empty(0, dtype=np.int64)
-            tracks.append(Track(np.concatenate([*paths, empty]), np.concatenate([*begun, empty])))
+            tracks.append(track_of(reduced, graph, edge[taken], step[taken]))
         return tracks
 
 
@@ -84,6 +79,16 @@ class Track(NamedTuple):
 
     edge: Ints
     step: Ints
+
+
+def track_of(reduced: Reduced, graph: ClassGraph, edge: Ints, step: Ints) -> Track:
+    """The edges of a map that edges of its reduction stand for, entered at some steps."""
+    paths = [reduced.paths[short] for short in edge.tolist()]
+    lasting = [graph.duration[path] for path in paths]
+    after = [np.cumsum(each) - each for each in lasting]
+    begun = [when + each for when, each in zip(step.tolist(), after, strict=True)]
+    empty = np.empty(0, dtype=np.int64)
+    return Track(np.concatenate([*paths, empty]), np.concatenate([*begun, empty]))
 
 
 def tokens(setting: Setting) -> Tokens:
