@@ -65,9 +65,7 @@ def prepare(
         plain=plain,
     )
     setting = _on_late_maps(setting) if setting.delay else setting
-    # quickest ways say nothing of uncertain moves
-    reducible = Switch.REDUCTION in switches and mission.expected is None
-    return on_reduced_maps(setting) if reducible else setting
+    return on_reduced_maps(setting)
 
 
 def delayed(setting: Setting, delay: int) -> Setting:
@@ -117,7 +115,12 @@ def _classes(
 
 
 def on_reduced_maps(setting: Setting) -> Setting:
-    """A setting of whole maps on reduced ones, or as it is where these would not be exact."""
+    """The setting on reduced maps, or on whole ones where these would not be exact."""
+    every = tuple(whole(item.graph) for item in setting.classes)
+    setting = replace(setting, reduced=every, monotone=False)
+    # quickest ways say nothing of uncertain moves
+    if Switch.REDUCTION not in setting.switches or setting.mission.expected is not None:
+        return setting
     if not all(objective.reducible(setting) for objective in objectives_of(setting.mission)):
         return setting
     interests = [_tolled(setting, item.graph) for item in setting.classes]

@@ -30,6 +30,7 @@ class Switch(StrEnum):
     DIVE = "dive"  # LP-guided dive for the first plan (search.dive)
     TOKENS = "tokens"  # swarms: fewest splits by tokens, a first plan along their ways
     TOURS = "tours"  # swarms: least travel by the ways of weighted tokens
+    LONE = "lone"  # swarms that need not split: each as one agent
     PLACES = "places"  # swarms: where groups are before how many agents they have
     TREE = "tree"  # a short search of our own before the solver's (search.branch_and_bound)
 

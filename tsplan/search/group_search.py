@@ -7,17 +7,16 @@ that leaves open is for the search of the whole model. In the end agents are sha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import even_shares, smallest
-from tsplan.encode.groups.token_flow import Track, tokens
-from tsplan.encode.groups.token_stops import Choices
-from tsplan.encode.groups.travellers import Travellers
+from tsplan.encode.groups.token_flow import tokens
 from tsplan.encode.model_objectives import GroupMoves, Splits
 from tsplan.encode.objective_kinds import Grouping
 from tsplan.encode.priced_objectives import Priced, Travel
@@ -25,14 +24,13 @@ from tsplan.encode.switches import Switch
 from tsplan.milp.confirmation import tried
 from tsplan.milp.model import Floats, Model
 from tsplan.search.effort import Effort
-from tsplan.search.guided_restriction import SLACKS, guided, near
+from tsplan.search.group_travel import GroupTravel
+from tsplan.search.guided_restriction import guided
 from tsplan.search.lexicographic import Found
 from tsplan.search.question import Kept, Question, start_in
 from tsplan.search.search import Search
-from tsplan.search.tour_search import TourSearch
 
 _COUNTING = 5.0  # seconds for agents to be counted into groups
-_TOURING = 20.0  # seconds for the ways of tokens
 _EVENING = 10.0  # seconds for each step of sharing agents evenly
 _LATE = 1.0  # seconds of that even where no time is left
 _SHORTENING = 3.0  # seconds for a point of few moves before agents' travel is minimised
@@ -68,44 +66,33 @@ class GroupSearch:
                 return Found(values, best, bound, proven=value <= bound)
         if objective.by_places and kept.by_places and Switch.PLACES in self.effort.switches:
             return self._by_places(question, bound)
-        if isinstance(objective, Priced) and Switch.TOURS in self.effort.switches:
-            bound = self._toured(question, objective)
+        if isinstance(objective, Priced):
+            bound = self._travelled(question, objective)
             point = self.known()
             value = np.inf if point is None else objective.minimised(self.setting, point)
             if point is not None and value <= bound:
                 return Found(point.values, value, bound, proven=True)
+            if np.isinf(bound) and bound > 0:
+                return Found(None, None, bound, proven=True)
         if objective.grouping is Grouping.FEW_MOVES and kept.by_places:
             self._shortened(question)
         return Found(None, None, bound, proven=False)
 
-    def _toured(self, question: Question, objective: Priced) -> float:
+    def _travelled(self, question: Question, objective: Priced) -> float:
         """A bound on a price where the number of splits is kept; plans that are found are kept."""
-        setting = replace(self.encoded.setting, clock=self.clock)
-        splits = [value for kept, value in question.kept.values if kept.name == Splits.name]
-        if not splits or setting.delay or setting.mission.expected is not None:
-            return -np.inf
         encoded = question.kept.narrowed(self.setting, self.encoded)
         target = objective.target(self.setting, encoded)
-        travellers = Travellers(setting, objective, round(splits[-1]))
-        choices = Choices(setting, travellers.tokens)
-
-        def realise(tracks: Sequence[Track]) -> float:
-            best = np.inf
-            model = encoded.model.with_objective(target.vector)
-            for slack in SLACKS[1:]:
-                values = self._solve(near(model, self.encoded.swarms, tracks, slack))
-                if values is not None and target.better(target.value(values), best):
-                    best = target.value(values)
-                    self.hear(question, self._point(values), None)
-            return best
-
-        search = TourSearch(travellers, choices, target, realise)
+        keep = partial(self._keep, question)
+        travel = GroupTravel(encoded, objective, self.effort, self.clock, keep)
         known, bound = self.known(), -np.inf
         value = np.inf if known is None else objective.minimised(self.setting, known)
-        for least in search.bounds(value, self.clock.within(_TOURING)):
+        for least in travel.bounds(question.kept.reached(Splits.name), value):
             bound = target.proven(least)
             self.hear(question, None, question.shown(target, bound))
         return bound
+
+    def _keep(self, question: Question, values: Floats) -> None:
+        self.hear(question, self._point(values), None)
 
     def _guided(self, question: Question) -> float:
         """A bound on the number of splits; plans that are found on the way are kept."""

@@ -31,6 +31,11 @@ class Kept:
         built = (int(v) for kept, v in self.values if kept.built and kept.name == name)
         return max(built, default=0)
 
+    def reached(self, name: str) -> int | None:
+        """The value of an objective of whole numbers that is kept, None where none is."""
+        found = [round(value) for kept, value in self.values if kept.name == name]
+        return found[-1] if found else None
+
     @property
     def by_places(self) -> bool:
         """Whether it says nothing about how many agents groups have."""

@@ -122,7 +122,7 @@ class Tours:
     def _staying(self) -> Iterator[_Stay]:
         """The stays that calls of more than a step take, and those that overlapping ones take."""
         journey = self._journey
-        nodes = {call.nodes[0] for call in self._calls for a, b in call.runs if a < b}
+        nodes = {node for call in self._calls for a, b in call.runs for node in call.nodes if a < b}
         for node in sorted(nodes):
             here = [n for n, call in enumerate(self._calls) if node in call.nodes]
             long = {run for n in here for run in self._calls[n].runs if run[0] < run[1]}
