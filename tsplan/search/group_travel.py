@@ -85,9 +85,17 @@ class GroupTravel:
 
         return Search(encoded, target, self.effort, self.clock, report).minimise().bound
 
-    def _near(self, ways: Sequence[Track]) -> float:
-        """The price of the best plan near some ways, infinite if none is found."""
-        return min(self._along(ways, slack) for slack in SLACKS[1:])
+    def _near(self, ways: Sequence[Track], least: float) -> float:
+        """The price of the best plan near some ways, infinite if none is found.
+
+        None of less than some price is there.
+        """
+        best = np.inf
+        for slack in SLACKS:
+            best = min(best, self._along(ways, slack))
+            if best <= least or self.clock.over:
+                break
+        return best
 
     def _along(self, ways: Sequence[Track], slack: int) -> float:
         """The same, so many steps sooner or later at most."""

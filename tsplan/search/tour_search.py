@@ -24,8 +24,11 @@ from tsplan.encode.groups.token_weights import weightings
 from tsplan.encode.groups.travellers import Shared, Travellers
 from tsplan.milp.target import Target
 
-Realise = Callable[[Sequence[Track]], float]
-"""What the best plan costs that is found near the ways of all swarms; infinite for none."""
+Realise = Callable[[Sequence[Track], float], float]
+"""What the best plan costs that is found near the ways of all swarms; infinite for none.
+
+It is told what plans cost at least.
+"""
 
 _MEANT = 2
 
@@ -54,6 +57,7 @@ class TourSearch:
         self._weightings = weightings(travellers.origins, travellers.splits, wanted)
         self._order = count()
         self._known = self._stuck = np.inf
+        self._seen: set[tuple[bytes, ...]] = set()
 
     def bounds(self, known: float, clock: Clock) -> Iterator[float]:
         """Better and better bounds on the price of all plans, infinite if there is no plan.
@@ -100,8 +104,7 @@ class TourSearch:
         """The nodes below one that may still hold better plans than those found."""
         halves = self._disagreeing(node)
         if halves is None:
-            tracks = self._travellers.tracks(node.shared)
-            self._known = min(self._known, self._realise(tracks))
+            self._look_near(node)
             if not self._promising(node.price):
                 return
             halves = self._widest(node.bounds)
@@ -112,6 +115,14 @@ class TourSearch:
             inner = self._choices.settled(node.bounds.without(half))
             if inner is not None:
                 yield from self._node(inner, node.depth - 1)
+
+    def _look_near(self, node: _Node) -> None:
+        """Look for plans near the ways of a node, where it has not been done before."""
+        tracks = self._travellers.tracks(node.shared)
+        key = tuple(part.tobytes() for track in tracks for part in track)
+        if key not in self._seen:
+            self._seen.add(key)
+            self._known = min(self._known, self._realise(tracks, node.price))
 
     # --- branching -------------------------------------------------------------------------------
 
