@@ -30,7 +30,8 @@ Realise = Callable[[Sequence[Track], float], float]
 It is told what plans cost at least.
 """
 
-_MEANT = 2
+_SEVERAL = 2
+_TRIES = 8  # ways near which plans of a price are looked for
 
 
 class _Node(NamedTuple):
@@ -107,7 +108,8 @@ class TourSearch:
             self._look_near(node)
             if not self._promising(node.price):
                 return
-            halves = self._widest(node.bounds)
+            # other ways of the same price may do, but not often
+            halves = self._widest(node.bounds) if len(self._seen) < _TRIES else None
         if halves is None:
             self._stuck = min(self._stuck, node.price)
             return
@@ -153,7 +155,7 @@ class TourSearch:
     def _ordered(self, bounds: Bounds) -> list[list[int]]:
         """The choices that must be made and are open, each in the order of time."""
         sets = self._choices.certain(bounds)
-        return [sorted(each, key=self._choices.step) for each in sets if len(each) >= _MEANT]
+        return [sorted(each, key=self._choices.step) for each in sets if len(each) >= _SEVERAL]
 
 
 def _between(asked: Sequence[Sequence[Stop]], made: Sequence[Sequence[bool]]) -> tuple[int, int]:
