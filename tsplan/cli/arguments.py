@@ -137,6 +137,7 @@ def _explain(commands: Commands) -> None:
     add("--fix", type=_count, metavar="N", help="write the mission after change N")
     add("-o", "--output", type=Path, metavar="FILE", help="where --fix writes it")
     add("--json", action="store_true", help="print the JSON alone")
+    add("--quiet", action="store_true", help="no progress")
 
 
 def _check(commands: Commands) -> None:

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+import time
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, cast
 
 from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_to_solve
-from tsplan.cli.output import ERR, attempted, console, remark, say_json
+from tsplan.cli.output import attempted, console, remark, say_json
+from tsplan.cli.progress import Progress
 from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
-from tsplan.explanation.explanation import Cut, Explanation, Status
-from tsplan.explanation.report import print_explanation
+from tsplan.explanation.explanation import Cut, Explanation, Found, Status
+from tsplan.explanation.report import Report
 from tsplan.process.child_process import ENDED, Leash, reason_of, run_guarded
 from tsplan.process.interrupt import Requests
+from tsplan.run.events import Bound, Stage
 
 if TYPE_CHECKING:
     import argparse
@@ -32,35 +35,47 @@ def run(options: argparse.Namespace) -> Exit:
     if (options.fix is None) != (options.output is None):
         raise InputError([Finding("--fix and -o need each other", "say --fix N -o FILE")])
     mission, choice, _ = mission_to_solve(options, "the mission")
-    requests, unwritten = Requests(what=b"what is known"), None
+    requests, unwritten = Requests(quiet=options.quiet, what=b"what is known"), None
+    report = None
+    if not options.json:
+        report = Report(mission, console(_PIPE_WIDTH), several=options.all)
     with requests.heard():
-        explanation = _explained(mission, choice, options, requests)
+        with Progress(quiet=options.quiet) as progress:
+            heard = _Heard(mission.name, report, progress)
+            explanation = _explained(mission, choice, options, requests, heard)
         if options.fix is not None:
             unwritten = attempted(lambda: _write(mission, explanation, options))
-    if options.json:
+    if report is None:
         say_json(explanation.to_json())
     else:
-        print_explanation(explanation, mission, console(_PIPE_WIDTH))
+        report.finish(explanation)
     if unwritten is not None:
         raise unwritten
     return Exit.NO_PLAN if explanation.status is Status.NO_ANSWER else Exit.DONE
 
 
-@dataclass(eq=False, slots=True)
 class _Heard:
-    """What the child has said so far: the stage it is in, and what it knows."""
+    """What the child has said so far: the stage it is in, and what it has found, told at once."""
 
-    stage: str
-    known: Explanation
+    def __init__(self, name: str, report: Report | None, progress: Progress) -> None:
+        self.known = Explanation(Status.NO_ANSWER, name)
+        self.stage = "facts"
+        self._report = report
+        self._progress = progress
+        self._began = time.monotonic()
 
-    def hear(self, news: str | Explanation) -> None:
-        """Take in what the child says."""
-        if isinstance(news, Explanation):
-            self.known = news
+    def hear(self, news: str | Found) -> None:
+        """Take in what the child says: the stage it is in or goes on with, or what it has found."""
+        if isinstance(news, Status) or not isinstance(news, str):
+            self._progress.pause()
+            self.known = self.known.with_found(news)
+            if self._report is not None:
+                self._report.tell(news)
             return
-        self.stage = news
-        if ERR.isatty():
-            remark(f"{news} ...")
+        elapsed = time.monotonic() - self._began
+        same, self.stage = news == self.stage and elapsed > 0, news
+        event = Bound(news, None, None, elapsed) if same else Stage(news, elapsed)
+        self._progress.tell(event)
 
     def given_up(self, why: StoppedBy) -> Explanation:
         """What was known when the child had to be ended, or ended by itself, with the reason."""
@@ -68,13 +83,16 @@ class _Heard:
 
 
 def _explained(
-    mission: AnyMission, choice: SolverChoice, options: argparse.Namespace, requests: Requests
+    mission: AnyMission,
+    choice: SolverChoice,
+    options: argparse.Namespace,
+    requests: Requests,
+    heard: _Heard,
 ) -> Explanation:
     """The explanation, made in a child process: a crash of native code becomes a message.
 
     What the child has handed over is kept where it does not come to an end.
     """
-    heard = _Heard("facts", Explanation(Status.NO_ANSWER, mission.name))
     keywords = {
         "slack": options.slack,
         "time_limit": choice.time_limit,
@@ -91,7 +109,7 @@ def _explained(
 
 
 def _job(
-    given: tuple[AnyMission, bool, dict[str, Any]], send: Callable[[str | Explanation], object]
+    given: tuple[AnyMission, bool, dict[str, Any]], send: Callable[[str | Found], object]
 ) -> Explanation:
     """The child's part."""
     from tsplan.explanation.whynot.diagnosis import MOST_CONFLICTS, explain  # noqa: PLC0415  (slow)
@@ -106,11 +124,11 @@ def _write(mission: AnyMission, explanation: Explanation, options: argparse.Name
     from tsplan.explanation.whynot.rewriting import rewritten  # noqa: PLC0415  (rarely needed)
 
     output: Path = options.output
-    if not 1 <= options.fix <= len(explanation.changes):
-        known = f"there are {len(explanation.changes)}" if explanation.changes else "there is none"
+    changed = {change.fix: change.mission for change in explanation.changes}
+    if options.fix not in changed:
+        known = f"there are {len(changed)}" if changed else "there is none"
         raise InputError([Finding(f"there is no change {options.fix}; {known}", "choose another")])
-    changed = explanation.changes[options.fix - 1].mission
-    written = rewritten(mission, changed, options.mission.parent, output.parent)
+    written = rewritten(mission, changed[options.fix], options.mission.parent, output.parent)
     write_whole(output, written.text.encode())
     if written.comments_lost:
         remark(f"{output}: some comments of the mission could not be kept")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, get_args
 
 if TYPE_CHECKING:
-    from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
+    from tsplan.explanation.whynot.mission_numbers import Edit
     from tsplan.signals.result_check import AnyMission
 
 FORMAT = "tsplan-explanation/1"
@@ -29,6 +29,29 @@ PartKind: TypeAlias = Literal[
     "limit",
     "signal",
 ]
+ChangeKind: TypeAlias = Literal[
+    "extend_deadline",
+    "start_sooner",
+    "shorten_window",
+    "loosen_limit",
+    "loosen_bound",
+    "more_subswarms",
+    "shorten_task",
+    "share_agents",
+    "waiting",
+    "edge",
+    "reconfigure",
+    "add_agents",
+    "carry_more",
+    "add_stock",
+    "lower_need",
+    "move_threshold",
+    "widen_start",
+    "shorten_mission",
+]
+ORDER: tuple[ChangeKind, ...] = get_args(ChangeKind)
+"""Changes of equal amounts are ranked in this order."""
+
 Cut: TypeAlias = Literal["interrupt", "time_limit", "memory", "precision", "patience"]
 """Why something was not looked at to its end: the run was interrupted, its time was up, the
 system's memory was, a solver's precision did not do, or one question took longer than its share of
@@ -110,7 +133,7 @@ class Change:
 
     With `proven`, a verified plan shows that the changed mission can be met, and it could not with
     less: with one less of a whole number, with `within` less of a real one. `mission` is the
-    changed mission, `steps` says how far each edit went.
+    changed mission, `steps` says how far each edit went. `fix` numbers changes as they are found.
     """
 
     kind: ChangeKind
@@ -120,9 +143,24 @@ class Change:
     mission: AnyMission = field(repr=False, compare=False)
     steps: tuple[tuple[Edit, int], ...] = field(default=(), repr=False, compare=False)
     within: float = 1
+    fix: int = field(default=0, compare=False)
 
 
-_TOLD_OF_CHANGES = ("kind", "text", "amount", "proven", "within")
+@dataclass(frozen=True, slots=True)
+class Likely:
+    """What may be to blame, or may help: nothing proves it, as the time did not do.
+
+    It is about a `conflict`, where no conflict could be proven, or about a `change`.
+    """
+
+    kind: Literal["conflict", "change"]
+    text: str
+    place: Place = Place()
+
+
+Found: TypeAlias = Status | Fact | Conflict | Change | Likely
+"""What is told as soon as it is found: the outcome, then facts, conflicts, changes, in this order;
+of facts that take solves some come after the first conflict. Last comes what is likely."""
 
 
 @dataclass(frozen=True)
@@ -130,7 +168,7 @@ class Explanation:
     """Why a mission cannot be met and what would help; for one that can, what is tight.
 
     `cut` says which stages (`facts`, `conflicts`, `changes`, `tight`, `slack`) were cut short, and
-    why: there may be more than they found.
+    why: there may be more than they found. What is `likely` stands for what they could not prove.
     """
 
     status: Status
@@ -138,8 +176,22 @@ class Explanation:
     facts: tuple[Fact, ...] = ()
     conflicts: tuple[Conflict, ...] = ()
     changes: tuple[Change, ...] = ()
+    likely: tuple[Likely, ...] = ()
     timings: Mapping[str, float] = field(default_factory=dict)
     cut: Mapping[str, Cut] = field(default_factory=dict)
+
+    def with_found(self, item: Found) -> Explanation:
+        """The explanation with one thing more; whoever hears all that is found knows it all."""
+        match item:
+            case Status():
+                return replace(self, status=item)
+            case Fact():
+                return replace(self, facts=(*self.facts, item))
+            case Conflict():
+                return replace(self, conflicts=(*self.conflicts, item))
+            case Likely():
+                return replace(self, likely=(*self.likely, item))
+        return replace(self, changes=ranked([*self.changes, item]))
 
     def to_json(self) -> str:
         """The explanation as a `tsplan-explanation/1` document, with a line break at its end."""
@@ -154,17 +206,26 @@ class Explanation:
             "changes": [
                 {
                     key: getattr(change, key)
-                    for key in ("kind", "text", "amount", "proven", "within")
+                    for key in ("kind", "text", "amount", "proven", "within", "fix")
                 }
                 for change in self.changes
             ],
+            "likely": [_located(likely) for likely in self.likely],
             "cut_short": dict(self.cut),
             "timings": dict(self.timings),
         }
         return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _located(said: Fact | Part) -> dict[str, Any]:
+def ranked(changes: Iterable[Change]) -> tuple[Change, ...]:
+    """The changes, smallest amounts first, each text once."""
+    distinct = {change.text: change for change in changes}
+    return tuple(
+        sorted(distinct.values(), key=lambda item: (item.amount, ORDER.index(item.kind), item.text))
+    )
+
+
+def _located(said: Fact | Part | Likely) -> dict[str, Any]:
     """Words with their kind and place; places that are not known are null."""
     place = said.place
     return {"kind": said.kind, "text": said.text, "line": place.line, "column": place.column}

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple
+from dataclasses import astuple, dataclass, field
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import (
+    Change,
     Conflict,
     Cut,
     Explanation,
     Fact,
+    Found,
+    Likely,
     Part,
     Status,
 )
@@ -21,7 +24,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from rich.console import Console
-    from rich.table import Table
 
     from tsplan.signals.result_check import AnyMission
 
@@ -38,6 +40,14 @@ _REASONS: dict[Cut, str] = {
     "precision": "the solver was not precise enough",
     "patience": "some questions took too long",
 }
+_TITLES = {
+    "facts": "facts that forbid every plan:",
+    "tight": "what is tight:",
+    "changes": "changes after which there is a plan:",
+    "likely conflict": "likely in the way, not proven:",
+    "likely change": "likely to help, not proven:",
+}
+_ROOM = 33  # columns of a table of changes beside their words
 _STAGES = {
     "facts": "there may be more facts",
     "conflicts": "there may be other conflicts, or smaller ones",
@@ -49,17 +59,126 @@ _STAGES = {
 
 def print_explanation(explanation: Explanation, mission: AnyMission, console: Console) -> None:
     """Print everything that an explanation says."""
-    for line in lines_of(explanation, mission, console.width):
-        console.out(visible(line, "\n"), highlight=False)
-    if explanation.changes:
-        console.out("\nchanges after which there is a plan:", highlight=False)
-        with console.capture() as text:
-            console.print(_changes(explanation), highlight=False, markup=False)
-        for line in text.get().splitlines():
-            console.out(line.rstrip(), highlight=False)
-    for line in _shortened(explanation):
-        console.out(f"\n{line}", highlight=False)
-    console.out(f"\n  {explanation.timings.get('total', 0.0):.2f} s", highlight=False)
+    report = Report(mission, console, several=len(explanation.conflicts) > 1)
+    for line in report.lines_until(explanation):
+        report.say(line)
+
+
+def lines_of(explanation: Explanation, mission: AnyMission, width: int) -> Iterator[str]:
+    """The same, line by line; sentences are folded to a width."""
+    from rich.console import Console  # noqa: PLC0415  (slow to import)
+
+    several = len(explanation.conflicts) > 1
+    return Report(mission, Console(width=width), several=several).lines_until(explanation)
+
+
+@dataclass(eq=False)
+class Report:
+    """Prints what is found while it is found, each kind below a title of its own.
+
+    With `several` conflicts they are numbered. `tell` is made to be heard by `explain`:
+
+    >>> import tsplan
+    >>> from rich.console import Console
+    >>> from tsplan.explanation.report import Report
+    >>> mission = tsplan.load_mission("mission.yaml")
+    >>> report = Report(mission, Console(width=80))
+    >>> made = tsplan.explain(mission, on_found=report.tell)
+    corridor: there is a plan
+    >>> report.finish(made)  # what is likely, what was cut short, and how long it took
+    """
+
+    mission: AnyMission
+    console: Console
+    several: bool = False
+    known: Explanation = field(init=False)
+    _title: str = field(default="", init=False)
+
+    def __post_init__(self) -> None:
+        self.known = Explanation(Status.NO_ANSWER, self.mission.name)
+
+    def say(self, line: str) -> None:
+        """Print a line, and do not hold it back."""
+        self.console.out(visible(line, "\n"), highlight=False)
+
+    def tell(self, item: Found) -> None:
+        """Print something that was found."""
+        for line in self.lines(item):
+            self.say(line)
+
+    def finish(self, explanation: Explanation) -> None:
+        """Print what is said at the end alone."""
+        for line in self.last_lines(explanation):
+            self.say(line)
+
+    def lines_until(self, explanation: Explanation) -> Iterator[str]:
+        """All lines of an explanation."""
+        known = explanation.facts, explanation.conflicts, _as_found(explanation)
+        told: tuple[Found, ...] = (*known[0], *known[1], *known[2])
+        if explanation.status is not Status.NO_ANSWER:
+            yield from self.lines(explanation.status)
+        for item in told:
+            yield from self.lines(item)
+        yield from self.last_lines(explanation)
+
+    def lines(self, item: Found) -> Iterator[str]:
+        """What is said of something that was found; of what is likely, nothing before the end."""
+        self.known = self.known.with_found(item)
+        width = self.console.width
+        match item:
+            case Status():
+                yield from _outcome(self.mission, item, "")
+            case Fact():
+                feasible = self.known.status is Status.FEASIBLE
+                yield from self._below("tight" if feasible else "facts")
+                yield from _folded(item, width)
+            case Conflict():
+                self._title = ""
+                yield f"\n{_conflict_title(item, len(self.known.conflicts) * self.several)}"
+                yield from _conflict_lines(self.mission, item, width)
+            case Change():
+                if self._title != "changes":
+                    yield from self._below("changes")
+                    yield _row(("fix", "change", "by", "least"), width)
+                yield from _change_lines(item, width)
+
+    def _below(self, title: str) -> Iterator[str]:
+        if title != self._title:
+            self._title = title
+            yield f"\n{_TITLES[title]}"
+
+    def last_lines(self, explanation: Explanation) -> Iterator[str]:
+        """What is likely, the order of the changes, what was cut short, and the time."""
+        if self.known.status is not explanation.status:
+            yield from _outcome(self.mission, explanation.status, _why_open(explanation))
+        amounts = [change.amount for change in _as_found(explanation)]
+        if amounts != sorted(amounts):
+            yield f"\nthe smallest first: {', '.join(str(c.fix) for c in explanation.changes)}"
+        for item in explanation.likely:
+            yield from self._below(f"likely {item.kind}")
+            yield from _folded(item, self.console.width)
+        for line in _shortened(explanation):
+            yield f"\n{line}"
+        yield f"\n  {explanation.timings.get('total', 0.0):.2f} s"
+
+
+def _as_found(explanation: Explanation) -> list[Change]:
+    """The changes in the order in which they were found."""
+    return sorted(explanation.changes, key=lambda item: item.fix)
+
+
+def _why_open(explanation: Explanation) -> str:
+    """Why it stays open whether there is a plan."""
+    if explanation.status is not Status.NO_ANSWER:
+        return ""
+    why = {*explanation.cut.values()} & {"interrupt", "precision"}
+    return f"; {_REASONS[min(why)]}" if why else "; try a longer time limit"
+
+
+def _outcome(mission: AnyMission, status: Status, why: str) -> Iterator[str]:
+    yield f"{mission.name or 'mission'}: {_OUTCOME[status]}{why}"
+    if mission.partial and status is Status.EXPLAINED:
+        yield "  by which all of it holds; `tsplan plan` does as much of it as can be done"
 
 
 def _shortened(explanation: Explanation) -> Iterator[str]:
@@ -72,40 +191,24 @@ def _shortened(explanation: Explanation) -> Iterator[str]:
             yield f"{words}: {'; '.join(found)}"
 
 
-def lines_of(explanation: Explanation, mission: AnyMission, width: int) -> Iterator[str]:
-    """Outcome, facts and conflicts, line by line; sentences are folded to a width."""
-    outcome = _OUTCOME[explanation.status]
-    if explanation.status is Status.NO_ANSWER:
-        why = {*explanation.cut.values()} & {"interrupt", "precision"}
-        outcome += f"; {_REASONS[min(why)]}" if why else "; try a longer time limit"
-    yield f"{explanation.name or 'mission'}: {outcome}"
-    if mission.partial and explanation.status is Status.EXPLAINED:
-        yield "  by which all of it holds; `tsplan plan` does as much of it as can be done"
-    if explanation.facts:
-        feasible = explanation.status is Status.FEASIBLE
-        yield "\nwhat is tight:" if feasible else "\nfacts that forbid every plan:"
-        for fact in explanation.facts:
-            yield from _folded(fact, width)
-    text = mission.text if mission.origin is None else mission.origin.content
-    for number, conflict in enumerate(explanation.conflicts, start=1):
-        yield f"\n{_title(conflict, number, explanation)}"
-        yield from _marked(text, [part for part in conflict.parts if part.kind == "formula"])
-        for part in conflict.parts:
-            if part.kind != "formula":
-                yield from _folded(part, width)
-
-
-def _title(conflict: Conflict, number: int, explanation: Explanation) -> str:
-    which = f"conflict {number}" if len(explanation.conflicts) > 1 else "conflict"
+def _conflict_title(conflict: Conflict, number: int) -> str:
+    which = f"conflict {number}" if number else "conflict"
     if not conflict.minimal:
-        why = _REASONS[explanation.cut.get("conflicts", "patience")]
-        return f"{which}: these cannot hold together (not proven minimal: {why})"
+        return f"{which}: these cannot hold together (likely not all of them: not proven minimal)"
     if len(conflict.parts) == 1:
         return f"{which}: this alone cannot hold"
     return f"{which}: these cannot hold together, and without any one of them the rest can"
 
 
-def _folded(item: Fact | Part, width: int) -> list[str]:
+def _conflict_lines(mission: AnyMission, conflict: Conflict, width: int) -> Iterator[str]:
+    text = mission.text if mission.origin is None else mission.origin.content
+    yield from _marked(text, [part for part in conflict.parts if part.kind == "formula"])
+    for part in conflict.parts:
+        if part.kind != "formula":
+            yield from _folded(part, width)
+
+
+def _folded(item: Fact | Part | Likely, width: int) -> list[str]:
     """A sentence with its place, its further lines indented."""
     place = item.place
     return wrap(
@@ -140,19 +243,18 @@ def _marked(content: str, parts: Sequence[Part]) -> Iterator[str]:
         yield f"  {'':>{width}} | {below.rstrip()}"
 
 
-def _changes(explanation: Explanation) -> Table:
-    from rich.table import Table  # noqa: PLC0415  (slow to import)
-    from rich.text import Text  # noqa: PLC0415
+def _change_lines(change: Change, width: int) -> Iterator[str]:
+    """A change as lines of a table."""
+    sure = "proven" if change.proven else "likely, not proven"
+    if change.proven and change.within < 1:
+        sure = f"{sure} to {number_text(change.within)}"
+    room = width - _ROOM
+    first, *more = wrap(visible(change.text), room, break_on_hyphens=False) or [""]
+    yield _row((str(change.fix or 1), first, number_text(change.amount), sure), width)
+    for line in more:
+        yield _row(("", line, "", ""), width)
 
-    table = Table(box=None, pad_edge=False, show_edge=False, padding=(0, 1))
-    table.add_column("fix", justify="right")
-    table.add_column("change", overflow="fold", ratio=1)
-    table.add_column("by", justify="right")
-    table.add_column("least")
-    for number, change in enumerate(explanation.changes, start=1):
-        sure = "proven" if change.proven else "not proven"
-        if change.proven and change.within < 1:
-            sure = f"{sure} to {number_text(change.within)}"
-        cells = (str(number), visible(change.text), number_text(change.amount), sure)
-        table.add_row(*map(Text, cells))  # as a text, no part of it is read as rich's own marks
-    return table
+
+def _row(cells: tuple[str, str, str, str], width: int) -> str:
+    fix, change, by, least = cells
+    return f"{fix:>3}  {change:<{width - _ROOM}}  {by:>4}  {least}".rstrip()

@@ -92,6 +92,16 @@ class Problem:
         self._maximised = False
         self._setting: Setting | None = None
 
+    def tuned(self, tuning: Tuning) -> Problem:
+        """The same problem, encoded in another way."""
+        other = Problem(self.mission, tuning)
+        other.__dict__.update(
+            _constraints=[*self._constraints],
+            _objective=self._objective,
+            _maximised=self._maximised,
+        )
+        return other
+
     def count(self, place: str, capability: str | None = None, *, step: int) -> Expression:
         """Agents with a capability (None: all) at a state, or at a label's states, at a step.
 

@@ -2,6 +2,8 @@
 
 A change moves one number of the mission. Its least amount is found by doubling and bisection: at
 the end there is a plan of the mission changed by the amount, and a proof that one less does not do.
+Plans are found much sooner than it is proven that there is none, so that at first whatever takes
+long counts as impossible; only what is next to the amount found in this way is asked patiently.
 Where no single change helps, the least total over a few numbers is found level by level: at every
 total, vectors are ruled out a prefix at a time by giving all of the rest to every later one.
 """
@@ -14,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from tsplan.errors import MissionError
 from tsplan.explanation.explanation import Change, SoftConstraint
-from tsplan.explanation.whynot.mission_numbers import ORDER, Edit
+from tsplan.explanation.whynot.mission_numbers import Edit
 from tsplan.explanation.whynot.oracle import EnoughError
 
 if TYPE_CHECKING:
@@ -24,6 +26,9 @@ if TYPE_CHECKING:
 
 Step: TypeAlias = tuple[Edit, int]
 """An edit, and how far it goes."""
+
+Possible: TypeAlias = Callable[[int], bool | None]
+"""Whether an amount will do; None where that is not found out."""
 
 _SECONDS = 5.0  # of solves in the search for a smaller total
 
@@ -43,12 +48,12 @@ class Least(NamedTuple):
 
 
 def least(
-    possible: Callable[[int], bool | None], most: int, guess: int | None = None
+    possible: Possible, most: int, guess: int | None = None, hasty: Possible | None = None
 ) -> Least | None:
     """The least amount in 1..most that is possible; None if there is none or it is not found.
 
     A guess is looked at first: if an amount near it is possible and a smaller one near it is not,
-    that will do.
+    that will do. What `hasty` calls possible is so; it may miss that others are.
 
     >>> least(lambda amount: amount >= 5, 100)
     Least(amount=5, proven=True)
@@ -56,28 +61,28 @@ def least(
     near = None if guess is None else _near(possible, min(guess, most), most)
     if near is not None:
         return near
-    low, high, proven = 0, 1, True
-    while True:
-        answer = possible(min(high, most))
-        if answer:
-            break
-        proven = proven and answer is False
+    look = hasty or possible
+    low, high = 0, 1
+    while not look(min(high, most)):
         if high >= most:
-            return None
+            if hasty is None or not possible(most):
+                return None
+            break
         low, high = high, 2 * high
     high = min(high, most)
-    # impossible at `low`, possible at `high`
+    # possible at `high`, and not seen to be at `low`
     while high - low > 1:
         middle = (low + high) // 2
-        answer = possible(middle)
-        if answer:
-            high = middle
-        else:
-            low, proven = middle, answer is False
-    return Least(high, proven)
+        low, high = (low, middle) if look(middle) else (middle, high)
+    while high > 1:
+        answer = possible(high - 1)
+        if not answer:
+            return Least(high, answer is False)
+        high -= 1
+    return Least(high, proven=True)
 
 
-def _near(possible: Callable[[int], bool | None], guess: int, most: int) -> Least | None:
+def _near(possible: Possible, guess: int, most: int) -> Least | None:
     """The least amount from a guess on; None where that is no good."""
     low, high, gap = guess - 1, guess, 1
     while not possible(high):
@@ -122,7 +127,12 @@ class Repairs:
             return None
         open_ = set(self.oracle.unanswered)
         guess = self.oracle.subject.guessed(edit, self.ask)
-        found = least(lambda amount: self.possible([(edit, amount)]), edit.most, guess)
+        found = least(
+            lambda amount: self.possible([(edit, amount)]),
+            edit.most,
+            guess,
+            lambda amount: self.hastily([(edit, amount)]),
+        )
         made = None if found is None else self.made([(edit, found.amount)])
         if made is not None and made.proven:  # what has no answer on the border changes nothing
             self.oracle.unanswered.intersection_update(open_)
@@ -152,6 +162,28 @@ class Repairs:
             if found is not None:
                 return self.made(found)
         return None
+
+    def lowered(self, ways: Sequence[Step]) -> list[Step] | None:
+        """Each way as short as it can be beside the others; None if there is no plan after all."""
+        steps = list(ways)
+        if not self.possible(steps):
+            return None
+        for place, (edit, amount) in enumerate(steps):
+            before, after = steps[:place], steps[place + 1 :]
+            beside = self.changed([*before, *after])
+            guess = None
+            if beside is not None:
+                guess = self.oracle.subject.about(beside).guessed(edit, self.ask)
+            found = least(
+                lambda less, edit=edit, before=before, after=after: (  # type: ignore[misc]  # bound now
+                    self.possible([*before, (edit, less), *after]) is True
+                ),
+                amount,
+                guess,
+            )
+            if found is not None:
+                steps[place] = (edit, found.amount)
+        return steps
 
     @property
     def _exhausted(self) -> bool:
@@ -209,11 +241,28 @@ class Repairs:
         """Whether the mission can be met after several changes; None where it is not found out."""
         key = tuple(step for step in steps if step[1])
         if key not in self._answers:
-            try:
-                self._answers[key] = self._asked(key)
-            except EnoughError:
+            answer = self._answer(key)
+            if answer is None and self.oracle.refuses():
                 return None
+            self._answers[key] = answer
         return self._answers[key]
+
+    def hastily(self, steps: Sequence[Step]) -> bool | None:
+        """The same, given up as soon as it takes several times as long as plans took so far."""
+        key = tuple(step for step in steps if step[1])
+        if key not in self._answers:
+            with self.oracle.hasty():
+                answer = self._answer(key)
+            if answer is None:
+                return None
+            self._answers[key] = answer
+        return self._answers[key]
+
+    def _answer(self, key: tuple[Step, ...]) -> bool | None:
+        try:
+            return self._asked(key)
+        except EnoughError:
+            return None
 
     def _asked(self, steps: Sequence[Step]) -> bool | None:
         if not steps:
@@ -232,16 +281,21 @@ class Repairs:
         return next(self.oracle.subject.about(changed).facts(), None) is not None
 
 
+def fewest(oracle: Oracle, edits: Sequence[Edit]) -> list[Step] | None:
+    """By how little some edits do together, as far as that is found in the oracle's patience.
+
+    A plan for it was found; that less does not do is not known. None where no plan was found.
+    """
+    problem = oracle.subject.shortage(edits)
+    if problem is None:
+        return None
+    with oracle.unnoticed():
+        plan = oracle.planned(problem.problem, oracle.patience, problem.enough)
+    return problem.steps(plan) if plan is not None and plan.has_paths else None
+
+
 def applied(mission: AnyMission, steps: Sequence[Step]) -> AnyMission:
     """The mission after several changes."""
     for edit, amount in steps:
         mission = edit.applied(mission, amount)
     return replace(mission, digest="")
-
-
-def ranked(changes: Sequence[Change]) -> tuple[Change, ...]:
-    """The changes, smallest amounts first, each text once."""
-    distinct = {change.text: change for change in changes}
-    return tuple(
-        sorted(distinct.values(), key=lambda item: (item.amount, ORDER.index(item.kind), item.text))
-    )

@@ -54,11 +54,13 @@ class Finder:
         self._sure = True
         facts = [fact for fact in self.facts if fact <= constraints]
         conjuncts = [group & constraints for group in self.groups if group & constraints]
-        kept = self._least(frozenset().union(*facts), conjuncts)
+        every: Set = frozenset().union(*facts)
+        kept = self._least(every, conjuncts)
         fine = [frozenset({part}) for group in kept for part in sorted(group, key=repr)]
-        # whole formula parts, then the facts: most of them go at once
-        left = self._least(frozenset(), [*fine, *facts])
-        return Core(frozenset().union(*left), self._sure)
+        parts = frozenset().union(*self._least(every, fine))
+        bounds = frozenset().union(*self._least(parts, facts))
+        # without a part all facts together can be met, and so can the fewer that are left
+        return Core(parts | bounds, self._sure)
 
     def others(self, core: Core, most: int) -> Iterator[Core]:
         """Up to `most` conflicts that differ from `core` and from each other."""

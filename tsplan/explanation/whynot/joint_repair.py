@@ -17,13 +17,14 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any
 
+from tsplan.explanation.explanation import ORDER
 from tsplan.explanation.whynot.changes import Repairs, Step, least
 from tsplan.explanation.whynot.conflicts import Finder
-from tsplan.explanation.whynot.mission_numbers import MOST_STEPS, ORDER
+from tsplan.explanation.whynot.mission_numbers import MOST_STEPS
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import Change, SoftConstraint
-    from tsplan.explanation.whynot.mission_numbers import ChangeKind, Edit
+    from tsplan.explanation.explanation import Change, ChangeKind, SoftConstraint
+    from tsplan.explanation.whynot.mission_numbers import Edit
     from tsplan.explanation.whynot.oracle import Oracle
     from tsplan.explanation.whynot.subject import Subject
 
@@ -54,7 +55,7 @@ class JointRepair:
     def change(self, conflict: frozenset[SoftConstraint]) -> Change | None:
         """A change that resolves a conflict and all others; None if none is found in time."""
         ways = self._ways(conflict)
-        small = self._lowered(self._needed(ways)) if ways else None
+        small = self.repairs.lowered(self._needed(ways)) if ways else None
         if small is None:
             return None
         found = [edit for edit, _ in small]
@@ -154,25 +155,3 @@ class JointRepair:
             if self.repairs.possible(fewer):
                 kept = fewer
         return kept if len(kept) == len(ways) else self._needed(kept)
-
-    def _lowered(self, ways: Sequence[Step]) -> list[Step] | None:
-        """Each way as short as it can be beside the others; None if there is no plan after all."""
-        steps = list(ways)
-        if not self.repairs.possible(steps):
-            return None
-        for place, (edit, amount) in enumerate(steps):
-            before, after = steps[:place], steps[place + 1 :]
-            beside = self.repairs.changed([*before, *after])
-            guess = None
-            if beside is not None:
-                guess = self.subject.about(beside).guessed(edit, self.repairs.ask)
-            found = least(
-                lambda less, edit=edit, before=before, after=after: (  # type: ignore[misc]  # bound now
-                    self.repairs.possible([*before, (edit, less), *after]) is True
-                ),
-                amount,
-                guess,
-            )
-            if found is not None:
-                steps[place] = (edit, found.amount)
-        return steps

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, get_args
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.exact import exact
 from tsplan.explanation.whynot.amount_numbers import carried, put_carried, put_stock, stock
@@ -23,32 +23,11 @@ from tsplan.ts.waits import with_waits, without_wait
 from tsplan.words import many
 
 if TYPE_CHECKING:
+    from tsplan.explanation.explanation import ChangeKind
     from tsplan.mission import Mission, SwarmRules
 
 Value: TypeAlias = float | Fraction | Percent
 Pair: TypeAlias = tuple[str, str]
-
-ChangeKind: TypeAlias = Literal[
-    "extend_deadline",
-    "start_sooner",
-    "shorten_window",
-    "loosen_limit",
-    "loosen_bound",
-    "more_subswarms",
-    "shorten_task",
-    "share_agents",
-    "waiting",
-    "edge",
-    "add_agents",
-    "carry_more",
-    "add_stock",
-    "lower_need",
-    "move_threshold",
-    "widen_start",
-    "shorten_mission",
-]
-ORDER: tuple[ChangeKind, ...] = get_args(ChangeKind)
-"""Changes of equal amounts are ranked in this order."""
 
 MOST_STEPS = 60
 """Steps by which a deadline of a short mission is extended at most."""

@@ -7,8 +7,9 @@ without, so many questions need no solve.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from tsplan.explanation.explanation import Cut, SoftConstraint
@@ -19,6 +20,7 @@ from tsplan.stopping import StoppedBy
 if TYPE_CHECKING:
     from tsplan.clock import Clock
     from tsplan.explanation.whynot.subject import Question, Subject
+    from tsplan.run.events import Event
     from tsplan.signals.result_check import AnyMission
 
 Answer = bool | None
@@ -29,6 +31,22 @@ _CUTS: dict[StoppedBy, Cut] = {
     StoppedBy.PRECISION: "precision",
 }
 _LEAST = 0.05  # seconds that a question gets at least
+_SOON, _TIMES = (
+    0.5,
+    4,
+)  # seconds that a hasty one gets, or as often as long as the slowest plan took
+
+
+@dataclass(eq=False, slots=True)
+class _Enough:
+    """Remembers whether a planner was stopped by what it told."""
+
+    judge: Callable[[Event], bool]
+    reached: bool = False
+
+    def __call__(self, event: Event) -> bool:
+        self.reached = self.reached or self.judge(event)
+        return self.reached
 
 
 class EnoughError(Exception):
@@ -39,8 +57,8 @@ class EnoughError(Exception):
 class Oracle:
     """Asks the planner about a mission and its relatives until the clock is over.
 
-    `stop` tells the run that a question was interrupted. `unanswered` has why questions got no
-    answer; oracles about changed missions share it.
+    `stop` tells the run that a question was interrupted, `asking` that one is asked. `unanswered`
+    has why questions got no answer; oracles about changed missions share it.
     """
 
     subject: Subject[Any]
@@ -49,8 +67,10 @@ class Oracle:
     patience: float | None = None  # seconds for one question
     stop: Callable[[], None] = lambda: None
     unanswered: set[Cut] = field(default_factory=set)
+    asking: Callable[[], object] = lambda: None
     solves: int = field(default=0, init=False)
     seconds: float = field(default=0.0, init=False)
+    slowest: float = field(default=0.0, init=False)  # seconds of a question that had a plan
     _met: list[frozenset[SoftConstraint]] = field(default_factory=list, init=False)
     _unmet: list[frozenset[SoftConstraint]] = field(default_factory=list, init=False)
 
@@ -69,11 +89,12 @@ class Oracle:
     def about(self, mission: AnyMission) -> Oracle:
         """An oracle about another mission of the same kind, with the same time."""
         subject = self.subject.about(mission)
-        return Oracle(subject, self.clock, self.solver, self.patience, self.stop, self.unanswered)
+        return replace(self, subject=subject)
 
     def without(self, dropped: Iterable[SoftConstraint]) -> Answer:
         """Whether the mission without some of its constraints can be met."""
         gone = frozenset(dropped)
+        gone -= self.subject.needless(gone)
         if any(known <= gone for known in self._met):
             return True
         if any(gone <= known for known in self._unmet):
@@ -95,22 +116,58 @@ class Oracle:
 
     def asked(self, question: Question) -> Answer:
         """One question to the planner."""
+        began = time.perf_counter()
         found = self.planned(question, self.patience)
         if found is None:
             return None
         there = found.has_signals if isinstance(found, Trajectory) else found.has_paths
+        if there:
+            self.slowest = max(self.slowest, time.perf_counter() - began)
         return True if there else False if found.status is Status.INFEASIBLE else None
 
-    def planned(self, question: Question, patience: float | None) -> Any:
-        """What the planner finds in some seconds at most; None where there is no time left."""
+    @contextmanager
+    def hasty(self) -> Iterator[None]:
+        """Questions are given up soon, and that is no news."""
+        patience = self.patience
+        soon = max(_SOON, _TIMES * self.slowest)
+        self.patience = soon if patience is None else min(patience, soon)
+        try:
+            with self.unnoticed():
+                yield
+        finally:
+            self.patience = patience
+
+    @contextmanager
+    def unnoticed(self) -> Iterator[None]:
+        """That questions take too long is no news: they are asked again, or need no answer."""
+        open_ = set(self.unanswered)
+        try:
+            yield
+        finally:
+            self.unanswered.difference_update({"patience"} - open_)
+
+    def planned(
+        self,
+        question: Question,
+        patience: float | None,
+        enough: Callable[[Event], bool] | None = None,
+    ) -> Any:
+        """What the planner finds in some seconds at most; None where there is no time left.
+
+        It ends as soon as something it tells is `enough`.
+        """
         if self.refuses():
             return None
+        self.asking()
         began = time.perf_counter()
         limits = [item for item in (self.clock.left, patience) if item is not None]
         limit = max(min(limits), _LEAST) if limits else None
-        found = self.subject.planned(question, limit, self.solver)
+        told = None if enough is None else _Enough(enough)
+        found = self.subject.planned(question, limit, self.solver, told)
         self.solves += 1
         self.seconds += time.perf_counter() - began
+        if told is not None and told.reached:
+            return found
         if found.stopped_by is StoppedBy.INTERRUPT:
             self.stop()
         if found.stopped_by is not None and not self.refuses():

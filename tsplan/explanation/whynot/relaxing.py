@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.amount_numbers import useful_amount, useful_hold, with_carries
 from tsplan.explanation.whynot.mission_numbers import remapped, with_bound
-from tsplan.explanation.whynot.occurrences import without
+from tsplan.explanation.whynot.occurrences import counts_of, without
 from tsplan.explanation.whynot.soft_constraints import (
     BOOKING,
     WAITING,
@@ -138,6 +138,31 @@ def waits_everywhere(mission: Mission) -> bool:
         and edge.duration == 1
         and edge.needs <= system.states[name].needs
         for name in system.states
+    )
+
+
+def can_idle(mission: Mission) -> bool:
+    """Whether robots that are not needed are in nobody's way, wherever they start."""
+    simple = not (mission.swarm or mission.resources or mission.modular)
+    return simple and waits_everywhere(mission) and not bounded_above(mission)
+
+
+def needless(mission: Mission, gone: Dropped) -> Dropped:
+    """Whose numbers and starts say nothing without some constraints: no part left counts them.
+
+    Only where `can_idle`: whoever is not counted can stay where it starts, so that there is a plan
+    with more of them, or with others, just if there is one with these.
+    """
+    bounds = frozenset(item for item in gone if item.kind in ("team", "start"))
+    if not bounds:
+        return frozenset()
+    parts = [occurrence_of(item) for item in gone if item.kind == "formula"]
+    left = without(mission.formula, parts)
+    asked = {count.capability for node in walk(left) for count in counts_of(node)}
+    if None in asked:
+        return frozenset()
+    return frozenset(
+        item for item in bounds if asked.isdisjoint(mission.team[item.key[0]].capabilities)
     )
 
 

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from tsplan.explanation.explanation import SoftConstraint
     from tsplan.explanation.whynot.mission_numbers import Edit, Number
     from tsplan.explanation.whynot.subject import Constraints, Question
+    from tsplan.run.events import Event
     from tsplan.signals.synthesis import Synthesis
 
 
@@ -58,13 +59,18 @@ class Signals(Subject[SignalMission]):
         return relaxed_signals(self.mission, gone)
 
     def planned(
-        self, question: SignalMission | Synthesis, time_limit: float | None, solver: str | None
+        self,
+        question: SignalMission | Synthesis,
+        time_limit: float | None,
+        solver: str | None,
+        enough: Callable[[Event], bool] | None = None,
     ) -> Trajectory:
         """What synthesis finds in some seconds; nothing where far bounds are too much for it.
 
         Where only trajectories on the border of the formula are found, which floats may round to
         its other side, the most robust one is looked for.
         """
+        del enough  # nothing is told of trajectories on the way
         clock = Clock(time_limit)
         found = _synthesised(question, clock.left, solver)
         if found.stopped_by is StoppedBy.PRECISION and isinstance(question, SignalMission):

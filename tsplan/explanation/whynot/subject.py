@@ -8,15 +8,16 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeAlias, TypeVar
 
-from tsplan.explanation.explanation import SoftConstraint
-from tsplan.explanation.whynot.mission_numbers import ORDER, ChangeKind
+from tsplan.explanation.explanation import ORDER, ChangeKind, Likely, SoftConstraint
 from tsplan.explanation.whynot.soft_constraints import formula_groups
 
 if TYPE_CHECKING:
     from tsplan.explanation.explanation import Fact
     from tsplan.explanation.part_words import Wording
+    from tsplan.explanation.whynot.least_shortage import Shortage
     from tsplan.explanation.whynot.mission_numbers import Edit, Number
     from tsplan.plans.plan import Plan
+    from tsplan.run.events import Event
     from tsplan.signals.result_check import AnyMission
     from tsplan.signals.trajectory import Trajectory
 
@@ -75,11 +76,20 @@ class Subject(ABC, Generic[M]):
     def without(self, gone: Iterable[SoftConstraint]) -> Question:
         """The plain mission without some of its constraints."""
 
+    def needless(self, gone: Constraints) -> Constraints:
+        """Those of some constraints that say nothing anyway once all of them are taken out."""
+        del gone
+        return frozenset()
+
     @abstractmethod
     def planned(
-        self, question: Question, time_limit: float | None, solver: str | None
+        self,
+        question: Question,
+        time_limit: float | None,
+        solver: str | None,
+        enough: Callable[[Event], bool] | None = None,
     ) -> Plan | Trajectory:
-        """What the planner finds in some seconds."""
+        """What the planner finds in some seconds, or until something it tells is `enough`."""
 
     # --- what is said of it ----------------------------------------------------------------------
 
@@ -92,6 +102,17 @@ class Subject(ABC, Generic[M]):
         del ask
         yield from ()
 
+    def suspected(self) -> Iterator[Likely]:
+        """What may be to blame where nothing is proven, the most likely first."""
+        for group in self.groups:
+            for part in self.wording.parts(frozenset(group)):
+                yield Likely("conflict", part.text, part.place)
+
+    def guesses(self, steps: Iterable[tuple[Edit, int]]) -> Iterator[Constraints]:
+        """Constraints that may well be impossible together, where some changes would help."""
+        del steps
+        yield from ()
+
     # --- what can be changed ---------------------------------------------------------------------
 
     @abstractmethod
@@ -101,6 +122,11 @@ class Subject(ABC, Generic[M]):
     @abstractmethod
     def touched(self, number: Number) -> Constraints:
         """What an edit of a number weakens at most; nothing where that cannot be said."""
+
+    def shortage(self, edits: Sequence[Edit]) -> Shortage | None:
+        """By how little some edits may do together, as a problem; None where there is none."""
+        del edits
+        return None
 
     def rank(self, number: Number) -> int:
         """Of edits of a kind, those of a larger rank are tried where smaller ones do not help."""

@@ -2,29 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from tsplan.encode.switches import Switch
+from tsplan.explanation.explanation import ORDER
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.edits import candidates, rank, touched
 from tsplan.explanation.whynot.fact_finders import facts_of
-from tsplan.explanation.whynot.mission_numbers import ORDER
-from tsplan.explanation.whynot.relaxing import any_plan, bounded_above, relaxed
+from tsplan.explanation.whynot.least_shortage import Shortage, least_shortage
+from tsplan.explanation.whynot.relaxing import any_plan, bounded_above, can_idle, needless, relaxed
 from tsplan.explanation.whynot.shortages import undeliverable
 from tsplan.explanation.whynot.soft_constraints import named_facts, robot_entries
 from tsplan.explanation.whynot.subject import Subject
+from tsplan.explanation.whynot.tight_needs import about, tightest
+from tsplan.logic import Always, Eventually, walk
 from tsplan.mission import Mission
 from tsplan.run.planner import plan
+from tsplan.run.problem import Problem
+from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import Fact, SoftConstraint
+    from tsplan.explanation.explanation import Fact, Likely, SoftConstraint
     from tsplan.explanation.part_words import Wording
     from tsplan.explanation.whynot.mission_numbers import Edit, Number
     from tsplan.explanation.whynot.subject import Constraints, Question
+    from tsplan.logic import Formula
     from tsplan.plans.plan import Plan
-    from tsplan.run.problem import Problem
+    from tsplan.run.events import Event
+
+_UNCHAINED = 5.0  # seconds without a search for a first plan that proves nothing
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,10 +72,40 @@ class Teams(Subject[Mission]):
         return relaxed(self.mission, gone)
 
     def planned(
-        self, question: Mission | Problem, time_limit: float | None, solver: str | None
+        self,
+        question: Mission | Problem,
+        time_limit: float | None,
+        solver: str | None,
+        enough: Callable[[Event], bool] | None = None,
     ) -> Plan:
-        """What the planner finds in some seconds."""
-        return plan(question, time_limit=time_limit, solver=solver)
+        """What the planner finds in some seconds, or until something it tells is `enough`.
+
+        Most questions have no plan, so that what looks for a first one by a restriction, and proves
+        nothing, has to wait.
+        """
+        problem = question if isinstance(question, Problem) else Problem(question)
+        if not _has_chains(problem.mission.goal):
+            return plan(problem, time_limit=time_limit, solver=solver, on_event=enough)
+        without = problem.tuning.without | {Switch.CHAINS}
+        plain = problem.tuned(replace(problem.tuning, without=without))
+        long = time_limit is None or time_limit > _UNCHAINED
+        first = _UNCHAINED if long else time_limit
+        began = time.perf_counter()
+        found = plan(plain, time_limit=first, solver=solver, on_event=enough)
+        if not long or found.stopped_by is not StoppedBy.TIME_LIMIT:
+            return found
+        left = None if time_limit is None else time_limit - (time.perf_counter() - began)
+        if left is not None and left <= 0:
+            return found
+        return plan(problem, time_limit=left, solver=solver, on_event=enough)
+
+    def needless(self, gone: Constraints) -> Constraints:
+        """Whose numbers and starts say nothing once some constraints are taken out."""
+        return needless(self.mission, gone) if self._idle else frozenset()
+
+    @cached_property
+    def _idle(self) -> bool:
+        return can_idle(self.mission)
 
     def facts(self) -> Iterator[Fact]:
         """Arithmetic on who is needed where, and on who can be there when."""
@@ -74,6 +114,21 @@ class Teams(Subject[Mission]):
     def measured(self, ask: Callable[[Question], Any]) -> Iterator[Fact]:
         """How much of the resources that tasks need can be there in time at best."""
         return undeliverable(self.context, ask)
+
+    def suspected(self) -> Iterator[Likely]:
+        """The needs that leave least to spare, in numbers or in time."""
+        yield from tightest(self.context)
+
+    def guesses(self, steps: Iterable[tuple[Edit, int]]) -> Iterator[Constraints]:
+        """All that asks for one capability that more agents would have; then for any of them."""
+        entries = {edit.number.key[0] for edit, _ in steps if edit.number.kind == "agents"}
+        able = sorted({name for n in entries for name in self.mission.team[n].capabilities})
+        for names in [{name} for name in able] + ([set(able)] if len(able) > 1 else []):
+            yield about(self.mission, self.groups, names) | frozenset(self.bounds)
+
+    def shortage(self, edits: Sequence[Edit]) -> Shortage | None:
+        """By how few agents more, or fewer needed, some edits may do together."""
+        return least_shortage(self.mission, edits)
 
     def candidates(self, conflict: Constraints) -> list[Edit]:
         """Everything that can be tried against one conflict; of entries, those of the mission."""
@@ -88,3 +143,13 @@ class Teams(Subject[Mission]):
     def rank(self, number: Number) -> int:
         """More agents of one entry are tried where it starts first."""
         return rank(self.mission, number)
+
+
+def _has_chains(goal: Formula) -> bool:
+    """Whether something is to happen again and again, so that first plans are looked for apart."""
+    return any(
+        isinstance(below, Eventually)
+        for node in walk(goal)
+        if isinstance(node, Always)
+        for below in walk(node)
+    )
