@@ -24,7 +24,6 @@ team: [{class: a, count: 1, at: p}]
 spec: {language: mtl, formula: "F[0,3] Q"}
 """
 SHORT = GracePeriod(0.2, 0.2, finishing=25.0, settling=1.0)
-KNOWN = Explanation(Status.EXPLAINED, "far away", facts=(Fact("reach", "it is too far"),))
 
 
 @pytest.fixture
@@ -38,7 +37,8 @@ def ending(monkeypatch: pytest.MonkeyPatch, how) -> None:
 
     def job(order: object, send) -> Explanation:
         send("facts")
-        send(KNOWN)
+        send(Status.EXPLAINED)
+        send(Fact("reach", "it is too far"))
         send("conflicts")
         how()
         time.sleep(60)

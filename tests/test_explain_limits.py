@@ -12,8 +12,8 @@ from rich.console import Console
 
 import tsplan
 from tests.test_explain_conflicts import row
-from tsplan.explanation import Conflict, Explanation, explain
-from tsplan.explanation.report import print_explanation
+from tsplan.explanation import Change, Conflict, Explanation, Fact, Found, Status, explain
+from tsplan.explanation.report import Report, print_explanation
 from tsplan.explanation.whynot import fact_finders, team_subject
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.fact_finders import facts_of
@@ -113,7 +113,7 @@ def test_no_time_leaves_facts_and_says_so() -> None:
     assert set(made.cut) == {"conflicts", "changes"}
     assert set(made.cut.values()) == {"time_limit"}
     text = said(made)
-    assert "not proven minimal: the time was up" in text
+    assert "likely not all of them: not proven minimal" in text
     assert (
         "the time was up: there may be other conflicts, or smaller ones; there may be more" in text
     )
@@ -139,22 +139,81 @@ def test_questions_without_an_answer_say_why(monkeypatch, why: StoppedBy, words:
     assert not any(item.minimal for item in made.conflicts)
 
 
-def test_what_is_found_is_heard_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    # however slow saying it is beside finding it
-    monkeypatch.setattr("tsplan.explanation.whynot.diagnosis._FOR_HANDING", 1e9)
-    heard: list[Explanation] = []
+def test_what_is_found_is_heard_on_the_way() -> None:
+    heard: list[Found] = []
     made = explain(MISSION, on_found=heard.append)
-    assert heard[0].facts == made.facts
-    assert not heard[0].conflicts
-    assert len({len(item.changes) for item in heard}) > 1
-    assert set(heard[-1].changes) <= set(made.changes)
+    kinds = [type(item) for item in heard]
+    assert kinds == sorted(kinds, key=[Status, Fact, Conflict, Change].index)
+    assert set(kinds) == {Status, Fact, Conflict, Change}
+    assert [item.fix for item in heard if isinstance(item, Change)] == [
+        number + 1 for number in range(len(made.changes))
+    ]
+    known = Explanation(Status.NO_ANSWER, made.name)
+    for item in heard:
+        known = known.with_found(item)
+    assert known == replace(made, timings={})
+
+
+def test_a_fact_is_heard_before_anything_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = interrupting(monkeypatch, 0)
+    before: list[int] = []
+
+    def heard(item: Found) -> None:
+        if isinstance(item, Fact):
+            before.append(len(asked))
+
+    explain(MISSION, on_found=heard)
+    assert before
+    assert set(before) == {0}
+
+
+def test_what_is_printed_on_the_way_is_what_is_printed_in_the_end() -> None:
+    console = Console(width=100, record=True, file=io.StringIO())
+    report = Report(MISSION, console)
+    made = explain(MISSION, on_found=report.tell)
+    report.finish(made)
+    assert " ".join(console.export_text().split()) == said(made)
+
+
+@pytest.mark.parametrize("language", ["mtl", "catl"])
+def test_what_was_not_proven_in_time_is_listed_as_likely(language: str) -> None:
+    atom = {"mtl": "sum(C, see) >= 1", "catl": "T(0, C, {(see, 1)})"}[language]
+    mission = row(f"F[0,9] {atom} && G[0,9] F[0,3] {atom.replace('C', 'B')}", language=language)
+    made = explain(mission, time_limit=1e-9)
+    assert made.status == "no_answer"
+    assert {item.kind for item in made.likely} == {"conflict"}
+    assert "1 agent with see at 'C' by step 9" in made.likely[0].text + made.likely[1].text
+    text = said(made, mission)
+    assert "whether there is a plan stays open; try a longer time limit" in text
+    assert "likely in the way, not proven:" in text
+    assert json.loads(made.to_json())["likely"][0]["kind"] == "conflict"
+
+
+def test_changes_that_could_not_be_tried_are_listed_as_likely() -> None:
+    made = explain(MISSION, time_limit=1e-9)
+    assert made.conflicts
+    assert {item.kind for item in made.likely} == {"change"}
+    assert "likely to help, not proven:" in said(made)
+    assert not explain(MISSION).likely
+
+
+def test_an_interrupted_search_lists_what_is_likely(monkeypatch: pytest.MonkeyPatch) -> None:
+    mission = row("F[0,4] (sum(A) >= 1 && sum(B) >= 1 && F[0,2] sum(C) >= 2) && G[0,0] sum(A) >= 2")
+    whole = explain(mission)
+    assert whole.status == "explained"
+    assert not whole.facts
+    interrupting(monkeypatch, 1)
+    made = explain(mission)
+    assert made.likely or made.conflicts
+    assert made.cut
 
 
 def test_a_conflict_is_given_up_as_it_is_when_interrupted() -> None:
     made = Explanation(
-        "explained", "m", conflicts=(Conflict((), False),), cut={"conflicts": "interrupt"}
+        Status.EXPLAINED, "m", conflicts=(Conflict((), False),), cut={"conflicts": "interrupt"}
     )
-    assert "not proven minimal: it was interrupted" in said(made)
+    assert "not proven minimal" in said(made)
+    assert "it was interrupted: there may be other conflicts" in said(made)
 
 
 def test_ctrl_c_asks_every_run_that_is_under_way() -> None:

@@ -312,7 +312,7 @@ def test_an_interrupted_question_ends_the_search(monkeypatch: Any, number: int) 
 
 def test_borders_that_solvers_cannot_tell_are_admitted() -> None:
     made = Explanation(Status.NO_ANSWER, "a border", cut={"conflicts": "precision"})
-    (first,) = lines_of(made, cart("x >= 1"), 100)
+    first, _ = lines_of(made, cart("x >= 1"), 100)
     assert first.endswith("stays open; the solver was not precise enough")
 
 

@@ -6,7 +6,9 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, get_args
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
+
+from tsplan.explanation.change_kinds import ORDER, ChangeKind
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.mission_numbers import Edit
@@ -29,29 +31,6 @@ PartKind: TypeAlias = Literal[
     "limit",
     "signal",
 ]
-ChangeKind: TypeAlias = Literal[
-    "extend_deadline",
-    "start_sooner",
-    "shorten_window",
-    "loosen_limit",
-    "loosen_bound",
-    "more_subswarms",
-    "shorten_task",
-    "share_agents",
-    "waiting",
-    "edge",
-    "reconfigure",
-    "add_agents",
-    "carry_more",
-    "add_stock",
-    "lower_need",
-    "move_threshold",
-    "widen_start",
-    "shorten_mission",
-]
-ORDER: tuple[ChangeKind, ...] = get_args(ChangeKind)
-"""Changes of equal amounts are ranked in this order."""
-
 Cut: TypeAlias = Literal["interrupt", "time_limit", "memory", "precision", "patience"]
 """Why something was not looked at to its end: the run was interrupted, its time was up, the
 system's memory was, a solver's precision did not do, or one question took longer than its share of

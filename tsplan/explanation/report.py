@@ -92,6 +92,7 @@ class Report:
     console: Console
     several: bool = False
     known: Explanation = field(init=False)
+    _headed: bool = field(default=False, init=False)
     _title: str = field(default="", init=False)
 
     def __post_init__(self) -> None:
@@ -127,6 +128,7 @@ class Report:
         width = self.console.width
         match item:
             case Status():
+                self._headed = True
                 yield from _outcome(self.mission, item, "")
             case Fact():
                 feasible = self.known.status is Status.FEASIBLE
@@ -149,7 +151,7 @@ class Report:
 
     def last_lines(self, explanation: Explanation) -> Iterator[str]:
         """What is likely, the order of the changes, what was cut short, and the time."""
-        if self.known.status is not explanation.status:
+        if not self._headed:
             yield from _outcome(self.mission, explanation.status, _why_open(explanation))
         amounts = [change.amount for change in _as_found(explanation)]
         if amounts != sorted(amounts):

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from tsplan.explanation.explanation import ORDER, ChangeKind
+from tsplan.explanation.change_kinds import ORDER, ChangeKind
 from tsplan.explanation.whynot.changes import fewest
 from tsplan.explanation.whynot.joint_repair import JointRepair
 
@@ -57,10 +57,9 @@ class ChangeSearch:
         every.sort(key=lambda e: (e.kind in _SLOW, ORDER.index(e.kind), rank(e.number)))
         self.untried = list(every)
         self._singles([edit for edit in every if edit.kind not in _SLOW])
-        if not self.found:
-            self._together()
+        together = 0 if self.found else self._together()
         self._singles([edit for edit in every if edit.kind in _SLOW])
-        if not self.found:
+        if self.found == together:  # none by itself
             self._tell(JointRepair(self._oracle, self.repairs).change(self.conflict))
 
     def _tell(self, change: Change | None) -> None:
@@ -93,7 +92,7 @@ class ChangeSearch:
             if change is not None and kind == "agents":
                 self._helped.setdefault(key[0], place)
 
-    def _together(self) -> None:
+    def _together(self) -> int:
         """The fewest agents more, and the fewest fewer asked for, that help together."""
         oracle = self._oracle
         patience, oracle.patience = oracle.patience, _TOGETHER
@@ -105,6 +104,7 @@ class ChangeSearch:
         for steps in found:
             small = self.repairs.lowered(steps) if steps else None
             self._tell(self.repairs.made(small) if small else None)
+        return self.found
 
     def _at_home(self, edit: Edit) -> bool:
         return edit.kind == "add_agents" and self._oracle.subject.rank(edit.number) == 0

@@ -122,6 +122,7 @@ class _Run:
     possible: bool | None = None
     _stopped: bool = False
     _at: str = "facts"
+    _work: ChangeSearch | None = None
 
     def __post_init__(self) -> None:
         self.clock = Clock(self.limit, lambda: self._stopped)
@@ -255,11 +256,8 @@ class _Run:
             self.oracle.patience = min(PATIENCE, self.clock.left / 4)
         repairs = Repairs(self.oracle, finder.everything, [core.constraints for core in self.cores])
         conflict = self.cores[0].constraints
-        work = ChangeSearch(repairs, self.clock, conflict, search.shortage, self._hear)
-        work.run()
-        self._untried = work.untried
-
-    _untried: Sequence[Edit] = ()
+        self._work = ChangeSearch(repairs, self.clock, conflict, search.shortage, self._hear)
+        self._work.run()
 
     def _suspect(self, search: ConflictSearch) -> None:
         """Say what is likely where nothing could be proven."""
@@ -269,6 +267,9 @@ class _Run:
                 self._hear(likely)
             for step in search.shortage:
                 self._hear(Likely("change", step[0].words(step[1])))
-        elif not self.possible:
-            for edit in self._untried[:_SUSPECTED]:
+        elif "changes" in self.cut:
+            untried: Sequence[Edit] = [] if self._work is None else self._work.untried
+            if not (untried or self.known.changes):  # not even what could be tried was known
+                untried = self.subject.candidates(self.cores[0].constraints)
+            for edit in untried[:_SUSPECTED]:
                 self._hear(Likely("change", edit.words(1)))

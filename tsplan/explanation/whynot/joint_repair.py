@@ -17,13 +17,14 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from tsplan.explanation.explanation import ORDER
+from tsplan.explanation.change_kinds import ORDER
 from tsplan.explanation.whynot.changes import Repairs, Step, least
 from tsplan.explanation.whynot.conflicts import Finder
 from tsplan.explanation.whynot.mission_numbers import MOST_STEPS
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import Change, ChangeKind, SoftConstraint
+    from tsplan.explanation.change_kinds import ChangeKind
+    from tsplan.explanation.explanation import Change, SoftConstraint
     from tsplan.explanation.whynot.mission_numbers import Edit
     from tsplan.explanation.whynot.oracle import Oracle
     from tsplan.explanation.whynot.subject import Subject

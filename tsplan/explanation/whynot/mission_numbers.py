@@ -23,7 +23,7 @@ from tsplan.ts.waits import with_waits, without_wait
 from tsplan.words import many
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import ChangeKind
+    from tsplan.explanation.change_kinds import ChangeKind
     from tsplan.mission import Mission, SwarmRules
 
 Value: TypeAlias = float | Fraction | Percent

@@ -20,7 +20,8 @@ from tsplan.logic import Always, Eventually, Linear, Release, Until, horizon
 from tsplan.logic.text import number_text, sum_text
 
 if TYPE_CHECKING:
-    from tsplan.explanation.explanation import ChangeKind, PartKind
+    from tsplan.explanation.change_kinds import ChangeKind
+    from tsplan.explanation.explanation import PartKind
     from tsplan.explanation.part_words import Wording
     from tsplan.explanation.whynot.occurrences import Way
     from tsplan.explanation.whynot.subject import Constraints

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeAlias, TypeVar
 
-from tsplan.explanation.explanation import ORDER, ChangeKind, Likely, SoftConstraint
+from tsplan.explanation.change_kinds import ORDER, ChangeKind
+from tsplan.explanation.explanation import Likely, SoftConstraint
 from tsplan.explanation.whynot.soft_constraints import formula_groups
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tsplan.encode.switches import Switch
-from tsplan.explanation.explanation import ORDER
+from tsplan.explanation.change_kinds import ORDER
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.edits import candidates, rank, touched
 from tsplan.explanation.whynot.fact_finders import facts_of
