@@ -122,3 +122,25 @@ def test_what_serves_a_task_is_a_structure_of_modules() -> None:
     words = str(plan.explain(mission))
     assert "line-1 (module-" in words
     assert "single-" in words
+
+
+def test_a_reconfiguration_is_offered_at_more_places_or_in_fewer_steps() -> None:
+    original = fence(formula="F[0,6] T(2, wall, {(lift,1)})")
+    made = check_explanation(original)
+    offered = {change.text: change for change in made.changes if change.kind == "reconfigure"}
+    assert set(offered) == {
+        "rebuild 3 single into 1 line in 1 step less (now 2 steps)",
+        "rebuild 1 line and 1 single into 1 ring in 2 steps less (now 3 steps)",
+        "let 3 single become 1 line at 'wall', too",
+        "let 3 single become 1 line everywhere",
+    }
+    for change in offered.values():
+        text, lost = rewritten(original, change.mission, Path(), Path())
+        assert not lost
+        assert mission_from_text(text).modular == change.mission.modular
+        assert "single: {modules: 1, capabilities: [look]}" in text  # the rest stays as it was
+
+
+def test_no_reconfiguration_is_offered_where_none_helps() -> None:
+    made = check_explanation(fence(formula="F[0,12] T(2, wall, {(lift,3)})"))
+    assert "reconfigure" not in {change.kind for change in made.changes}

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 _ENOUGH = 3  # changes, if more would take longer than
 _LONG = 20.0  # seconds and no time limit was set
 _TOGETHER = 2.0  # seconds for the fewest that help together
+_TOGETHER_FIRST = ("edge", "rebuild", "site")  # of these there are many, and few help
 _SLOW: frozenset[ChangeKind] = frozenset({"extend_deadline", "shorten_task", "edge", "reconfigure"})
 
 
@@ -70,7 +71,10 @@ class ChangeSearch:
     def _singles(self, every: Sequence[Edit]) -> None:
         """Changes of one number."""
         oracle = self._oracle
-        quick = [(edit, edit.most) for edit in every if edit.number.kind == "edge"]
+        at_once: dict[str, list[Step]] = {kind: [] for kind in _TOGETHER_FIRST}
+        for edit in every:
+            if edit.number.kind in at_once:
+                at_once[edit.number.kind].append((edit, edit.most))
         for edit in every:
             long = time.perf_counter() - self._began > _LONG
             if self.found >= _ENOUGH and long and self.clock.limit is None:
@@ -82,8 +86,8 @@ class ChangeSearch:
             self.untried.remove(edit)
             if kind == "agents" and place > self._helped.get(key[0], place):
                 continue
-            if kind == "edge" and not self.repairs.possible(quick):
-                continue  # not even all edges as quick as can be would do
+            if kind in at_once and not self.repairs.possible(at_once[kind]):
+                continue  # not even all of them as far as can be would do
             open_ = len(oracle.unanswered)
             change = self.repairs.single(edit)
             if change is None and len(oracle.unanswered) > open_:

@@ -36,6 +36,7 @@ from tsplan.explanation.whynot.occurrences import (
     occurrences,
     separable,
 )
+from tsplan.explanation.whynot.reconfiguration_edits import numbers_of
 from tsplan.explanation.whynot.relaxing import modules_of, useful_number
 from tsplan.explanation.whynot.soft_constraints import (
     BOOKING,
@@ -83,7 +84,7 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
     if kind in ("wait", "booking"):
         return frozenset({WAITING if kind == "wait" else BOOKING})
     part = SoftConstraint(kind if kind in ("capacity", "zone") else "swarm", key)
-    return frozenset() if kind == "edge" else frozenset({part})
+    return frozenset() if kind in ("edge", "rebuild", "site") else frozenset({part})
 
 
 def rank(mission: Mission, number: Number) -> int:
@@ -101,6 +102,8 @@ def candidates(context: Context, conflict: frozenset[SoftConstraint]) -> list[Ed
     found: dict[Edit, None] = {}
     for constraint in sorted(conflict, key=repr):
         found.update(dict.fromkeys(_against(context, constraint, conflict)))
+    if context.mission.modular:
+        found.update(dict.fromkeys(_rebuilding(context.mission, conflict)))
     return [edit for edit in found if edit.most > 0]
 
 
@@ -213,6 +216,16 @@ def _more_agents(
     for state in open_[:MOST_PLACES]:
         text = f"add {{added}} of class {literal(group.class_name)} at '{literal(state)}'"
         yield Edit(Number("agents", (entry, state)), "add_agents", most, text, unit=modules)
+
+
+def _rebuilding(mission: Mission, conflict: frozenset[SoftConstraint]) -> Iterator[Edit]:
+    """Quicker reconfigurations, and more places for them: where modules start or are needed."""
+    starts = (state for group in mission.team for state, _ in group.starts)
+    wanted = (*starts, *_states_of(mission, conflict))
+    for kind, key, most, text, now in numbers_of(mission, wanted):
+        sense = -1 if kind == "rebuild" else 1
+        number = Number("rebuild" if kind == "rebuild" else "site", key)
+        yield Edit(number, "reconfigure", most, text, now, sense)
 
 
 def _shared_agents(mission: Mission) -> Edit:

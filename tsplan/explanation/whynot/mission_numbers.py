@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 from tsplan.exact import exact
 from tsplan.explanation.whynot.amount_numbers import carried, put_carried, put_stock, stock
 from tsplan.explanation.whynot.occurrences import Way, amounts_of, exchanged, node_at
+from tsplan.explanation.whynot.reconfiguration_edits import ACCESS as REBUILDING
 from tsplan.explanation.whynot.signal_numbers import ACCESS
 from tsplan.logic import Count, Formula, Percent, horizon, translate
 from tsplan.logic.text import number_text
@@ -41,6 +42,8 @@ NumberKind: TypeAlias = Literal[
     "capacity",
     "zone",
     "edge",
+    "rebuild",
+    "site",
     "wait",
     "swarm",
     "side",
@@ -64,10 +67,12 @@ class Number(NamedTuple):
     a state; of what an entry `carries`, its number and the resource, which is empty for one hold;
     of a `capacity`, a state or the two ends of an edge; of a `zone`, its name; of an `edge`, whose
     duration is meant, these ends; of a bound of a `swarm`, its name and which one; of a `wait`, the
-    state where there is one (1) or none (0), or nothing for all states at once; of `booking`, which
-    is 1 where agents are booked and 0 where they are shared, nothing. Over signals: of a `side` of
-    the bounds of a signal or control, and of where it may `begin`, its name and which end (0, 1);
-    of a `limit`, its number; of the `last` step of the mission, nothing.
+    state where there is one (1) or none (0), or nothing for all states at once; of steps to
+    `rebuild` structures, the number of the reconfiguration; of a `site` of it, this and the state
+    where it can be done (1) or not (0), or nothing more for all states; of `booking`, which is 1
+    where agents are booked and 0 where they are shared, nothing. Over signals: of a `side` of the
+    bounds of a signal or control, and of where it may `begin`, its name and which end (0, 1); of a
+    `limit`, its number; of the `last` step of the mission, nothing.
     """
 
     kind: NumberKind
@@ -338,6 +343,7 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
         "zone": (_room, _put_room),
         "edge": (_duration, _put_duration),
         "wait": (_waits, _put_waits),
+        **REBUILDING,
         "swarm": (_bound, _put_bound),
         **ACCESS,
     }

@@ -24,6 +24,7 @@ from tsplan.logic import Formula
 from tsplan.logic.text import number_text
 from tsplan.mission import mission_from_text
 from tsplan.mission.mission_writer import group_entry, margin_text, resource_entry
+from tsplan.mission.module_entries import reconfiguration_entry
 from tsplan.signals.signal_files import signal_mission_from_text
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.ts.io.map_settings import is_reference
@@ -51,6 +52,7 @@ _FIELDS = (
     "prefer",
     "satisfaction",
     "task_interval",
+    "modular",
 )
 """What two missions must agree on to be the same, beside formula and map."""
 
@@ -167,6 +169,16 @@ def _team_entries(original: Mission, changed: Mission) -> Iterator[tuple[documen
                 yield path, flow(group_entry(changed.team[number]))
 
 
+def _rebuilding_entries(original: Mission, changed: Mission) -> Iterator[tuple[document.Path, str]]:
+    """What the reconfigurations have to say that are not what they were."""
+    rules = changed.modular.reconfigurations
+    for number, (rule, old) in enumerate(
+        zip(rules, original.modular.reconfigurations, strict=True)
+    ):
+        if rule != old:
+            yield ("reconfigure", number), flow(reconfiguration_entry(rule))
+
+
 def _entries(
     original: Mission, changed: Mission, document: Document, folders: tuple[Path, Path]
 ) -> Iterator[tuple[document.Path, str]]:
@@ -175,6 +187,7 @@ def _entries(
     for number, resource in enumerate(changed.resources):
         if resource != original.resources[number]:
             yield ("resources", number), flow(resource_entry(resource))
+    yield from _rebuilding_entries(original, changed)
     for constraint in group_bounds(original):
         bound = Number("swarm", constraint.key)
         if (value := bound.get(changed)) != bound.get(original):
