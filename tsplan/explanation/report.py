@@ -47,7 +47,7 @@ _TITLES = {
     "likely conflict": "likely in the way, not proven:",
     "likely change": "likely to help, not proven:",
 }
-_ROOM = 33  # columns of a table of changes beside their words
+_ROOM, _ROOM_OF_REALS = 23, 28  # columns of a table of changes beside their words
 _STAGES = {
     "facts": "there may be more facts",
     "conflicts": "there may be other conflicts, or smaller ones",
@@ -141,8 +141,14 @@ class Report:
             case Change():
                 if self._title != "changes":
                     yield from self._below("changes")
-                    yield _row(("fix", "change", "by", "least"), width)
-                yield from _change_lines(item, width)
+                    yield _row(("fix", "change", "by", "least"), self._room)
+                yield from _change_lines(item, self._room)
+
+    @property
+    def _room(self) -> int:
+        """Columns for the words of a change; of real numbers it is said how exact a proof is."""
+        team = hasattr(self.mission, "team")
+        return max(self.console.width - (_ROOM if team else _ROOM_OF_REALS), _ROOM)
 
     def _below(self, title: str) -> Iterator[str]:
         if title != self._title:
@@ -245,18 +251,17 @@ def _marked(content: str, parts: Sequence[Part]) -> Iterator[str]:
         yield f"  {'':>{width}} | {below.rstrip()}"
 
 
-def _change_lines(change: Change, width: int) -> Iterator[str]:
+def _change_lines(change: Change, room: int) -> Iterator[str]:
     """A change as lines of a table."""
-    sure = "proven" if change.proven else "likely, not proven"
+    sure = "proven" if change.proven else "not proven"
     if change.proven and change.within < 1:
         sure = f"{sure} to {number_text(change.within)}"
-    room = width - _ROOM
     first, *more = wrap(visible(change.text), room, break_on_hyphens=False) or [""]
-    yield _row((str(change.fix or 1), first, number_text(change.amount), sure), width)
+    yield _row((str(change.fix or 1), first, number_text(change.amount), sure), room)
     for line in more:
-        yield _row(("", line, "", ""), width)
+        yield _row(("", line, "", ""), room)
 
 
-def _row(cells: tuple[str, str, str, str], width: int) -> str:
+def _row(cells: tuple[str, str, str, str], room: int) -> str:
     fix, change, by, least = cells
-    return f"{fix:>3}  {change:<{width - _ROOM}}  {by:>4}  {least}".rstrip()
+    return f"{fix:>3}  {change:<{room}}  {by:>4}  {least}".rstrip()

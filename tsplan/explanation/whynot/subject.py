@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import combinations
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, TypeAlias, TypeVar
 
 from tsplan.explanation.change_kinds import ORDER, ChangeKind
@@ -25,6 +26,9 @@ if TYPE_CHECKING:
 M = TypeVar("M", bound="AnyMission")
 
 Constraints: TypeAlias = frozenset[SoftConstraint]
+MOST_TRIED = 4
+"""Conjuncts of a formula of which every two are tried by themselves."""
+
 Question: TypeAlias = Any
 """What a planner is given: a mission, or a problem made of one."""
 
@@ -110,9 +114,18 @@ class Subject(ABC, Generic[M]):
                 yield Likely("conflict", part.text, part.place)
 
     def guesses(self, steps: Iterable[tuple[Edit, int]]) -> Iterator[Constraints]:
-        """Constraints that may well be impossible together, where some changes would help."""
+        """Constraints that may well be impossible together, where some changes would help.
+
+        Of a few conjuncts each one is tried alone, then every two.
+        """
         del steps
-        yield from ()
+        if len(self.groups) <= MOST_TRIED:
+            for number in (1, 2):
+                for chosen in combinations(self.groups, number):
+                    if len(chosen) < len(self.groups):
+                        yield frozenset(
+                            {part for group in chosen for part in group}.union(self.bounds)
+                        )
 
     # --- what can be changed ---------------------------------------------------------------------
 

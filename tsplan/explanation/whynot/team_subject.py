@@ -120,11 +120,16 @@ class Teams(Subject[Mission]):
         yield from tightest(self.context)
 
     def guesses(self, steps: Iterable[tuple[Edit, int]]) -> Iterator[Constraints]:
-        """All that asks for one capability that more agents would have; then for any of them."""
+        """All that asks for one capability that more agents would have; then for any of them.
+
+        Without such agents, a few parts of the formula.
+        """
         entries = {edit.number.key[0] for edit, _ in steps if edit.number.kind == "agents"}
         able = sorted({name for n in entries for name in self.mission.team[n].capabilities})
         for names in [{name} for name in able] + ([set(able)] if len(able) > 1 else []):
             yield about(self.mission, self.groups, names) | frozenset(self.bounds)
+        if not able:
+            yield from super().guesses(steps)
 
     def shortage(self, edits: Sequence[Edit]) -> Shortage | None:
         """By how few agents more, or fewer needed, some edits may do together."""
