@@ -265,11 +265,15 @@ class _Run:
         if self.possible is None and not self.known.conflicts:
             for likely in self.subject.suspected():
                 self._hear(likely)
-            for step in search.shortage:
-                self._hear(Likely("change", step[0].words(step[1])))
-        elif "changes" in self.cut:
+        elif "changes" not in self.cut:
+            return
+        texts = []
+        if not self.known.changes:
+            texts = ["; and ".join(edit.words(amount) for edit, amount in search.shortage)]
+        if self.cores:
             untried: Sequence[Edit] = [] if self._work is None else self._work.untried
             if not (untried or self.known.changes):  # not even what could be tried was known
                 untried = self.subject.candidates(self.cores[0].constraints)
-            for edit in untried[:_SUSPECTED]:
-                self._hear(Likely("change", edit.words(1)))
+            texts += [edit.words(1) for edit in untried[:_SUSPECTED]]
+        for text in dict.fromkeys(filter(None, texts)):
+            self._hear(Likely("change", text))

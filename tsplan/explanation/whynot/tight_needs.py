@@ -25,9 +25,7 @@ def tightest(context: Context) -> Iterator[Likely]:
     for need in sorted(context.needs, key=lambda need: -_tightness(context, need))[:MOST_SUSPECTS]:
         able, ready = context.mission.having(need.capability), context.ready(need)
         when = "never" if ready == inf else f"at step {int(ready)}"
-        where = (
-            f"{'each of ' if need.reach == 'each' and len(need.states) > 1 else ''}'{need.label}'"
-        )
+        where = f"{'each ' if need.reach == 'each' and len(need.states) > 1 else ''}'{need.label}'"
         text = (
             f"{agents(need.amount, need.capability)} at {where} by step {need.span.last}: the team "
             f"has {able}, and by travel times alone they can be there {when} at the earliest"
