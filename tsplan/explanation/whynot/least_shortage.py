@@ -22,7 +22,7 @@ from tsplan.encode.expressions import Expression
 from tsplan.explanation.explanation import PartKind, SoftConstraint
 from tsplan.explanation.whynot.occurrences import exchanged, node_at
 from tsplan.explanation.whynot.relaxing import relaxed
-from tsplan.logic import Count, Formula, Limit, Percent, Task, fold, walk
+from tsplan.logic import Count, Formula, Limit, Task, fold
 from tsplan.mission import Group
 from tsplan.run.events import Event, Incumbent
 from tsplan.run.problem import Problem
@@ -58,10 +58,7 @@ class Shortage:
 def least_shortage(mission: Mission, edits: Sequence[Edit]) -> Shortage | None:
     """The problem of the fewest helpers over some edits; None where helpers are not told apart."""
     simple = mission.swarm is None and not mission.modular and not mission.resources
-    shares = any(
-        isinstance(node, Count) and isinstance(node.bound, Percent) for node in walk(mission.goal)
-    )
-    if not edits or not simple or shares or mission.books:
+    if not edits or not simple or mission.books:
         return None
     helped = _named(mission)
     helpers: list[Group] = []
