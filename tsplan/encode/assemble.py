@@ -32,6 +32,7 @@ from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import constraint_rows
 from tsplan.encode.precedence import direct, legs_of, route_rows
 from tsplan.encode.reference import ReferenceEncoder
+from tsplan.encode.rivals.rival_rows import rival_rows
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.encode.stocks import PART as STOCKS
 from tsplan.encode.stocks import stocks
@@ -115,10 +116,13 @@ class _Assembly:
         network = self._network(self._laid)
         if swarms:
             self._shared_rows(network)
-        elif Switch.TOGETHER in setting.switches and direct(network):
-            legs = legs_of(witnesses, network)
-            if "travel" in setting.mission.objective and not setting.delay:
-                route_rows(legs, network, draft)
+        elif direct(network):
+            if Switch.RIVALS in setting.switches and not optional:
+                rival_rows(witnesses, network, draft)
+            if Switch.TOGETHER in setting.switches:
+                legs = legs_of(witnesses, network)
+                if "travel" in setting.mission.objective and not setting.delay:
+                    route_rows(legs, network, draft)
         needs = witnesses
         if swarms and not setting.delay:  # of a sub-swarm some may stand and others come and go
             needs = counted(self._swarms, robots, witnesses)

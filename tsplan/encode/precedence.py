@@ -9,7 +9,7 @@ say so already; in the LP, where a little of every witness is served, they do no
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +17,7 @@ import numpy as np
 from tsplan.encode.atom_encoders import Bound
 from tsplan.encode.encoder_rules import Demand, Witnesses
 from tsplan.encode.flow_network import Network
+from tsplan.encode.rivals.travel_gaps import gaps_between
 from tsplan.encode.selection import Relayed
 from tsplan.milp.model import Draft, Ints
 
@@ -27,43 +28,6 @@ class Leg(NamedTuple):
     relayed: Relayed
     first: Bound
     way: int
-
-
-class TravelGaps:
-    """How many steps must lie between two demands, so that the same agents can meet both."""
-
-    def __init__(self, network: Network, states: Iterable[int]) -> None:
-        places = sorted(set(states))
-        self._place = {state: number for number, state in enumerate(places)}
-        self._never = network.horizon + 1
-        self._network = network
-        at = np.array(places, dtype=np.int64)
-        self._agents = [item.graph.agents for item in network.classes]
-        self._distances = [item.graph.lengths.distances(at)[:, at] for item in network.classes]
-
-    def between(self, first: Bound, second: Bound) -> int:
-        """0 where there are enough agents to meet both apart, or both are met at one place.
-
-        By Hall's condition: agents that can meet both count twice, the later demand after the way
-        from the earlier one; those of the nearest class do so first.
-        """
-        if not set(first.states).isdisjoint(second.states):
-            return 0
-        able = [self._network.counted(b.capability).any(axis=1) for b in (first, second)]
-        lacking = first.amount + second.amount
-        lacking -= sum(self._agents[place] for place in np.flatnonzero(able[0] | able[1]))
-        here, there = ([self._place[state] for state in b.states] for b in (first, second))
-        twice = [
-            (float(self._distances[place][np.ix_(here, there)].min()), self._agents[place])
-            for place in np.flatnonzero(able[0] & able[1])
-        ]
-        way = 0.0
-        for away, agents in sorted(twice) if lacking > 0 else ():
-            way = away
-            lacking -= agents
-            if lacking <= 0:
-                break
-        return int(min(way, self._never)) if lacking <= 0 else self._never
 
 
 def direct(network: Network) -> bool:
@@ -87,13 +51,14 @@ def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:
         if (before := _alike(needs, relayed.waiting.columns))
         and (after := _alike(needs, relayed.columns))
     ]
-    bounds = [need.bound for _, *both in pairs for need, *_ in both]
-    ways = TravelGaps(network, (state for bound in bounds for state in bound.states))
+    bounds = list(dict.fromkeys(need.bound for _, *both in pairs for need, *_ in both))
+    number = {bound: place for place, bound in enumerate(bounds)}
+    ways = gaps_between(bounds, network)
     found = []
     for relayed, before, after in pairs:
         low, times = relayed.waiting.low, relayed.waiting.times
         shifts = np.array([need.first for need in after]) - times
-        way = ways.between(before[0].bound, after[0].bound)
+        way = int(ways[number[before[0].bound], number[after[0].bound]])
         # the second witness must not be needed before the first
         if way and (low + shifts.min() >= [need.first for need in before]).all():
             begins = np.array([need.last for need in before]) + way - shifts.max()

@@ -60,6 +60,7 @@ class SelectionColumns:
         self.columns: list[int] = []
         self.steps: list[int] = []
         self.groups: list[Ints] = []
+        self.exact: list[tuple[Selection, Ints]] = []
         self.relays: list[Relayed] = []
         self.refuted = False
 
@@ -79,6 +80,8 @@ class SelectionColumns:
         for column in columns.tolist():
             self._ancestry[column] = {**above, self._count: (column, column)}
         self._count += 1
+        if exactly:
+            self.exact.append((parent, columns))
         if exactly or len(columns) > 1:
             self.groups.append(columns)
         return columns

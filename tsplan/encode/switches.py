@@ -23,6 +23,7 @@ class Switch(StrEnum):
     VISITS = "visits"  # arrival cuts over windows (encode.demand_rows)
     HULLS = "hulls"  # arrival cuts of limited places with all around them (encode.hulls)
     TOGETHER = "together"  # needs of one witness at several places at once (encode.joint_demands)
+    RIVALS = "rivals"  # witnesses that the same agents cannot both serve (encode.rivals)
     LAZY = "lazy"  # more arrival cuts where the LP violates them (encode.arrival_cuts)
     VISITORS = "visitors"  # cuts of different agents, where the LP violates them
     CAPACITIES = "capacities"  # capacities where they matter only (search.capacity_relaxation)

@@ -19,11 +19,10 @@ from itertools import combinations
 import numpy as np
 from scipy import sparse
 
-from tsplan.encode.atom_encoders import Bound
 from tsplan.encode.encoder_rules import Demand
 from tsplan.encode.flow_network import Network
 from tsplan.encode.joint_demands import apart
-from tsplan.encode.precedence import TravelGaps
+from tsplan.encode.rivals.travel_gaps import gaps_between
 from tsplan.milp.model import Bools, Draft, Floats, Ints, joined_terms
 
 _MOST_ITEMS = 1500  # demands that are compared pairwise
@@ -73,7 +72,7 @@ class ConflictGraph:
         number = {bound: place for place, bound in enumerate(dict.fromkeys(d.bound for d in items))}
         kind = np.array([number[demand.bound] for demand in items], dtype=np.int64)
         step = np.array([demand.step for demand in items], dtype=np.int64)
-        needed = _waits(list(number), network)[np.ix_(kind, kind)]
+        needed = gaps_between(list(number), network)[np.ix_(kind, kind)]
         later = step[None, :] - step[:, None]
         self._exclusive: Bools = np.where(later >= 0, later < needed, -later < needed.T)
         entries = [(place, column) for place, d in enumerate(items) for column in d.selection]
@@ -106,10 +105,3 @@ class ConflictGraph:
             clique.append(best)
             candidates = candidates[self._exclusive[best][candidates]]
         return clique
-
-
-def _waits(bounds: Sequence[Bound], network: Network) -> Ints:
-    """For two kinds of demands: how many steps must lie between the first and the second."""
-    ways = TravelGaps(network, (state for bound in bounds for state in bound.states))
-    waits = [[ways.between(first, second) for second in bounds] for first in bounds]
-    return np.array(waits, dtype=np.int64).reshape(len(bounds), len(bounds))

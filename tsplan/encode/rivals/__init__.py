@@ -1,0 +1,1 @@
+"""Witnesses that the same agents would have to serve: which exclude each other, what follows."""
