@@ -11,6 +11,7 @@ import numpy as np
 from tsplan.encode.bookings import booking_rows
 from tsplan.encode.capacity_rows import capacity_rows
 from tsplan.encode.class_columns import ClassColumns
+from tsplan.encode.class_shares import served_by
 from tsplan.encode.demand_rows import Built, DemandRows, SiteColumns
 from tsplan.encode.demand_runs import Family
 from tsplan.encode.encoded import Encoded, Setting
@@ -138,7 +139,9 @@ class _Assembly:
         if "rebuilt" in own:
             growth_rows(own["own_columns"][STRUCTURES], network, self._built, draft)
         encoded = self._encoded(network, witnesses, self._flows, decided=list(swarms.values()))
+        plain = not swarms and not optional and direct(network) and not setting.delay
         own |= {"families": tuple(families), "visits": tuple(self._visits)}
+        own["served"] = served_by(witnesses) if plain else ()
         return replace(encoded, occupied=occupied, **own)
 
     def _free(self, network: Network) -> Executions | None:

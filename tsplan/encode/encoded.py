@@ -12,6 +12,7 @@ import numpy as np
 from tsplan.clock import Clock
 from tsplan.encode.agent_classes import AgentClass, MapArrays
 from tsplan.encode.atom_encoders import Atoms
+from tsplan.encode.class_shares import Served
 from tsplan.encode.count_atoms import atoms_over
 from tsplan.encode.demand_rows import SiteColumns
 from tsplan.encode.demand_runs import Family
@@ -101,6 +102,7 @@ class Encoded:
     that an objective needs for itself, by its name, and what the columns of other parts mean by
     theirs. `loads` are the columns of whole pieces that are carried, which are repaired as flows
     are; so are the columns `rebuilt` of structures that become others, which solvers decide.
+    `served` are the tasks that classes may share.
     """
 
     setting: Setting
@@ -121,6 +123,7 @@ class Encoded:
     choices: tuple[Ints, ...] = ()
     families: tuple[tuple[SiteColumns, Family], ...] = ()
     visits: tuple[Visits, ...] = ()
+    served: tuple[Served, ...] = ()
 
     @property
     def repaired(self) -> Ints:

@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from tsplan.clock import Clock
+from tsplan.encode.class_shares import with_shares
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
@@ -68,6 +69,7 @@ class Search:
         self._refuted = encoded.refuted
         self._first = False
         self._lp: WarmLP | None = None
+        self._shared = False  # whether the best witnesses are known, but for classes in parts
         self._rounding = Rounding(encoded, target, effort, clock)
         self._began = clock.elapsed
         self.scout: Callable[[], Floats | None] | None = None
@@ -86,6 +88,8 @@ class Search:
                 self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
                 self._lp = None
+        if not self.done and not self._clock.over and self._shared:
+            self._by_shares()
         if not self.done and not self._clock.over:
             self._by_solver(self._clock)
         return self._found()
@@ -271,9 +275,9 @@ class Search:
         tree = BranchAndBound(lp, encoded.indicators, encoded.choices, self._target, root)
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         self._take_turns(tree, _TURNS)
-        if not self.done:
+        if not self.done and not self._shared:
             explored = self._climb(tree, budget)
-            if not self.done and self._nearly(explored, root.objective):
+            if not self.done and not self._shared and self._nearly(explored, root.objective):
                 self._climb(tree, budget)
 
     def _take_turns(self, tree: BranchAndBound, seconds: float) -> None:
@@ -287,7 +291,7 @@ class Search:
         while self._model.matrix.nnz <= _SMALL and not self._clock.over:
             self._climb(tree, seconds, most)
             spent = self._clock.elapsed - self._began
-            if self.done or spent > seconds:
+            if self.done or self._shared or spent > seconds:
                 return
             self._by_solver(self._clock.within(max(spent, _SPRINT)))
             if self.done:
@@ -305,6 +309,7 @@ class Search:
         self._raise_bound(explored.bound)
         if explored.values is not None and explored.done:
             self._whole(explored.values)
+            self._shared = not self.done and bool(self._encoded.served)
         elif explored.values is not None:
             self._keep(explored.values)
         return explored
@@ -358,6 +363,21 @@ class Search:
             if self.done or clock.over:
                 return
         self._ask(model, clock)
+
+    def _by_shares(self) -> None:
+        """The solver with parts of agents alone, but whole shares of the classes in every task."""
+        network = self._encoded.network
+        count = self._model.size.columns
+        model, start = with_shares(self._encoded.served, network, self._model, self._values)
+        loose = model.integer.copy()
+        loose[self._encoded.loosened] = False
+        options = self._effort.options(self._clock, self._target, start)
+        asked = model.with_integrality(loose)
+        solution = confirmed(self._effort.solver, asked, options, self._watch)
+        if solution.bound is not None:
+            self._raise_bound(solution.bound)
+        if solution.values is not None and not self.done:
+            self._whole(solution.values[:count])
 
     def _ask(self, model: Model, clock: Clock) -> Solution:
         """The solver's answer about the whole question, confirmed; all of it is taken in."""
