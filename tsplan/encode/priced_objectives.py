@@ -12,7 +12,7 @@ from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.objective_kinds import Grouping, ModelObjective
 from tsplan.encode.structure_flows import PART, Rebuilding
 from tsplan.exact import exact
-from tsplan.milp.model import Floats
+from tsplan.milp.model import Floats, Ints
 from tsplan.milp.target import Target
 from tsplan.ts.edges import RISKS
 

@@ -224,7 +224,7 @@ def _traveller(setting: Setting, item: AgentClass, objective: Priced) -> Travell
     assert item.bounds is not None
     toll = objective.toll(item.graph)
     matters = interest(setting, item.graph)
-    matters = Interest(matters.relevant, matters.limited, () if toll is None else (toll,))
+    matters = replace(matters, tolls=() if toll is None else (toll,))
     reduced = reduce(item.graph, matters, setting.horizon, setting.clock) or whole(item.graph)
     short = reduced.graph
     states = np.unique(np.concatenate([short.tail, short.head, np.flatnonzero(short.start)]))
