@@ -94,7 +94,7 @@ def test_other_packages_add_formats(tmp_path, monkeypatch):
         return [Point()]
 
     broken = False
-    monkeypatch.setattr("importlib.metadata.entry_points", points)
+    monkeypatch.setattr(map_files, "entry_points", points)
     map_files.added_formats.cache_clear()
     try:
         assert list(read(tmp_path, "line.txt", "a line\n").states) == ["a", "b"]

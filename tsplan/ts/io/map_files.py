@@ -10,6 +10,7 @@ import pathlib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from importlib.metadata import entry_points
 
 from tsplan.document import Document, Path, parse_document
 from tsplan.document.document import LARGEST_FILE
@@ -82,8 +83,6 @@ def added_formats() -> tuple[MapFormat, ...]:
 
     Raises MapError for one that cannot be loaded or is none.
     """
-    from importlib.metadata import entry_points  # noqa: PLC0415 - slow, and hardly ever needed
-
     found = []
     for point in entry_points(group=GROUP):
         try:
