@@ -44,20 +44,25 @@ Cluster: TypeAlias = tuple[GoalPart, ...]
 
 @dataclass(frozen=True, eq=False)
 class SubTeams:
-    """Plans the parts of a goal by teams; on an `executor` of threads side by side."""
+    """Plans the parts of a goal by teams, from `many` parts on, each of up to `size` of them.
+
+    With an `executor`, which must be one of threads, teams are planned side by side.
+    """
 
     effort: Effort
     executor: Executor | None = None
+    many: int = MANY
+    size: int = _SIZE
 
     def flows(self, encoded: Encoded, clock: Clock) -> Floats | None:
         """Flows of the whole model in a plan that teams find, or None."""
         setting = encoded.setting
         parts = parts_of(setting)
-        if len(parts) < MANY:
+        if len(parts) < self.many:
             return None
         left = clock.left
         clock = clock if left is None else clock.within(_SHARE * left)
-        clusters = clustered(setting, parts, _SIZE)
+        clusters = clustered(setting, parts, self.size)
         given = zip(clusters, shared_out(setting, clusters), strict=True)
         teams = self._all_planned([Team(encoded, *each, self.effort, clock) for each in given])
         found = [flows_in(encoded, team.point) for team in teams if team.point is not None]
