@@ -154,6 +154,11 @@ class VisitorCuts:
         return Separated(rows, np.array([cut.lower for cut in found]))
 
     @cached_property
+    def windows(self) -> bool:
+        """Whether some are asked for at any step of a window, not at that of a witness."""
+        return any(bool((one.first < one.last).any()) for one in self.demands)
+
+    @cached_property
     def _unrolled(self) -> dict[str | None, _Unrolled]:
         names = dict.fromkeys(one.capability for one in self.demands)
         horizon = self.network.horizon

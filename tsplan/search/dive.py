@@ -6,6 +6,9 @@ LP becomes infeasible or too dear, the last decision is turned to 0 (depth first
 Where the LP is tight, a handful of LPs is enough with the indicator of the largest value. Where it
 is not, as under an always, decisions in the order of time do better: what a wrong one makes
 impossible shows soon after it, while it is still among the last.
+
+Where one LP takes seconds, a *plunge* settles a part of the choices with every one of them: those
+with the largest values first, since later ones see what these came to.
 """
 
 from __future__ import annotations
@@ -21,6 +24,9 @@ from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import Floats, Ints
 
 TOLERANCE = 1e-6
+
+_PART = 0.3  # of the open choices that a plunge settles at once
+_CLEAR = 0.5  # a value from which on it says what is chosen
 
 Picker: TypeAlias = Callable[[Floats, Ints], int]
 """Chooses the column to fix, from an LP's values and the columns that are fractional."""
@@ -101,6 +107,51 @@ def dive(
         if decisions:
             lp.bounds([column for column, _ in decisions], 0.0, 1.0)
     return Dived(None)
+
+
+def plunge(
+    lp: WarmLP,
+    choices: Sequence[Ints],
+    result: LPResult,
+    clock: Clock,
+    *,
+    cutoff: float | None = None,
+) -> LPResult | None:
+    """The LP's end where all choices are settled, a part of them at a time; None for a dead end.
+
+    `result` is the LP's solution now, and its bounds are restored before returning. Each choice is
+    settled for its largest value or, where that says little, for where half of its weight lies.
+    """
+    settled: list[int] = []
+    try:
+        while result.status == "optimal" and not clock.over:
+            assert result.values is not None
+            weights = [result.values[group] for group in choices]
+            most = np.array([weight.max(initial=0.0) for weight in weights])
+            most[settled] = -1.0
+            open_ = np.flatnonzero((most > TOLERANCE) & (most < 1 - TOLERANCE))
+            if not len(open_):
+                return result
+            order = open_[np.argsort(-most[open_], kind="stable")]
+            chosen = order[: max(int(_PART * len(order)), 1)]
+            for number in [*chosen.tolist(), *np.flatnonzero(most >= 1 - TOLERANCE).tolist()]:
+                only = np.zeros(len(choices[number]))
+                only[_middle(weights[number])] = 1.0
+                lp.bounds(choices[number], only, only)
+                settled.append(number)
+            result = lp.solve(time_limit=clock.left, cutoff=cutoff)
+        return None
+    finally:
+        for number in settled:
+            lp.bounds(choices[number], 0.0, 1.0)
+
+
+def _middle(weight: Floats) -> int:
+    """The place of the largest weight, or of the middle of all where none is large."""
+    largest = int(np.argmax(weight))
+    if weight[largest] >= _CLEAR * weight.sum():
+        return largest
+    return int(np.searchsorted(np.cumsum(weight), weight.sum() / 2))
 
 
 def _turn(lp: WarmLP, decisions: list[tuple[int, float]]) -> bool:

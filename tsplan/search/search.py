@@ -25,7 +25,7 @@ from tsplan.milp.model import Floats, Model
 from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
-from tsplan.search.dive import Earliest, Picker, dive, largest
+from tsplan.search.dive import Earliest, Picker, dive, fractional, largest, plunge
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found
 from tsplan.search.rounding import Rounding
@@ -236,6 +236,7 @@ class Search:
         turns = 20 + len(encoded.indicators) // 10
         pickers: list[Picker] = [largest]
         if self._clock.elapsed - self._began > _LONG:  # a tree will not get far soon
+            self._plunge(lp, root)
             pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.choices))
         for pick in pickers:
             cutoff = self._cutoff
@@ -254,6 +255,14 @@ class Search:
                 self._none_below(cutoff)
             if self.done:
                 break
+
+    def _plunge(self, lp: WarmLP, root: LPResult) -> None:
+        """Look for a point with few linear programs."""
+        found = plunge(lp, self._encoded.choices, root, self._clock, cutoff=self._cutoff)
+        if found is not None and found.values is not None:
+            values = found.values
+            if not len(fractional(values, self._encoded.indicators)):
+                self._keep(values)
 
     def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
         """Add cuts to the LP and to the model, while they raise the bound."""

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import sparse
 
 from tsplan.clock import Clock
 from tsplan.encode.arrival_cuts import violated
@@ -16,10 +17,12 @@ from tsplan.encode.encoded import Encoded
 from tsplan.encode.switches import Switch
 from tsplan.encode.visitor_cuts import VisitorCuts
 from tsplan.milp.lp import LPResult, WarmLP
-from tsplan.milp.model import INFINITY, Model
+from tsplan.milp.model import INFINITY, Floats, Model
+from tsplan.search.dive import fractional
 
 _ROUNDS = 60
 _GAIN = 1e-4  # relative rise of the bound that counts as one
+_SHARE = 0.4  # of the time that is left: plans are looked for afterwards
 _IDLE = 6  # rounds without one: cuts of visitors often need several for a rise
 
 
@@ -39,9 +42,11 @@ class Separation:
     def tightened(self, lp: WarmLP, root: LPResult) -> LPResult:
         """The program's solution with cuts; the last one that was found where time is up."""
         idle = 0
+        left = self.clock.left
+        clock = self.clock if left is None else self.clock.within(_SHARE * left)
         visitors = VisitorCuts(self.encoded.network, self.encoded.visits)
         for _ in range(_ROUNDS):
-            if self.clock.over or not self._add(lp, root, visitors):
+            if clock.over or not self._add(lp, root, visitors):
                 break
             after = lp.solve(time_limit=self.clock.left)
             if after.status == "limit":
@@ -60,7 +65,9 @@ class Separation:
         """Add what a solution violates; whether there is anything."""
         values, columns = root.values, self.model.size.columns
         assert values is not None
-        found = []
+        found: list[tuple[sparse.csr_array, Floats, str]] = []
+        if not visitors.windows and not len(fractional(values, self.encoded.indicators)):
+            return False  # where witnesses are whole so many agents are there at one step
         if Switch.LAZY in self.switches:
             rows = violated(self.encoded.families, values, columns)
             found += [] if rows is None else [(rows, np.zeros(rows.shape[0]), "arrival")]
