@@ -17,6 +17,7 @@ from tsplan.cli import main
 from tsplan.cli.progress import Progress
 from tsplan.plans.outcomes import MissionRef
 from tsplan.run.events import Bound, Incumbent, Stage
+from tsplan.run.isolate import Forward
 
 
 def test_a_plan_is_printed_written_and_checked(folder, capsys):
@@ -225,3 +226,18 @@ def test_progress_on_a_terminal_is_one_live_line(capsys, monkeypatch):
         progress.note("by the way")
         assert str(progress._rendered()).startswith("travel  best 50  bound 45  gap 10.0%")
     assert "by the way" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("anytime", [True, False])
+def test_without_anytime_the_first_plan_asks_the_search_to_stop(anytime):
+    sent = []
+    forward = Forward(sent.append, anytime=anytime)
+    assert not forward(Stage("travel", 0.0))
+    assert not forward(Bound("travel", None, 2.0, 0.1))
+    assert forward(Incumbent("travel", 4.0, 2.0, 0.3)) is not anytime
+    assert len(sent) > 1
+
+
+def test_a_first_plan_alone_is_checked_too(folder, capsys):
+    assert main(["plan", "mission.yaml", "--no-anytime", "--json", "--quiet"]) == 0
+    assert json.loads(capsys.readouterr().out)["verified"] is True

@@ -76,6 +76,12 @@ def _plan(commands: Commands) -> None:
     add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
     add("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
     add("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
+    add(
+        "--anytime",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="go on improving until the limit or proof (default), or end with the first plan",
+    )
     add("--threads", type=_threads, metavar="N", help="threads of the solver")
     add("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
     add(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, cast
 
 from tsplan.checking.assignment import assign
@@ -39,6 +40,7 @@ def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
     mission, choice, loaded = mission_to_solve(options, "the plan")
     order = order_for(mission, choice, options.encoding, tuple(options.without))
+    order = replace(order, anytime=options.anytime)
     requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
         if not (may_have_children() or options.quiet):

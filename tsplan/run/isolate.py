@@ -42,7 +42,11 @@ class Audience(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """What is asked of a planner: the function `planner` of a module, which makes a `kind`."""
+    """What is asked of a planner: the function `planner` of a module, which makes a `kind`.
+
+    With `anytime` it goes on until nothing is left to prove or time is up, else it ends with the
+    first plan.
+    """
 
     mission: Any
     choice: SolverChoice
@@ -50,6 +54,7 @@ class Order:
     without: tuple[str, ...] = ()
     planner: tuple[str, str] = ("tsplan.run.planner", "plan")
     kind: type[Any] = Plan
+    anytime: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +149,7 @@ def _job(order: Order, send: Callable[[object], object]) -> Any:
         seed=choice.seed,
         encoding=order.encoding,
         without=order.without,
-        on_event=Forward(send, 0.0 if many else _SHARE),
+        on_event=Forward(send, 0.0 if many else _SHARE, anytime=order.anytime),
     )
 
 
@@ -153,18 +158,26 @@ class Forward:
 
     The first plan is handed over at once, as a search may be silent for long after its last news;
     later ones while all of them take at most a `share` of the time. With a share of 0 none is.
+    Without `anytime` the first plan asks the search to stop.
     """
 
-    def __init__(self, send: Callable[[object], object], share: float = _SHARE) -> None:
+    def __init__(
+        self, send: Callable[[object], object], share: float = _SHARE, *, anytime: bool = True
+    ) -> None:
         self._send = send
+        self._anytime = anytime
         self._share = share
         self._began = time.monotonic()
         self._last = -_EVERY
         self._spent = 0.0
         self._made: Callable[[], Any] | None = None
 
-    def __call__(self, event: Event) -> None:
-        """Take an event in and send on what is worth it."""
+    def __call__(self, event: Event) -> bool:
+        """Take an event in and send on what is worth it; whether to stop."""
+        self._take(event)
+        return isinstance(event, Incumbent) and not self._anytime
+
+    def _take(self, event: Event) -> None:
         now = time.monotonic()
         if isinstance(event, Incumbent):
             self._made = event.plan
