@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from concurrent.futures import Executor, ThreadPoolExecutor
-from random import Random
 
 import numpy as np
 import pytest
 
 import tsplan
+from tests.many_tasks import mission
 from tsplan.clock import Clock
 from tsplan.encode.assemble import tight
 from tsplan.encode.encoded import Encoded
@@ -23,30 +23,6 @@ from tsplan.search.effort import Effort
 from tsplan.search.search import Search
 from tsplan.search.sub_teams import SubTeams, clustered, shared_out
 from tsplan.ts.builders import grid
-
-
-def mission(seed: int, tasks: int = 6, formula: str = "", agents: int = 12) -> Mission:
-    """Random tasks on a grid of six by six for agents of two kinds."""
-    random = Random(seed)
-    cells = [(row, column) for row in range(6) for column in range(6)]
-    places = random.sample(cells, tasks)
-    parts = [
-        f"F[{begin},{begin + 8}] T({random.randint(0, 2)},l{number},"
-        f"{{({random.choice('xy')},{random.randint(1, 3)})}})"
-        for number in range(tasks)
-        for begin in [random.randint(6, 14)]
-    ]
-    labels = {cell: f"l{number}" for number, cell in enumerate(places)}
-    team = [
-        Group.of("one", {"r0c0": agents}, {"x"}),
-        Group.of("other", {"r5c5": agents}, {"y", "x"}),
-    ]
-    return Mission.of(
-        map=grid(6, 6, labels=labels),
-        team=team,
-        formula=formula or " && ".join(parts),
-        objective=["travel"],
-    )
 
 
 def by_teams(encoded: Encoded, executor: Executor | None = None, size: int = 3) -> Floats | None:

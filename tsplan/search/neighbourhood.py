@@ -2,13 +2,15 @@
 
 The steps of the witnesses are taken from an LP-guided dive and held, and the solver finds the best
 whole agents for them; then one or two choices at a time are freed and the others are held (large
-neighbourhood search: Shaw, 1998). Nothing here proves anything but that a plan exists.
+neighbourhood search: Shaw, 1998). Of many choices those are freed together that are settled for
+steps close to each other: they compete for the same agents. Nothing here proves anything but that
+a plan exists.
 """
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -27,6 +29,8 @@ _FIRST = 2.0  # seconds for the first small model
 _EACH = 1.0  # seconds for one with a freed choice
 _ALL = 4.0  # seconds for all of them
 _HALF = 0.5
+_MANY = 12  # choices from which on there are too many pairs
+_BLOCKS = 4, 8, 16  # choices that are freed together of many
 
 
 @dataclass(eq=False)
@@ -59,19 +63,47 @@ class Improving:
         return point if point is None else self._rounds(model, point, bound)
 
     def _rounds(self, model: Model, point: Floats, bound: float) -> Floats:
-        """Free single choices, then pairs of them, until none gains anything or time is up."""
-        clock = self.clock.within(_ALL)
-        choices = range(len(self.encoded.choices))
-        waiting = deque([*combinations(choices, 1), *combinations(choices, 2)])
-        tried = 0
-        while tried < len(waiting) and not clock.over:
+        """Free a few choices at a time until that gains nothing or time is up."""
+        improving = replace(self, clock=self.clock.within(_ALL))
+        for better in improving.steps(model, point, _EACH):
+            point = better
             if self._best(point, bound):
                 break
-            found = self._held(model, point, waiting[0], point, _EACH)
+        return point
+
+    def steps(self, model: Model, point: Floats, seconds: float) -> Iterator[Floats]:
+        """Better and better points than a known one of the model, in so many seconds for each."""
+        waiting = deque(self._neighbourhoods(point))
+        tried = 0
+        while tried < len(waiting) and not self.clock.over:
+            found = self._held(model, point, waiting[0], point, seconds)
             waiting.rotate(-1)
             tried = 0 if found is not None else tried + 1
-            point = point if found is None else found
-        return point
+            if found is not None:
+                point = found
+                yield point
+
+    def _neighbourhoods(self, point: Floats) -> Iterator[Sequence[int]]:
+        """Choices to free together: single ones and pairs, of many those of steps near each other.
+
+        Blocks overlap by half.
+        """
+        choices = range(len(self.encoded.choices))
+        if len(choices) < _MANY:
+            yield from combinations(choices, 1)
+            yield from combinations(choices, 2)
+            return
+        order = sorted(choices, key=lambda number: self._settled(number, point))
+        for size in (size for size in _BLOCKS if size < len(order)):
+            for begin in range(0, len(order) - size // 2, size // 2):
+                yield order[begin : begin + size]
+
+    def _settled(self, number: int, point: Floats) -> float:
+        """The step that a choice is settled for; those that nothing asks for come last."""
+        group = self.encoded.choices[number]
+        chosen = group[point[group] > _HALF]
+        place = np.searchsorted(self.encoded.indicators, chosen)
+        return float(self.encoded.steps[place].min(initial=self.encoded.setting.horizon + 1))
 
     def _held(
         self,

@@ -28,6 +28,7 @@ from tsplan.search.branch_and_bound import BranchAndBound, Explored
 from tsplan.search.dive import Earliest, Picker, dive, fractional, largest, plunge
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found
+from tsplan.search.neighbourhood import Improving
 from tsplan.search.rounding import Rounding
 from tsplan.search.separation import Separation
 from tsplan.stopping import StoppedBy
@@ -35,6 +36,7 @@ from tsplan.stopping import StoppedBy
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
 _SLOW = 1.0  # seconds of the first linear program after which a plan comes before cuts
 _LONG = 2.0  # seconds at the root after which a second dive is worth its while
+_NEAR = 1 / 3  # of the time that is left may be spent near the best point
 _REST = 0.5  # of what the tree has gained may be left for it to go on
 _SMALL = 50_000  # nonzeros up to which a model counts as small
 _FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many, or one for each
@@ -210,6 +212,8 @@ class Search:
             self._send(self.rescue)
         if not self.done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
+        if not self.done and self._long and Switch.DIVE in self._effort.switches:
+            self._improve()
         if not self.done and Switch.TREE in self._effort.switches:
             self._grow(lp)
 
@@ -235,7 +239,7 @@ class Search:
         encoded = self._encoded
         turns = 20 + len(encoded.indicators) // 10
         pickers: list[Picker] = [largest]
-        if self._clock.elapsed - self._began > _LONG:  # a tree will not get far soon
+        if self._long:
             self._plunge(lp, root)
             pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.choices))
         for pick in pickers:
@@ -253,6 +257,24 @@ class Search:
                 self._keep(dived.values)
             if dived.refuted:
                 self._none_below(cutoff)
+            if self.done:
+                break
+
+    @property
+    def _long(self) -> bool:
+        """Whether the root has taken so long that a tree will not get far soon."""
+        return self._clock.elapsed - self._began > _LONG
+
+    def _improve(self) -> None:
+        """Look for better points near the best one, for a part of the time that is left."""
+        if self._values is None:
+            return
+        left, spent = self._clock.left, self._clock.elapsed - self._began
+        clock = self._clock.within(spent if left is None else min(spent, _NEAR * left))
+        encoded = replace(self._encoded, model=self._model)
+        improving = Improving(encoded, self._target, self._effort, clock)
+        for better in improving.steps(self._model, self._values, spent / 2):
+            self._accept(better)
             if self.done:
                 break
 
