@@ -37,7 +37,6 @@ BOUNDARIES = (
     "logic.parsing",
     "milp.solver",
     "run.isolate",
-    "ts.io.map_files",
 )
 # what other packages are imported inside functions: those that may be missing or are slow to load
 LATE = frozenset(

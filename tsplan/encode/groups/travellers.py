@@ -8,7 +8,7 @@ is a relaxation: tokens know nothing of each other but the stops that they share
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import permutations
 
 import numpy as np
@@ -22,7 +22,7 @@ from tsplan.encode.groups.token_service import Servants, Service, Task
 from tsplan.encode.groups.token_stops import Limit, Steps, Stop
 from tsplan.encode.groups.token_tours import Call, Journey, Tours, Way
 from tsplan.encode.groups.token_weights import Origin, Wanted, Weighting
-from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
+from tsplan.encode.map_reduction import Reduced, reduce, whole
 from tsplan.encode.preparation import interest
 from tsplan.encode.priced_objectives import Priced
 from tsplan.milp.model import Bools, Floats, Ints
