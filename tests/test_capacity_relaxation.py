@@ -19,7 +19,7 @@ from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.enforced_capacities import Enforced
 from tsplan.encode.preparation import prepare
 from tsplan.routing.single_agent import SingleAgent
-from tsplan.search import capacity_relaxation
+from tsplan.search import capacity_relaxation, search
 from tsplan.search.capacity_relaxation import CapacityRelaxation
 from tsplan.ts.builders import grid
 
@@ -189,3 +189,23 @@ def all_costs(graph, horizon, at, entering, duties):
             if end <= horizon and not passed:
                 to = int(graph.head[edge])
                 stack.append((to, end, cost + entering[step, edge] + at[end, to]))
+
+
+@pytest.mark.parametrize("limit", [0.02, 0.05, 0.1])
+def test_no_bound_is_told_that_the_best_plan_refutes_where_time_is_up(
+    limit: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(search, "_SLOW", -1.0)
+    for mission in (aisle(8, 4), sliding(15), sliding(12)):
+        told: list[float] = []
+
+        def hear(event: object, told: list[float] = told) -> None:
+            bound = getattr(event, "bound", None)
+            told += [] if bound is None else [bound]
+
+        best = tsplan.plan(mission)
+        plan = tsplan.plan(mission, time_limit=limit, on_event=hear)
+        first = best.objective[0]
+        assert first.value is not None
+        assert all(bound <= first.value for bound in told)
+        assert all(item.bound is None or item.bound <= first.value for item in plan.objective[:1])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from math import isfinite
 
 from tsplan.encode.objective_kinds import StageObjective
 from tsplan.plans.outcomes import ObjectiveValue
@@ -26,7 +27,7 @@ class LearntBounds:
 
         Where only plans better than a known `value` were looked for, it says no more than that one.
         """
-        if bound is None:
+        if bound is None or not isfinite(bound):
             return
         sign = self._sign(self.objectives[0])
         bounds = [sign * each for each in (bound, self.first) if each is not None]

@@ -202,7 +202,8 @@ class Search:
         lp = self._warm()
         root = lp.solve(time_limit=self._clock.left)
         if root.status == "optimal":
-            root = self._tighten(lp, self._hurried(lp, root))
+            self._hurry(lp, root)
+            root = root if self.done else self._tighten(lp, root)
         if root.status == "infeasible":
             self._none_below(self._cutoff)
         if root.status != "optimal":
@@ -217,15 +218,13 @@ class Search:
         if not self.done and Switch.TREE in self._effort.switches:
             self._grow(lp)
 
-    def _hurried(self, lp: WarmLP, root: LPResult) -> LPResult:
-        """The root again, after a dive for some plan if cuts would take long."""
+    def _hurry(self, lp: WarmLP, root: LPResult) -> None:
+        """Dive for some plan before cuts that would take long."""
         slow = self._clock.elapsed - self._began > _SLOW
         dives = Switch.DIVE in self._effort.switches and not self._first
-        if self._values is not None or not slow or not dives:
-            return root
-        self._raise_bound(root.objective)
-        self._dive(lp, root)
-        return lp.solve(time_limit=self._clock.left)
+        if self._values is None and slow and dives:
+            self._raise_bound(root.objective)
+            self._dive(lp, root)
 
     def _none_below(self, cutoff: float | None) -> None:
         """There is no point below the cutoff, or none at all without one."""
