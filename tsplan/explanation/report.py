@@ -78,13 +78,15 @@ class Report:
 
     With `several` conflicts they are numbered. `tell` is made to be heard by `explain`:
 
+    >>> import io
     >>> import tsplan
     >>> from rich.console import Console
     >>> from tsplan.explanation.report import Report
-    >>> mission = tsplan.load_mission("mission.yaml")
-    >>> report = Report(mission, Console(width=80))
+    >>> mission, printed = tsplan.load_mission("mission.yaml"), io.StringIO()
+    >>> report = Report(mission, Console(file=printed, width=80))
     >>> made = tsplan.explain(mission, on_found=report.tell)
-    corridor: there is a plan
+    >>> printed.getvalue().splitlines()[0].endswith("there is a plan")
+    True
     >>> report.finish(made)  # what is likely, what was cut short, and how long it took
     """
 

@@ -77,8 +77,10 @@ def explain(
     >>> made = tsplan.explain(tsplan.load_mission("mission.yaml"))
     >>> made.status.value, [[part.text for part in conflict.parts] for conflict in made.conflicts]
     ('feasible', [])
-    >>> made = tsplan.explain(tsplan.load_mission("mission.yaml"), on_found=print)
-    feasible
+    >>> heard = []
+    >>> made = tsplan.explain(tsplan.load_mission("mission.yaml"), on_found=heard.append)
+    >>> heard[0].value, heard[1] == made.facts[0]
+    ('feasible', True)
     """
     refuse_options(time_limit=time_limit)
     if getattr(mission, "expected", None) is not None:
