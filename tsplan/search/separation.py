@@ -20,10 +20,10 @@ from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import INFINITY, Floats, Model
 from tsplan.search.dive import fractional
 
-_ROUNDS = 60
+_ROUNDS = 100
 _GAIN = 1e-4  # relative rise of the bound that counts as one
 _SHARE = 0.4  # of the time that is left: plans are looked for afterwards
-_IDLE = 6  # rounds without one: cuts of visitors often need several for a rise
+_IDLE = 15  # rounds without one: cuts of visitors often need several for a rise
 
 
 @dataclass(eq=False)
