@@ -16,7 +16,7 @@ from tsplan.clock import Clock
 from tsplan.encode.assemble import tight
 from tsplan.encode.groups.lone_groups import lone
 from tsplan.encode.groups.token_service import Servants, Task
-from tsplan.encode.groups.token_stops import Stop
+from tsplan.encode.groups.token_stops import Choices, Stop
 from tsplan.encode.groups.token_tours import Call, Journey, Tours
 from tsplan.encode.groups.token_weights import Origin, Wanted, weightings
 from tsplan.encode.model_objectives import Splits
@@ -241,6 +241,27 @@ def test_too_many_stops_are_not_all_made() -> None:
     mission = line(formula=" && ".join(parts), swarm={"size": 1, "at": "s"})
     plan = tsplan.plan(mission)
     assert 0 < bound(mission, 0, 0.5) <= plan.objective[1].value
+
+
+def test_stops_that_share_a_step_are_made_by_two() -> None:
+    """Where X is a single state; where it is two, others may be there by the time."""
+    for states, count in (("p", 1), ("ps", 0)):
+        names = ["r", "s", "p"]
+        system = TransitionSystem.build(
+            [
+                State(n, labels=frozenset({n.upper()} | ({"X"} if n in states else set())))
+                for n in names
+            ],
+            [Edge(a, b) for a, b in product(names, repeat=2)],
+        )
+        swarm = {"size": 4, "at": "s"}
+        formula = "F[0,3] (G[0,2] X && G[2,2] R)"
+        mission = Mission.of(map=system, swarm=swarm, formula=formula, horizon=5)
+        choices = Choices(prepare(mission), 2)
+        bounds = choices.bounds
+        assert bounds is not None
+        assert len(choices.apart(choices.certain(bounds))) == count
+        assert len(choices.stops(choices.certain(bounds))) == 2
 
 
 # --- swarms that need not split ------------------------------------------------------------------

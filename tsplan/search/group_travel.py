@@ -30,6 +30,7 @@ from tsplan.search.search import Search
 from tsplan.search.tour_search import TourSearch
 
 _TOURING = 20.0  # seconds for the tours of tokens
+_SHARE = 0.5  # of the time that is left, if that is less
 _REALISING = 5.0  # seconds for a plan along the ways of tokens
 
 
@@ -65,7 +66,13 @@ class GroupTravel:
             travellers = Travellers(self._setting, self.objective, splits)
             choices = Choices(self._setting, travellers.tokens)
             search = TourSearch(travellers, choices, self._target, self._near)
-            yield from search.bounds(known, self.clock.within(_TOURING))
+            yield from search.bounds(known, self._clock)
+
+    @property
+    def _clock(self) -> Clock:
+        """A part of the time, for the tours."""
+        left = self.clock.left
+        return self.clock.within(_TOURING if left is None else min(_TOURING, _SHARE * left))
 
     @property
     def _single(self) -> bool:

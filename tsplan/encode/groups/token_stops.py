@@ -46,6 +46,13 @@ class Stop(NamedTuple):
         return any(first < last for first, last in self.runs)
 
     @property
+    def sure(self) -> tuple[Steps, ...]:
+        """Of every run, the steps at which whoever begins to make the stop alone is there."""
+        if len(self.place[0]) == 1:
+            return self.runs
+        return tuple((first, first) for first, _ in self.runs)
+
+    @property
     def once(self) -> Stop:
         """The stop with every run once."""
         return self._replace(runs=tuple(dict.fromkeys(self.runs)))
@@ -195,9 +202,9 @@ class Choices:
         return kept
 
     def apart(self, sets: Sequence[tuple[int, ...]]) -> set[tuple[Stop, Stop]]:
-        """Pairs of stops, at one state each way, that no token makes both on its own.
+        """Pairs of stops that no token makes both on its own: they share a step in every witness.
 
-        Whichever witness comes, they share a step of it.
+        At several states agents may come and go, so there only the first step is sure.
         """
         found: set[tuple[Stop, Stop]] = set()
         for columns in sets:
@@ -205,7 +212,7 @@ class Choices:
             for one, other in combinations(aligned, 2):
                 if set(one.place[0]).isdisjoint(other.place[0]) and all(
                     a <= end and begin <= b
-                    for (a, b), (begin, end) in zip(one.runs, other.runs, strict=True)
+                    for (a, b), (begin, end) in zip(one.sure, other.sure, strict=True)
                 ):
                     found.add((one.once, other.once))
         return found

@@ -27,7 +27,7 @@ from tsplan.encode.preparation import interest
 from tsplan.encode.priced_objectives import Priced
 from tsplan.milp.model import Bools, Floats, Ints
 
-_ENTRIES = 6_000_000  # of a table, at eight bytes each
+_ENTRIES = 6_000_000  # of all tables together, at eight bytes each
 _CALLS = 12
 _TINY = 1e-6
 
@@ -178,7 +178,8 @@ class Travellers:
         several states agents may go from one to the other, so nothing is known but its beginning.
         """
         nodes = max((len(one.states) for one in self._each), default=1)
-        room = int(np.log2(max(_ENTRIES / ((self._horizon + 1) * nodes), 1.0)))
+        size = (self._horizon + 1) * nodes * len(self.origins)
+        room = int(np.log2(max(_ENTRIES / size, 1.0)))
         most = min(room, _CALLS)
         for stop in sorted(stops, key=lambda stop: (-stop.amount, stop.runs)):
             wanted, runs = self.wanted(stop), stop.runs
