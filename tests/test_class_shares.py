@@ -113,7 +113,7 @@ def test_the_solver_asked_by_shares_claims_no_more_than_is_true() -> None:
         target = Travel().target(made.setting, made)
         search = Search(made, target, Effort(solver("highs")), Clock(), lambda *_: None)
         search._by_shares()
-        found = search._found()
+        found = search._known.found(Clock())
         assert found.bound <= plain[0] + 1e-6
         assert found.objective is None or found.objective >= plain[0] - 1e-6
         asked += found.proven

@@ -98,8 +98,8 @@ def test_a_full_stdout_is_said_buffered_or_not(unbuffered):
     [
         "check mission.yaml plan.json",
         "show plan.json --why",
-        "explain mission.yaml",
-        "explain mission.yaml --json",
+        "explain mission.yaml --quiet",
+        "explain mission.yaml --quiet --json",
         "lint map.yaml",
     ],
 )

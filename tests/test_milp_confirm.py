@@ -28,6 +28,7 @@ from tsplan.milp.solver import installed, solver
 from tsplan.milp.target import Target
 from tsplan.search import search
 from tsplan.search.effort import Effort
+from tsplan.search.standing import Standing
 from tsplan.stopping import StoppedBy
 from tsplan.testing import random_mission
 
@@ -251,12 +252,12 @@ def test_a_bound_that_a_plan_refutes_is_no_proof(step: float) -> None:
     effort = Effort(Highs())
     known = search.Search(encoded, target, effort, Clock(), lambda *_: None).minimise()
     assert known.proven
-    fresh = search.Search(encoded, target, effort, Clock(), lambda *_: None)
-    fresh._accept(known.values)
-    fresh._raise_bound(known.objective + 5.0)
-    assert not fresh._closed
-    fresh._raise_bound(known.objective + 1e-9)  # rounding is no contradiction
-    assert fresh._closed
+    fresh = Standing(target, lambda *_: None)
+    fresh.accept(known.values, encoded.model)
+    fresh.raise_bound(known.objective + 5.0)
+    assert not fresh.done
+    fresh.raise_bound(known.objective + 1e-9)  # rounding is no contradiction
+    assert fresh.done
 
 
 def test_a_first_point_is_enough() -> None:

@@ -320,19 +320,18 @@ class CapacityRelaxation:
         return gap is not None and gap <= wanted
 
     def _outcome(self) -> Outcome[Point]:
+        stopped = self.clock.stopped_by or self._last.stopped_by or StoppedBy.PRECISION
         if self._best is None:
-            return replace(self._last, point=None, reached=(), proven=False)
-        stopped = None
-        if not self._proven:
-            stopped = StoppedBy.GAP if self._near else self.clock.stopped_by
-            stopped = stopped or self._last.stopped_by or StoppedBy.PRECISION
+            return replace(self._last, point=None, reached=(), proven=False, stopped_by=stopped)
+        if self._near:
+            stopped = StoppedBy.GAP
         return replace(
             self._last,
             point=self._best,
             reached=self._learnt.of(self._values),
             proven=self._proven,
             infeasible=False,
-            stopped_by=stopped,
+            stopped_by=None if self._proven else stopped,
         )
 
 

@@ -18,7 +18,6 @@ from tsplan.encode.class_shares import with_shares
 from tsplan.encode.encoded import Encoded
 from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
-from tsplan.exact import digits, relative_gap
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import MOMENT, PATIENCE, LPResult, WarmLP
 from tsplan.milp.model import Floats, Model
@@ -31,7 +30,7 @@ from tsplan.search.lexicographic import Found
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.rounding import Rounding
 from tsplan.search.separation import Separation
-from tsplan.stopping import StoppedBy
+from tsplan.search.standing import Reporter, Standing
 
 _PATIENCE = 5.0  # seconds the tree may take before the solver's own search begins
 _SLOW = 1.0  # seconds of the first linear program after which a plan comes before cuts
@@ -43,10 +42,6 @@ _FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many,
 # so many nonzeros: larger programs take longer, but their trees are more often done soon
 _TURNS = 1.0  # seconds after which the tree searches alone
 _SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
-_FORGIVEN = 1e-6  # by which a point may violate a row of numbers that are not whole
-
-
-Reporter = Callable[[Floats | None, float | None, float | None], None]
 
 
 class Search:
@@ -64,12 +59,7 @@ class Search:
         self._model = encoded.model.with_objective(target.vector)
         self._effort = effort
         self._clock = clock
-        self._report = report
-        self._values: Floats | None = None
-        self._value = np.inf
-        self._bound = -np.inf
-        self._refuted = encoded.refuted
-        self._first = False
+        self._known = Standing(target, report, effort.choice.gap, encoded.refuted)
         self._lp: WarmLP | None = None
         self._shared = False  # whether the best witnesses are known, but for classes in parts
         self._rounding = Rounding(encoded, target, effort, clock)
@@ -80,9 +70,9 @@ class Search:
 
     def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
         """The least value, or with `first` any point. `start` is a known point of this model."""
-        self._first = first
+        self._known.first = first
         if start is not None:
-            self._accept(start)
+            self._known.accept(start, self._model)
         if not self.done:
             self._send(self.scout)
         if not self.done and self._effort.switches & {Switch.DIVE, Switch.TREE}:
@@ -94,18 +84,16 @@ class Search:
             self._by_shares()
         if not self.done and not self._clock.over:
             self._by_solver(self._clock)
-        return self._found()
+        return self._known.found(self._clock)
 
     @property
     def done(self) -> bool:
         """Whether the question is answered."""
-        return self._refuted or self._closed or (self._first and self._values is not None)
+        return self._known.done
 
     def know(self, bound: float) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""
-        if bound > self._bound:
-            self._bound = bound
-            self._report(None, None if self._values is None else self._value, bound)
+        self._known.know(bound)
 
     def dive_for(self, pick: Picker) -> Floats | None:
         """The point that a dive by `pick` finds, however often it goes wrong, or None."""
@@ -117,83 +105,20 @@ class Search:
             dived = dive(lp, self._encoded.indicators, root, self._clock, pick=pick)
             if dived.values is not None:
                 self._keep(dived.values)
-        return self._values
+        return self._known.values
 
     def _send(self, scout: Callable[[], Floats | None] | None) -> None:
         """Keep the point of this model that has the flows which `scout` brings, if there is one."""
-        flows = scout() if scout is not None and self._values is None else None
+        flows = scout() if scout is not None and self._known.values is None else None
         if flows is not None:
             self.adopt(flows)
 
     def adopt(self, flows: Floats) -> Floats | None:
         """Keep and return the best point of this model with the given flows, if there is one."""
-        values = self._rounding.carrying(self._model, flows, self._values)
+        values = self._rounding.carrying(self._model, flows, self._known.values)
         if values is not None:
-            self._accept(values)
+            self._known.accept(values, self._model)
         return values
-
-    def _accept(self, values: Floats) -> None:
-        """Keep a point of whole agents if it is one, and better than the one known."""
-        values = np.where(self._model.integer, np.round(values), values)
-        value = self._target.value(values)
-        if not self._target.better(value, self._value):
-            return
-        if self._model.violation(values) > _FORGIVEN:
-            return
-        if self._target.refutes(value, self._bound):
-            raise SolverError(
-                f"a plan of value {digits(value)} is better than the bound {digits(self._bound)} "
-                "that was proven: the solver's arithmetic fails on this mission"
-            )
-        self._values, self._value = values, value
-        self._report(values, value, self._bound if np.isfinite(self._bound) else None)
-
-    def _raise_bound(self, bound: float) -> None:
-        """Take in what a linear program or a solver says, as far as it can be believed.
-
-        A bound that the known point refutes says nothing.
-        """
-        proven = self._target.proven(bound)
-        if proven > self._bound and not self._target.refutes(self._value, proven):
-            self._bound = min(proven, self._value)
-            self._report(None, None if self._values is None else self._value, self._bound)
-
-    @property
-    def _closed(self) -> bool:
-        """Whether nothing better by the wanted gap can exist."""
-        if self._values is None:
-            return False
-        return self._target.closed(self._value, self._bound) or self._near
-
-    @property
-    def _near(self) -> bool:
-        """Whether the gap that was asked for is reached."""
-        if not self._effort.choice.gap or not np.isfinite(self._bound) or self._values is None:
-            return False
-        own = self._target.own
-        gap = relative_gap(own(self._value), own(self._bound))
-        return gap is not None and gap <= self._effort.choice.gap
-
-    @property
-    def _cutoff(self) -> float | None:
-        """Only points below this are of interest to the LPs."""
-        return None if self._values is None else self._target.cutoff(self._value)
-
-    def _found(self) -> Found:
-        if self._values is None:
-            bound = np.inf if self._refuted else self._bound
-            return Found(None, None, bound, self._refuted, None if self._refuted else self._why)
-        proven = self._target.closed(self._value, self._bound)
-        bound = self._value if proven else self._bound
-        stopped = StoppedBy.GAP if self._near else self._why
-        return Found(self._values, self._value, bound, proven, None if proven else stopped)
-
-    @property
-    def _why(self) -> StoppedBy | None:
-        """What ended a search that answers nothing; None for the first point that was asked for."""
-        if self._clock.over:
-            return self._clock.stopped_by
-        return None if self._first and self._values is not None else StoppedBy.PRECISION
 
     # --- the LP side -------------------------------------------------------------------------
 
@@ -205,10 +130,10 @@ class Search:
             self._hurry(lp, root)
             root = root if self.done else self._tighten(lp, root)
         if root.status == "infeasible":
-            self._none_below(self._cutoff)
+            self._known.none_below(self._known.cutoff)
         if root.status != "optimal":
             return
-        self._raise_bound(root.objective)
+        self._known.raise_bound(root.objective)
         if not self.done:
             self._send(self.rescue)
         if not self.done and Switch.DIVE in self._effort.switches:
@@ -221,17 +146,10 @@ class Search:
     def _hurry(self, lp: WarmLP, root: LPResult) -> None:
         """Dive for some plan before cuts that would take long."""
         slow = self._clock.elapsed - self._began > _SLOW
-        dives = Switch.DIVE in self._effort.switches and not self._first
-        if self._values is None and slow and dives:
-            self._raise_bound(root.objective)
+        dives = Switch.DIVE in self._effort.switches and not self._known.first
+        if self._known.values is None and slow and dives:
+            self._known.raise_bound(root.objective)
             self._dive(lp, root)
-
-    def _none_below(self, cutoff: float | None) -> None:
-        """There is no point below the cutoff, or none at all without one."""
-        if cutoff is None:
-            self._refuted = True
-        else:
-            self._raise_bound(cutoff)
 
     def _dive(self, lp: WarmLP, root: LPResult) -> None:
         """Look for points by diving, or find that there is none."""
@@ -242,7 +160,7 @@ class Search:
             self._plunge(lp, root)
             pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.choices))
         for pick in pickers:
-            cutoff = self._cutoff
+            cutoff = self._known.cutoff
             dived = dive(
                 lp,
                 encoded.indicators,
@@ -255,7 +173,7 @@ class Search:
             if dived.values is not None:
                 self._keep(dived.values)
             if dived.refuted:
-                self._none_below(cutoff)
+                self._known.none_below(cutoff)
             if self.done:
                 break
 
@@ -266,20 +184,20 @@ class Search:
 
     def _improve(self) -> None:
         """Look for better points near the best one, for a part of the time that is left."""
-        if self._values is None:
+        if self._known.values is None:
             return
         left, spent = self._clock.left, self._clock.elapsed - self._began
         clock = self._clock.within(spent if left is None else min(spent, _NEAR * left))
         encoded = replace(self._encoded, model=self._model)
         improving = Improving(encoded, self._target, self._effort, clock)
-        for better in improving.steps(self._model, self._values, spent / 2):
-            self._accept(better)
+        for better in improving.steps(self._model, self._known.values, spent / 2):
+            self._known.accept(better, self._model)
             if self.done:
                 break
 
     def _plunge(self, lp: WarmLP, root: LPResult) -> None:
         """Look for a point with few linear programs."""
-        found = plunge(lp, self._encoded.choices, root, self._clock, cutoff=self._cutoff)
+        found = plunge(lp, self._encoded.choices, root, self._clock, cutoff=self._known.cutoff)
         if found is not None and found.values is not None:
             values = found.values
             if not len(fractional(values, self._encoded.indicators)):
@@ -287,11 +205,13 @@ class Search:
 
     def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
         """Add cuts to the LP and to the model, while they raise the bound."""
-        if self._first:
+        if self._known.first:
             return root
-        self._raise_bound(root.objective)
+        self._known.raise_bound(root.objective)
         switches = self._effort.switches
-        cuts = Separation(self._encoded, self._model, switches, self._clock, self._raise_bound)
+        cuts = Separation(
+            self._encoded, self._model, switches, self._clock, self._known.raise_bound
+        )
         try:
             return cuts.tightened(lp, root)
         finally:
@@ -330,13 +250,13 @@ class Search:
 
     def _climb(self, tree: BranchAndBound, seconds: float, most: float = np.inf) -> Explored:
         """Let the tree search for so many seconds or programs, and take in what it finds."""
-        blind = self._values is None
+        blind = self._known.values is None
         clock = self._clock.within(seconds)
-        explored = tree.run(clock, self._value, first=self._first, most=most)
+        explored = tree.run(clock, self._known.value, first=self._known.first, most=most)
         if explored.done and explored.values is None and blind:
-            self._refuted = True
+            self._known.refuted = True
             return explored
-        self._raise_bound(explored.bound)
+        self._known.raise_bound(explored.bound)
         if explored.values is not None and explored.done:
             self._whole(explored.values)
             self._shared = not self.done and bool(self._encoded.served)
@@ -346,7 +266,7 @@ class Search:
 
     def _nearly(self, explored: Explored, root: float) -> bool:
         """Whether the tree has closed most of the gap, so that it may well close the rest."""
-        best = self._value if explored.values is None else self._target.value(explored.values)
+        best = self._known.value if explored.values is None else self._target.value(explored.values)
         left = best - self._target.step - explored.bound
         return bool(np.isfinite(best)) and left <= _REST * (explored.bound - root)
 
@@ -354,19 +274,19 @@ class Search:
         """Keep a point whose indicators are whole, its flows made whole where they are not."""
         near = self._rounding.near(self._warm(), self._model, values)
         if near is None:
-            near = self._rounding.best(self._model, values, self._values)
+            near = self._rounding.best(self._model, values, self._known.values)
         if near is not None:
-            self._accept(near)
+            self._known.accept(near, self._model)
 
     def _whole(self, values: Floats) -> None:
         """Keep such a point; a better one of its witnesses is looked for if it is not the best."""
         near = self._rounding.near(self._warm(), self._model, values)
         if near is not None:
-            self._accept(near)
+            self._known.accept(near, self._model)
         if not self.done:
-            best = self._rounding.best(self._model, values, self._values)
+            best = self._rounding.best(self._model, values, self._known.values)
             if best is not None:
-                self._accept(best)
+                self._known.accept(best, self._model)
 
     def _warm(self) -> WarmLP:
         if self._lp is None:
@@ -398,33 +318,33 @@ class Search:
         """The solver with parts of agents alone, but whole shares of the classes in every task."""
         network = self._encoded.network
         count = self._model.size.columns
-        model, start = with_shares(self._encoded.served, network, self._model, self._values)
+        model, start = with_shares(self._encoded.served, network, self._model, self._known.values)
         loose = model.integer.copy()
         loose[self._encoded.loosened] = False
         options = self._effort.options(self._clock, self._target, start)
         asked = model.with_integrality(loose)
         solution = confirmed(self._effort.solver, asked, options, self._watch)
         if solution.bound is not None:
-            self._raise_bound(solution.bound)
+            self._known.raise_bound(solution.bound)
         if solution.values is not None and not self.done:
             self._whole(solution.values[:count])
 
     def _ask(self, model: Model, clock: Clock) -> Solution:
         """The solver's answer about the whole question, confirmed; all of it is taken in."""
-        options = self._effort.options(clock, self._target, self._values)
-        options = replace(options, first=self._first)
+        options = self._effort.options(clock, self._target, self._known.values)
+        options = replace(options, first=self._known.first)
         solution = confirmed(self._effort.solver, model, options, self._watch)
         if solution.status is Status.INFEASIBLE:
-            if self._values is not None:
+            if self._known.values is not None:
                 raise SolverError("the solver calls a model infeasible of which a plan is known")
-            self._refuted = True
+            self._known.refuted = True
         elif solution.bound is not None:
-            self._raise_bound(solution.bound)
+            self._known.raise_bound(solution.bound)
         if solution.values is not None and model is self._model:
-            self._accept(solution.values)
+            self._known.accept(solution.values, self._model)
         return solution
 
     def _watch(self, progress: Progress) -> bool:
         if progress.bound is not None:
-            self._raise_bound(progress.bound)
+            self._known.raise_bound(progress.bound)
         return self._clock.stop()
