@@ -49,6 +49,7 @@ LARGE = 1_000_000
 _SHARE = 0.5  # of the time that is left, for planning with some capacities
 _PATIENCE = 30, 200  # attempts in a row that may fail: at no cost, and at any
 _ROUTING = 0.25  # of the time so far that finding ways for points on the way may take
+_AGAIN = 2.0  # times what it took to find points without ways, for the rest of that round
 _LEAST, _TAKING = 1.0, 0.5  # seconds, or of the time so far, that finding ways once may take
 _LESSER = 1e-4  # what later objectives weigh in the price of an edge
 
@@ -91,6 +92,7 @@ class CapacityRelaxation:
     tell: Tell[Point]
     _best: Point | None = field(default=None, init=False)
     _learnt: LearntBounds = field(init=False)
+    _bounded: bool = field(default=False, init=False)
     _loosest: float | None = field(default=None, init=False)
     _routes: tuple[Rerouting, int] | None = field(default=None, init=False)
     _routing: float = field(default=0.0, init=False)
@@ -109,11 +111,9 @@ class CapacityRelaxation:
                 outcome = self._last = self._relaxed(held)
                 if outcome.infeasible and self._best is None:
                     return outcome
-                if outcome.infeasible:  # there is no better plan than the one known
-                    (value,) = self._values
-                    self._learnt.hear(value, value)
-                self._learnt.add(outcome.reached)
+                self._learn(outcome)
                 if not held.any:
+                    self._bounded = outcome.proven
                     self._loosest = next((o.bound for o in self._learnt.of(self._values)), None)
                 if outcome.point is None or self._settled:
                     break
@@ -129,11 +129,22 @@ class CapacityRelaxation:
 
     # --- planning --------------------------------------------------------------------------------
 
-    def _relaxed(self, held: Enforced) -> Outcome[Point]:
-        """The outcome of planning where some capacities are held alone."""
+    def _relaxed(self, held: Enforced, *, again: bool = False) -> Outcome[Point]:
+        """The outcome of planning where some capacities are held alone.
+
+        Unless it is asked `again` for a bound, it ends soon after points for which there were no
+        ways: other capacities matter more then than the best of such points.
+        """
         self._round += 1
-        left = self.clock.left
+        left, began = self.clock.left, self.clock.elapsed
         clock = self.clock if left is None else self.clock.within(_SHARE * left)
+        futile = np.inf  # seconds after which there were points, and no ways for them
+
+        def enough() -> bool:
+            return self.clock.stop() or self.clock.elapsed - began > max(_AGAIN * futile, _LEAST)
+
+        if not again:
+            clock = replace(clock, stop=enough)
         setting = prepare(
             self.setting.mission, (), self.setting.switches, clock=clock, enforced=held
         )
@@ -141,8 +152,11 @@ class CapacityRelaxation:
         def hear(
             stage: str, point: Point | None, _value: float | None, bound: float | None
         ) -> None:
+            nonlocal futile
             if point is not None and self._may_route:
                 self._routed(point, held)
+                spent = self.clock.elapsed - began
+                futile = min(futile, spent) if self._best is None else np.inf
             value = self._value(stage)
             if self.objectives and stage == self.objectives[0].name:
                 self._learnt.hear(bound, value)
@@ -151,6 +165,13 @@ class CapacityRelaxation:
                 self.tell(stage, None, value, None)
 
         return self._stages(setting, clock, hear, self._cutoff).run()
+
+    def _learn(self, outcome: Outcome[Point]) -> None:
+        """Take in what a relaxation proves."""
+        if outcome.infeasible:  # there is no better plan than the one known
+            (value,) = self._values
+            self._learnt.hear(value, value)
+        self._learnt.add(outcome.reached)
 
     def _stages(
         self, setting: Setting, clock: Clock, tell: Tell[Point], kept: Kept = NOTHING_KEPT
@@ -184,6 +205,10 @@ class CapacityRelaxation:
 
     def _finish(self) -> None:
         """Let the whole model decide, or make the best of the time where it is far too large."""
+        if self._best is not None and not self._bounded:
+            self._learn(self._relaxed(Enforced(), again=True))
+        if self._settled or self.clock.over:
+            return
         if _columns(self.setting) <= LARGE or self.clock.left is None or self._routes is None:
             self._whole()
             return

@@ -123,33 +123,52 @@ class Search:
     # --- the LP side -------------------------------------------------------------------------
 
     def _by_lp(self) -> None:
-        """Root LP with cuts, dive, tree."""
+        """Root LP with cuts, dives, tree; cuts that take long wait until there is some plan."""
         lp = self._warm()
-        root = lp.solve(time_limit=self._clock.left)
-        if root.status == "optimal":
-            self._hurry(lp, root)
-            root = root if self.done else self._tighten(lp, root)
+        root = self._judged(lp.solve(time_limit=self._clock.left))
+        switches = self._effort.switches
+        parts = self._encoded, self._model, switches, self._clock, self._known.raise_bound
+        cuts = None if self._known.first else Separation(*parts)
+        blind = self._known.values is None
+        spent = self._clock.elapsed - self._began
+        if not blind or spent < _SLOW:
+            root = self._tightened(lp, root, cuts, max(_SLOW - spent, 0.0) if blind else np.inf)
+        if root is not None and not self.done:
+            self._send(self.rescue)
+        root = self._dived(lp, root)
+        if cuts is not None and cuts.open and root is not None and not self.done:
+            again = self._judged(lp.solve(time_limit=self._clock.left))
+            root = self._dived(lp, self._tightened(lp, again, cuts, np.inf))
+        if root is not None and not self.done and self._long and Switch.DIVE in switches:
+            self._improve()
+        if root is not None and not self.done and Switch.TREE in switches:
+            self._grow(lp)
+
+    def _judged(self, root: LPResult) -> LPResult | None:
+        """What the program of all points says; None where it has no solution to go on with."""
         if root.status == "infeasible":
             self._known.none_below(self._known.cutoff)
         if root.status != "optimal":
-            return
+            return None
         self._known.raise_bound(root.objective)
-        if not self.done:
-            self._send(self.rescue)
-        if not self.done and Switch.DIVE in self._effort.switches:
-            self._dive(lp, root)
-        if not self.done and self._long and Switch.DIVE in self._effort.switches:
-            self._improve()
-        if not self.done and Switch.TREE in self._effort.switches:
-            self._grow(lp)
+        return root
 
-    def _hurry(self, lp: WarmLP, root: LPResult) -> None:
-        """Dive for some plan before cuts that would take long."""
-        slow = self._clock.elapsed - self._began > _SLOW
-        dives = Switch.DIVE in self._effort.switches and not self._known.first
-        if self._known.values is None and slow and dives:
-            self._known.raise_bound(root.objective)
+    def _tightened(
+        self, lp: WarmLP, root: LPResult | None, cuts: Separation | None, seconds: float
+    ) -> LPResult | None:
+        """The program with more cuts, which the model gets, too."""
+        if root is None or cuts is None or self.done:
+            return root
+        try:
+            return self._judged(cuts.tightened(lp, root, seconds))
+        finally:
+            self._model = cuts.model
+
+    def _dived(self, lp: WarmLP, root: LPResult | None) -> LPResult | None:
+        """The root again, after a dive from it."""
+        if root is not None and not self.done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
+        return root
 
     def _dive(self, lp: WarmLP, root: LPResult) -> None:
         """Look for points by diving, or find that there is none."""
@@ -202,20 +221,6 @@ class Search:
             values = found.values
             if not len(fractional(values, self._encoded.indicators)):
                 self._keep(values)
-
-    def _tighten(self, lp: WarmLP, root: LPResult) -> LPResult:
-        """Add cuts to the LP and to the model, while they raise the bound."""
-        if self._known.first:
-            return root
-        self._known.raise_bound(root.objective)
-        switches = self._effort.switches
-        cuts = Separation(
-            self._encoded, self._model, switches, self._clock, self._known.raise_bound
-        )
-        try:
-            return cuts.tightened(lp, root)
-        finally:
-            self._model = cuts.model
 
     def _grow(self, lp: WarmLP) -> None:
         root = lp.solve(time_limit=self._clock.left)

@@ -6,7 +6,7 @@ Arrival cuts (`encode.arrival_cuts`) and cuts of visitors (`encode.visitor_cuts`
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy import sparse
@@ -30,7 +30,7 @@ _IDLE = 15  # rounds without one: cuts of visitors often need several for a rise
 class Separation:
     """Adds cuts to the linear program of an encoded problem, and to its `model`.
 
-    `hear` is told every bound on the way.
+    `hear` is told every bound on the way. It is `open` as long as more cuts may help.
     """
 
     encoded: Encoded
@@ -38,15 +38,22 @@ class Separation:
     switches: frozenset[Switch]
     clock: Clock
     hear: Callable[[float], None]
+    open: bool = field(default=True, init=False)
 
-    def tightened(self, lp: WarmLP, root: LPResult) -> LPResult:
-        """The program's solution with cuts; the last one that was found where time is up."""
+    def tightened(self, lp: WarmLP, root: LPResult, seconds: float = np.inf) -> LPResult:
+        """The program's solution with cuts; the last one that was found where time is up.
+
+        A part of the time that is left is spent at most, and no more than so many seconds.
+        """
         idle = 0
         left = self.clock.left
-        clock = self.clock if left is None else self.clock.within(_SHARE * left)
+        most = seconds if left is None else min(_SHARE * left, seconds)
+        clock = self.clock.within(most)
         visitors = VisitorCuts(self.encoded.network, self.encoded.visits)
         for _ in range(_ROUNDS):
-            if clock.over or not self._add(lp, root, visitors):
+            if clock.over:
+                return root
+            if not self._add(lp, root, visitors):
                 break
             after = lp.solve(time_limit=self.clock.left)
             if after.status == "limit":
@@ -59,6 +66,7 @@ class Separation:
             idle = 0 if gain >= _GAIN * max(abs(root.objective), 1.0) else idle + 1
             if idle >= (_IDLE if visitors.demands else 1):
                 break
+        self.open = False
         return root
 
     def _add(self, lp: WarmLP, root: LPResult, visitors: VisitorCuts) -> bool:
