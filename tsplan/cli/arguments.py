@@ -7,8 +7,9 @@ from collections.abc import Callable
 from enum import IntEnum
 from math import inf
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
+from tsplan.cli.first_commands import Commands, add_first_commands
 from tsplan.limits import DIGITS, LARGEST, OPTIONS, Range
 from tsplan.version import VERSION
 
@@ -48,10 +49,9 @@ def parser() -> argparse.ArgumentParser:
     shown = (_show, _view, _animate, _export, _lint, _map)
     for command in (*every, *shown):
         command(commands)
+    add_first_commands(commands)
     return top
 
-
-Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001
 
 _FILES = {
     "mission": "mission file (YAML)",

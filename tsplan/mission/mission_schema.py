@@ -6,9 +6,17 @@ import re
 from fractions import Fraction
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    StringConstraints,
+    WithJsonSchema,
+)
 
 from tsplan.document.fields import Number, complaint, shown
+from tsplan.document.written import Written
 from tsplan.errors import nearest
 from tsplan.limits import (
     LARGEST,
@@ -30,10 +38,13 @@ from tsplan.mission.vocabulary import (
     Booking,
     Dynamics,
     Language,
+    Order,
     PolicyKind,
     TaskInterval,
 )
 from tsplan.mission.weight_entries import weights_of_entry
+from tsplan.ts.io.map_settings import MapReference
+from tsplan.ts.io.tsplan_yaml import MapFile
 
 _SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
 
@@ -93,12 +104,23 @@ def _load(value: Any) -> Any:
     return tuple((str(name), float(amount)) for name, amount in value.items())
 
 
-Name = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
-Title = Annotated[str, BeforeValidator(_name)]
-WeightEntry = Annotated[Any, BeforeValidator(weights_of_entry)]
+_Named = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
+Name = Annotated[_Named, Written(Annotated[str, Field(min_length=1)] | int)]
+Title = Annotated[str, BeforeValidator(_name), Written(str | int)]
+_Weight = Annotated[Number, Field(gt=0)]
+WeightEntry = Annotated[
+    Any,
+    BeforeValidator(weights_of_entry),
+    Written(_Weight | list[_Weight] | dict[str, _Weight]),
+]
 Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
 Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
-Counted = Annotated[dict[Name, Count], BeforeValidator(_counted)]
+Counted = Annotated[dict[Name, Count], BeforeValidator(_counted), Written(Name | dict[Name, Count])]
+_Text = Annotated[str, Field(min_length=1)] | bool
+FormulaEntry = Annotated[Any, Written(_Text | Annotated[list[_Text], Field(min_length=1)])]
+"""A formula, or several that all have to hold; it is read elsewhere, with its places."""
+_Share = Annotated[str, Field(pattern=rf"^\s*{_SHARE.pattern}\s*$")]
+_Margin = Annotated[int, Field(ge=0, le=MOST_ROBOTS)] | _Share
 
 
 class Part(BaseModel):
@@ -108,7 +130,7 @@ class Part(BaseModel):
 
 
 Amount = Annotated[Number, Field(ge=0, le=LARGEST)]
-Load = Annotated[Any, BeforeValidator(_load)]
+Load = Annotated[Any, BeforeValidator(_load), Written(Amount | dict[Name, Amount])]
 
 
 class ResourceEntry(Part):
@@ -170,19 +192,28 @@ class NamedSwarm(Swarm):
 class SoftFormula(Part):
     """A preferred formula; the formula itself is read elsewhere."""
 
-    formula: Any
+    formula: FormulaEntry
     weight: Annotated[float, Field(ge=LEAST_WEIGHT, le=MOST_WEIGHT, allow_inf_nan=False)] = 1
     name: Name | None = None
     level: Whole = 0
     partial: bool = False
 
 
+ONE_FORMULA = {
+    "anyOf": [{"required": [key]} for key in ("formula", "must", "prefer")],
+    "not": {"required": ["formula", "must"]},
+}
+"""Which formulas a mission has."""
+
+
 class Spec(Part):
     """The formula, its language and weights. The formula is read elsewhere, with its places."""
 
+    model_config = ConfigDict(json_schema_extra=ONE_FORMULA)
+
     language: Language
-    formula: Any = None
-    must: Any = None
+    formula: FormulaEntry = None
+    must: FormulaEntry = None
     prefer: list[SoftFormula] = []
     weights: dict[Name, WeightEntry] = {}
 
@@ -197,12 +228,39 @@ class Solver(Part):
     seed: Annotated[int, Field(strict=True, ge=0, le=MOST_SEED)] | None = None
 
 
+class SatisfactionEntry(Part):
+    """The objective that the formula holds as far as it can, with what counts how much."""
+
+    satisfaction: Order
+
+
+Aim = Annotated[_Named, BeforeValidator(_aim), Written(Name | SatisfactionEntry)]
+_Foreign = Annotated[
+    Any,
+    WithJsonSchema(
+        {"type": "object", "not": {"anyOf": [{"required": ["states"]}, {"required": ["file"]}]}}
+    ),
+]
+"""A map of another program that is written into a mission; it is read elsewhere."""
+
+MapEntry = Annotated[Any, Written(str | MapFile | MapReference | _Foreign)]
+"""The name of a map file, with what is said of reading it, or a map; it is read elsewhere."""
+
+_KINDS = {
+    "anyOf": [{"required": [kind]} for kind in ("team", "swarm", "swarms")],
+    "not": {"required": ["swarm", "swarms"]},
+}
+"""Which agents a mission has."""
+
+
 class MissionFile(Part):
     """A whole mission file."""
 
+    model_config = ConfigDict(json_schema_extra=_KINDS)
+
     format: Literal["tsplan-mission/1"]
     name: Title = ""
-    map: Any
+    map: MapEntry
     resources: list[ResourceEntry] = []
     configurations: dict[Name, ConfigurationEntry] = {}
     reconfigure: list[ReconfigurationEntry] = []
@@ -211,12 +269,13 @@ class MissionFile(Part):
     swarm: Swarm | None = None
     swarms: Annotated[list[NamedSwarm], Field(min_length=1)] = []
     max_subswarms: Count | None = None
-    min_subswarm: Any = None  # belongs into a swarm, which the reader says
-    margin: Annotated[Any, BeforeValidator(_margin)] = 0
+    # belongs into a swarm, which the reader says
+    min_subswarm: Annotated[Any, WithJsonSchema({"not": {}})] = None
+    margin: Annotated[Any, BeforeValidator(_margin), Written(_Margin)] = 0
     delay: Whole = 0
     booking: Annotated[Booking, BeforeValidator(_booking)] = "shared"
-    spec: Spec
-    objective: list[Annotated[Name, BeforeValidator(_aim)]] | None = None
+    spec: Annotated[Spec, Written(Spec | FormulaEntry)]
+    objective: list[Aim] | None = None
     task_interval: TaskInterval = "closed"
     horizon: Whole | None = None
     dynamics: Dynamics = "certain"

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeAlias, cas
 
 from pydantic import ConfigDict, Field, PlainValidator, ValidationInfo, model_validator
 
+from tsplan.document.written import Written
 from tsplan.limits import LARGEST
 
 if TYPE_CHECKING:
@@ -56,8 +57,14 @@ Whole: TypeAlias = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
 Positive: TypeAlias = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
 Word: TypeAlias = Annotated[str, Field(min_length=1)]
 Finite: TypeAlias = Annotated[float, Field(allow_inf_nan=False)]
-Exact: TypeAlias = Annotated[Fraction, PlainValidator(_exact)]
-Weight: TypeAlias = Annotated[Fraction, PlainValidator(_weight)]
+Exact: TypeAlias = Annotated[
+    Fraction,
+    PlainValidator(_exact),
+    Written(Annotated[str, Field(pattern=f"^{_FRACTION.pattern}$")]),
+]
+Weight: TypeAlias = Annotated[
+    Fraction, PlainValidator(_weight), Written(Annotated[float, Field(gt=0)])
+]
 
 
 class Record:
@@ -84,12 +91,19 @@ def _portion_name(name: str) -> str:
     return "exact" if name == "fraction" else json_name(name)
 
 
+def _with_repeated(schema: dict[str, Any]) -> None:
+    """Add what files of a record with a fraction repeat to its JSON Schema."""
+    said = {"fraction": {"type": "number"}, "met": {"type": "boolean"}}
+    schema["properties"] |= said
+
+
 class Portion(Record):
     """A record with a fraction, which a file has exactly, as a number and perhaps as a verdict."""
 
     __slots__ = ()
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(
-        **{**Record.__pydantic_config__, "alias_generator": _portion_name}
+        **{**Record.__pydantic_config__, "alias_generator": _portion_name},
+        json_schema_extra=_with_repeated,
     )
 
     def repeated(self) -> dict[str, float | bool]:

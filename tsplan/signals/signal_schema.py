@@ -5,11 +5,21 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator, ConfigDict, Field
 
 from tsplan.document.fields import complaint, shown
+from tsplan.document.written import Written
 from tsplan.limits import MOST_COST, MOST_STEPS, MOST_WEIGHT, is_number
-from tsplan.mission.mission_schema import Name, Part, SoftFormula, Solver, Title, WeightEntry
+from tsplan.mission.mission_schema import (
+    ONE_FORMULA,
+    FormulaEntry,
+    Name,
+    Part,
+    SoftFormula,
+    Solver,
+    Title,
+    WeightEntry,
+)
 from tsplan.signals.integrators import Model
 from tsplan.signals.signal_parts import SignalLanguage, Weighting
 
@@ -63,9 +73,10 @@ def _two(value: list[Any]) -> None:
 
 
 Value = Annotated[float, BeforeValidator(_value)]
-End = Annotated[float, BeforeValidator(_end)]
-Start = Annotated[list[End], BeforeValidator(_range)]
-Side = Annotated[list[Value], BeforeValidator(_range)]
+End = Annotated[float, BeforeValidator(_end), Written(float | Literal["Infinity", "-Infinity"])]
+_Ends = tuple[End, End]
+Start = Annotated[list[End], BeforeValidator(_range), Written(End | _Ends)]
+Side = Annotated[list[Value], BeforeValidator(_range), Written(Value | tuple[Value, Value])]
 
 
 class Bounds(Part):
@@ -101,9 +112,11 @@ class CopyEntry(Part):
 class SignalSpec(Part):
     """The formula, its language and weights. The formula itself is read elsewhere."""
 
+    model_config = ConfigDict(json_schema_extra=ONE_FORMULA)
+
     language: SignalLanguage = "stl"
-    formula: Any = None
-    must: Any = None
+    formula: FormulaEntry = None
+    must: FormulaEntry = None
     prefer: list[SoftFormula] = Field(default_factory=list)
     weights: dict[Name, WeightEntry] = Field(default_factory=dict)
     weighting: Weighting = "product"
@@ -113,23 +126,24 @@ Whole = Annotated[int, Field(strict=True, ge=0, le=MOST_STEPS)]
 Factor = Annotated[float, Field(ge=0, le=MOST_WEIGHT, allow_inf_nan=False)]
 
 
+_Signal = Annotated[SignalEntry, BeforeValidator(_bounds), Written(SignalEntry | _Ends | None)]
+_Control = Annotated[Bounds, BeforeValidator(_bounds), Written(Bounds | _Ends | None)]
+_Copy = Annotated[CopyEntry, BeforeValidator(_nothing), Written(CopyEntry | None)]
+
+
 class SignalFile(Part):
     """A whole file."""
 
     format: Literal["tsplan-signals/1"]
     name: Title = ""
-    signals: Annotated[
-        dict[Name, Annotated[SignalEntry, BeforeValidator(_bounds)]], Field(min_length=1)
-    ]
-    controls: dict[Name, Annotated[Bounds, BeforeValidator(_bounds)]] = Field(default_factory=dict)
+    signals: Annotated[dict[Name, _Signal], Field(min_length=1)]
+    controls: dict[Name, _Control] = Field(default_factory=dict)
     dynamics: DynamicsEntry | None = None
     outputs: dict[Name, str] = Field(default_factory=dict)
     limits: list[str] = Field(default_factory=list)
     regions: dict[Name, dict[Name, Side]] = Field(default_factory=dict)
-    copies: dict[Name, Annotated[CopyEntry, BeforeValidator(_nothing)]] = Field(
-        default_factory=dict
-    )
-    spec: SignalSpec
+    copies: dict[Name, _Copy] = Field(default_factory=dict)
+    spec: Annotated[SignalSpec, Written(SignalSpec | FormulaEntry)]
     objective: Any = None
     horizon: Whole | None = None
     solver: Solver | None = None

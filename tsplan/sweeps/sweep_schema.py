@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from tsplan.document.written import Written
 from tsplan.limits import MOST_SEED
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.mission_schema import Count, Name, Part, Solver, Title
@@ -62,7 +63,7 @@ class SweepFile(Part):
 
     format: Literal["tsplan-sweep/1"]
     name: Title = ""
-    mission: Any
+    mission: Annotated[Any, Written(str | dict[str, Any])]
     axes: AxesEntry | None = None
     runs: Annotated[list[RunEntry], Field(min_length=1)] | None = None
     repeat: Count = 1

@@ -109,7 +109,9 @@ def _speeds(value: Any) -> Any:
     return value
 
 
-class _Entry(BaseModel):
+class MapReference(BaseModel):
+    """A map file of another program, and what is said of reading it."""
+
     model_config = ConfigDict(extra="forbid", defer_build=True)
     file: Word
     step: _Above | None = None
@@ -126,7 +128,7 @@ def read_settings(document: Document, path: Path) -> tuple[str, MapSettings]:
 
     Raises MapError with all that is wrong.
     """
-    entry, findings = validated(document, _Entry, path)
+    entry, findings = validated(document, MapReference, path)
     if entry is None:
         raise MapError(findings)
 

@@ -11,7 +11,9 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainValidato
 from tsplan.document import Document, Path
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, Words, complaint, shown
 from tsplan.document.flow_style import flow, given, short, word
+from tsplan.document.written import Written
 from tsplan.errors import MapError
+from tsplan.limits import MOST_STEPS
 from tsplan.ts.actions import Action, ActionFlaw, missing_stays
 from tsplan.ts.edges import ByClass, Edge, State, missing_waits
 from tsplan.ts.io.map_draft import MapDraft, written_once
@@ -55,9 +57,11 @@ def _origin(value: Any) -> str | int:
     return value
 
 
-_Reference = Annotated[Any, PlainValidator(_reference)]
-_Duration = Annotated[Any, PlainValidator(_duration)]
-_Origin = Annotated[Any, PlainValidator(_origin)]
+_Steps = Annotated[int, Field(ge=1, le=MOST_STEPS)]
+_ByClass = Annotated[dict[str, _Steps], Field(min_length=1)]
+_Reference = Annotated[Any, PlainValidator(_reference), Written(str | float | bool)]
+_Duration = Annotated[Any, PlainValidator(_duration), Written(_Steps | _ByClass)]
+_Origin = Annotated[Any, PlainValidator(_origin), Written(str | int)]
 
 
 class _Strict(BaseModel):
@@ -88,19 +92,24 @@ class _EdgeEntry(_Strict):
     zone: Word | None = None
 
 
+_ActionEntry = dict[str, Number | dict[str, Number]]
+
+
 class _EdgeList(RootModel[tuple[_Reference, _Reference, _Duration]]):
     """The short form of an edge: from, to, duration."""
 
 
-class _Map(_Strict):
+class MapFile(_Strict):
+    """A whole map; its states, edges and actions are read one by one."""
+
     name: Word | None = None
     waiting: Truth = False
     step: Annotated[Number, Field(gt=0)] | None = None
     frame: Word | None = None
     zones: dict[str, Natural] = {}
-    states: dict[str, Any]
-    edges: list[Any] = []
-    actions: dict[str, dict[str, dict[str, Any]]] = {}
+    states: dict[str, Annotated[Any, Written(_StateEntry | None)]]
+    edges: list[Annotated[Any, Written(_EdgeEntry | _EdgeList)]] = []
+    actions: dict[str, dict[str, Annotated[dict[str, Any], Written(_ActionEntry)]]] = {}
 
 
 class _Draft(MapDraft):
@@ -171,11 +180,11 @@ def read_own(document: Document, path: Path = ()) -> TransitionSystem:
     if document.at(path) is None:
         raise MapError([document.finding(path, "the map is empty", "write its states and edges")])
     draft = _Draft(document, path)
-    content = draft.part(_Map, path)
+    content = draft.part(MapFile, path)
     if content is None:
         # a wrong or unknown key at the top does not hide what is wrong below
         data = document.at(path)
-        content = _Map.model_construct(
+        content = MapFile.model_construct(
             states=_or_empty(data, "states", dict),
             edges=_or_empty(data, "edges", list),
             actions={},

@@ -1,0 +1,1 @@
+"""What a newcomer begins with: working missions, shipped examples, and schemas for editors."""
