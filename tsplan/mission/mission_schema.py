@@ -199,7 +199,7 @@ class SoftFormula(Part):
     partial: bool = False
 
 
-ONE_FORMULA = {
+ONE_FORMULA: dict[str, Any] = {
     "anyOf": [{"required": [key]} for key in ("formula", "must", "prefer")],
     "not": {"required": ["formula", "must"]},
 }
@@ -246,7 +246,7 @@ _Foreign = Annotated[
 MapEntry = Annotated[Any, Written(str | MapFile | MapReference | _Foreign)]
 """The name of a map file, with what is said of reading it, or a map; it is read elsewhere."""
 
-_KINDS = {
+_KINDS: dict[str, Any] = {
     "anyOf": [{"required": [kind]} for kind in ("team", "swarm", "swarms")],
     "not": {"required": ["swarm", "swarms"]},
 }

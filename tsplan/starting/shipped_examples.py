@@ -10,7 +10,6 @@ from os.path import commonpath
 from pathlib import Path
 from typing import Any
 
-import tsplan
 from tsplan.document import read_document
 from tsplan.document.document import LARGEST_FILE
 from tsplan.document.files import read_text
@@ -18,7 +17,7 @@ from tsplan.errors import Finding, InputError, nearest
 
 _FORMAT = re.compile(r"^format: tsplan-(\w+)/", re.MULTILINE)
 _SENTENCE = re.compile(r"(.+?[^.])\.(?=\s+[A-Z0-9]|$)")
-_PACKAGE = Path(tsplan.__file__).parent
+_PACKAGE = Path(__file__).parents[1]
 _PLACES = (_PACKAGE / "environments", _PACKAGE.parent / "environments")
 """Where examples are: in the installed package, or beside it in a checkout."""
 

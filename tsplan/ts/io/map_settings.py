@@ -14,6 +14,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from tsplan.document import Document, Path, validated
 from tsplan.document.fields import Natural, Number, Point, Truth, Word, complaint, shown
+from tsplan.document.written import Written
 from tsplan.errors import Finding, MapError
 from tsplan.ts.ride_durations import Speed
 from tsplan.ts.validity import CORNERS
@@ -109,18 +110,27 @@ def _speeds(value: Any) -> Any:
     return value
 
 
+_Ids = Annotated[Any, BeforeValidator(_ids), Written(str | int | list[str | int])]
+_Areas = Annotated[
+    list[_AreaEntry],
+    BeforeValidator(_polygon),
+    Written(list[Point] | _AreaEntry | list[_AreaEntry]),
+]
+_Speed = Annotated[Any, BeforeValidator(_speeds), Written(_Above | dict[str, _Above])]
+
+
 class MapReference(BaseModel):
     """A map file of another program, and what is said of reading it."""
 
     model_config = ConfigDict(extra="forbid", defer_build=True)
     file: Word
     step: _Above | None = None
-    speed: Annotated[Any, BeforeValidator(_speeds)] = None
+    speed: _Speed = None
     cell: _Above | None = None
     waiting: Truth | None = None
     capacity: Natural | None = None
-    labels: dict[Word, Annotated[Any, BeforeValidator(_ids)]] = {}
-    areas: dict[Word, Annotated[list[_AreaEntry], BeforeValidator(_polygon)]] = {}
+    labels: dict[Word, _Ids] = {}
+    areas: dict[Word, _Areas] = {}
 
 
 def read_settings(document: Document, path: Path) -> tuple[str, MapSettings]:
