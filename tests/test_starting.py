@@ -188,6 +188,9 @@ def test_bash_completes_commands_options_choices_and_files(tmp_path):
     assert completed(tmp_path, "tsplan", "plan", "-o", "a") == ["a mission.yaml"]
     assert completed(tmp_path, "tsplan", "plan", "--gap", "") == []
     assert completed(tmp_path, "tsplan", "init", "s") == ["script", "signals", "swarm"]
+    assert completed(tmp_path, "tsplan", "examples", "reach") == ["reach_avoid"]
+    assert completed(tmp_path, "tsplan", "export", "--to", "n") == ["nav2"]
+    assert "highs" in completed(tmp_path, "tsplan", "plan", "--solver", "")
     assert completed(tmp_path, "tsplan", "schema", "tr") == ["trajectory"]
     assert completed(tmp_path, "tsplan", "parse", "--language", "w") == ["wmtl", "wstl"]
 

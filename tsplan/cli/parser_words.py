@@ -40,12 +40,16 @@ def commands_of(top: argparse.ArgumentParser) -> Mapping[str, argparse.ArgumentP
     return _subparsers(top).choices
 
 
-def words_of(top: argparse.ArgumentParser) -> tuple[Command, ...]:
+Known = Mapping[str, Iterable[str]]
+"""Words for arguments that may be others, too, by the names of these in the parser."""
+
+
+def words_of(top: argparse.ArgumentParser, known: Known) -> tuple[Command, ...]:
     """The commands of a parser, with all that may be written behind each."""
     subparsers = _subparsers(top)
     helps = {action.dest: action.help or "" for action in subparsers._choices_actions}  # noqa: SLF001
     return tuple(
-        _command(name, helps.get(name, ""), parser._actions)  # noqa: SLF001
+        _command(name, helps.get(name, ""), parser._actions, known)  # noqa: SLF001
         for name, parser in subparsers.choices.items()
     )
 
@@ -58,9 +62,9 @@ def _subparsers(
     return next(action for action in top._actions if isinstance(action, kind))  # noqa: SLF001
 
 
-def _command(name: str, words: str, actions: Iterable[argparse.Action]) -> Command:
+def _command(name: str, words: str, actions: Iterable[argparse.Action], known: Known) -> Command:
     named = [action for action in actions if action.option_strings]
-    placed = [_value(action) for action in actions if not action.option_strings]
+    placed = [_value(action, known) for action in actions if not action.option_strings]
     return Command(
         name,
         words,
@@ -72,12 +76,13 @@ def _command(name: str, words: str, actions: Iterable[argparse.Action]) -> Comma
             Option(
                 tuple(action.option_strings),
                 (action.help or "").replace("%%", "%"),
-                None if action.nargs == 0 else _value(action),
+                None if action.nargs == 0 else _value(action, known),
             )
             for action in named
         ),
     )
 
 
-def _value(action: argparse.Action) -> Value:
-    return Value(tuple(map(str, action.choices or ())), action.type is Path)
+def _value(action: argparse.Action, known: Known) -> Value:
+    words = action.choices or known.get(action.dest, ())
+    return Value(tuple(map(str, words)), action.type is Path)

@@ -129,7 +129,8 @@ class Part(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
 
 
-Amount = Annotated[Number, Field(ge=0, le=LARGEST)]
+_Amount = Field(ge=0, le=LARGEST)
+Amount = Annotated[Number, _Amount, Written(Annotated[float, _Amount])]
 Load = Annotated[Any, BeforeValidator(_load), Written(Amount | dict[Name, Amount])]
 
 
