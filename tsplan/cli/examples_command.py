@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,7 +40,8 @@ def _copy(options: argparse.Namespace) -> Exit:
     write_new(folder, files)
     for name in files:
         say(f"wrote {folder / name}")
-    say(f"next: tsplan {_DOES.get(item.kind, 'plan')} {folder / place_of(item)}")
+    place = shlex.quote(str(folder / place_of(item)))
+    say(f"next: tsplan {_DOES.get(item.kind, 'plan')} {place}")
     return Exit.DONE
 
 

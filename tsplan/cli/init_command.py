@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from typing import TYPE_CHECKING
 
 from tsplan.cli.arguments import Exit
@@ -19,5 +20,5 @@ def run(options: argparse.Namespace) -> Exit:
     write_new(options.folder, files, schema_files(*kinds))
     for name in files:
         say(f"wrote {options.folder / name}")
-    say(f"next: tsplan plan {options.folder / 'mission.yaml'}")
+    say(f"next: tsplan plan {shlex.quote(str(options.folder / 'mission.yaml'))}")
     return Exit.DONE
