@@ -294,6 +294,14 @@ def test_schemas_say_what_they_are_of_and_know_no_infinite_number():
         assert not re.search(r'"(ge|gt|le|lt)":', json.dumps(schema))
 
 
+@pytest.mark.parametrize("kind", ["mission", "map", "signals", "sweep"])
+def test_every_key_that_people_write_is_explained(kind):
+    schema = file_schema(kind)
+    for name, model in {"": schema, **schema["$defs"]}.items():
+        for key, value in model.get("properties", {}).items():
+            assert value.get("description"), f"{name}.{key} has no words in key_words.py"
+
+
 def test_a_schema_is_written_to_a_file(tmp_path):
     assert here("schema", "map", "-o", str(tmp_path / "map.json")).code == 0
     assert (tmp_path / "map.json").read_text("utf-8") == here("schema", "map").out

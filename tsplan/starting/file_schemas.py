@@ -15,6 +15,7 @@ from tsplan.plans.plan import Plan
 from tsplan.plans.plan_text import PLANS, TRAJECTORIES
 from tsplan.signals.signal_schema import SignalFile
 from tsplan.signals.trajectory import Trajectory
+from tsplan.starting.key_words import KEY_WORDS
 from tsplan.sweeps.sweep_schema import SweepFile
 from tsplan.ts.io.tsplan_yaml import MapFile
 
@@ -49,8 +50,11 @@ def file_schema(kind: str) -> dict[str, Any]:
     ['states']
     """
     made = TypeAdapter(SCHEMAS[kind]).json_schema(schema_generator=_Untitled)
-    for model in (made, *made.get("$defs", {}).values()):
+    models = {SCHEMAS[kind].__name__: made, **made.get("$defs", {})}
+    for name, model in models.items():
         model.pop("title", None)
+        for key, words in KEY_WORDS.get(name, {}).items():
+            model["properties"][key]["description"] = words
     if kind in _MARKS:
         made["properties"] = {"format": {"const": _MARKS[kind]}, **made["properties"]}
         made["required"] = ["format", *made["required"]]
