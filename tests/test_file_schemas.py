@@ -15,6 +15,9 @@ import yaml
 
 import tsplan
 from tests.command_line import here
+from tests.exporting import random_plan
+from tests.module_missions import random_module_mission
+from tests.rich_missions import random_rich_mission
 from tests.slippery import grid_mission
 from tsplan.document import parse_document, read_document
 from tsplan.document.kinds import kind_of_data
@@ -23,7 +26,10 @@ from tsplan.mission.read import mission_from_text
 from tsplan.signals.signal_files import load_any_mission, signal_mission_from_text
 from tsplan.starting.file_schemas import SCHEMAS, file_schema
 from tsplan.sweeps.sweep_draft import load_sweep
+from tsplan.testing import random_mission, random_swarm_mission
+from tsplan.testing.random_signals import random_signal_mission
 from tsplan.ts.io.map_files import map_from_document
+from tsplan.ts.io.tsplan_yaml import map_to_yaml
 
 ROOT = Path(__file__).parents[1]
 KINDS = {
@@ -226,6 +232,29 @@ def test_what_a_schema_refuses_the_reader_refuses_on_many(seed):
     read_all_the_same, refused = refusals(seed, count=1000)
     assert read_all_the_same == []
     assert refused > 300
+
+
+MAKERS = (
+    ("mission", random_mission),
+    ("mission", random_swarm_mission),
+    ("mission", random_rich_mission),
+    ("mission", random_module_mission),
+    ("signals", random_signal_mission),
+)
+
+
+@pytest.mark.parametrize(("kind", "make"), MAKERS, ids=lambda one: getattr(one, "__name__", one))
+def test_missions_are_taken_as_they_are_written(kind, make):
+    for seed in range(6):
+        text = make(seed).to_yaml()
+        assert wrong(kind, parse_document(text, "written").data) == [], text
+
+
+def test_plans_are_taken_as_they_are_written():
+    for seed in range(6):
+        mission, plan = random_plan(seed)
+        assert wrong("plan", json.loads(plan.to_json())) == []
+        assert wrong("map", parse_document(map_to_yaml(mission.system), "map").data) == []
 
 
 PLANNED = (
