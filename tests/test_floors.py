@@ -40,7 +40,18 @@ BOUNDARIES = (
 )
 # what other packages are imported inside functions: those that may be missing or are slow to load
 LATE = frozenset(
-    {"PIL", "ctypes", "difflib", "gurobipy", "networkx", "pulp", "pydantic", "resource", "rich"}
+    {
+        "PIL",
+        "ctypes",
+        "difflib",
+        "gurobipy",
+        "networkx",
+        "pandas",
+        "pulp",
+        "pydantic",
+        "resource",
+        "rich",
+    }
     | {"scipy"}
 )
 

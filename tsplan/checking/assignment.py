@@ -44,4 +44,4 @@ def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
     for stretch in others.stretches:
         walked[place.get(stretch.path.class_name, -1)].append(stretch)
     agents = Agents.along(chain.from_iterable(walked[group] for group in sorted(walked)))
-    return certify(mission, replace(plan, agents=agents))
+    return certify(mission, replace(plan, agents=agents)).with_mission(mission)

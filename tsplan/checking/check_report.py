@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from tsplan.display import Told
 from tsplan.errors import Finding, SolverError
 
 _SHOWN = 20  # findings of one kind that are listed before the rest is only counted
 
 
 @dataclass(frozen=True)
-class Report:
-    """What the check found.
+class Report(Told):
+    """What the check found, about a plan or what else the `noun` says; `str` tells it in words.
 
     `findings` is empty exactly if the plan is accepted. `availability` and `values` are computed
     from the paths and moves; they are None when these themselves are wrong. `facts` says in words
@@ -24,11 +25,21 @@ class Report:
     facts: tuple[str, ...]
     availability: float | None = None
     values: Mapping[str, float] | None = None
+    noun: str = "plan"
 
     @property
     def ok(self) -> bool:
         """Whether the plan is accepted."""
         return not self.findings
+
+    @property
+    def verdict(self) -> str:
+        """Whether it is accepted, in words."""
+        return f"the {self.noun} is {'accepted' if self.ok else 'refused'}"
+
+    def __str__(self) -> str:
+        """Everything that is wrong, or what was found to hold; then the verdict."""
+        return "\n".join((*map(str, self.findings), *self.facts, self.verdict))
 
 
 def findings_of(problems: Sequence[str], source: str = "plan") -> tuple[Finding, ...]:

@@ -8,7 +8,6 @@ from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_and_result
 from tsplan.cli.output import say
 from tsplan.errors import clipped
-from tsplan.plans.plan import Plan
 from tsplan.signals.result_check import check
 
 if TYPE_CHECKING:
@@ -26,8 +25,7 @@ def run(options: argparse.Namespace) -> Exit:
     if not options.quiet:
         for fact in report.facts:
             say(fact)
-        noun = "plan" if isinstance(result, Plan) else "trajectory"
         if result.mission.sha256 != mission.digest:
-            say(f"the mission file has changed since the {noun} was made")
-        say(f"the {noun} is accepted")
+            say(f"the mission file has changed since the {report.noun} was made")
+        say(report.verdict)
     return Exit.DONE

@@ -13,7 +13,7 @@ from tsplan.cli.progress import Progress
 from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
 from tsplan.explanation.explanation import Cut, Explanation, Found, Status
-from tsplan.explanation.report import Report
+from tsplan.explanation.report import WIDTH, Report
 from tsplan.process.child_process import ENDED, Leash, reason_of, run_guarded
 from tsplan.process.interrupt import Requests
 from tsplan.run.events import Bound, Stage
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from tsplan.signals.result_check import AnyMission
     from tsplan.stopping import StoppedBy
 
-_PIPE_WIDTH = 100  # columns where there is no terminal to ask
-
 
 def run(options: argparse.Namespace) -> Exit:
     """Explain the mission; write a changed one where that is asked for."""
@@ -38,7 +36,7 @@ def run(options: argparse.Namespace) -> Exit:
     requests, unwritten = Requests(quiet=options.quiet, what=b"what is known"), None
     report = None
     if not options.json:
-        report = Report(mission, console(_PIPE_WIDTH), several=options.all)
+        report = Report(mission, console(WIDTH), several=options.all)
     with requests.heard():
         with Progress(quiet=options.quiet) as progress:
             heard = _Heard(mission.name, report, progress)

@@ -33,7 +33,6 @@ _CODES = {
     Status.NO_PLAN_FOUND: Exit.NO_PLAN,
     Status.ERROR: Exit.FAILED,
 }
-_PIPE_WIDTH = 120  # columns where there is no terminal to ask
 
 
 def run(options: argparse.Namespace) -> Exit:
@@ -68,9 +67,9 @@ def _show(plan: Result, options: argparse.Namespace) -> None:
     if options.json:
         say_json(_written(plan, options).to_json())
     elif not options.quiet:
-        from tsplan.plans.summary import print_parts, summary  # noqa: PLC0415  (needs rich, slow)
+        from tsplan.plans.summary import WIDTH, print_parts, summary  # noqa: PLC0415  (needs rich, slow)
 
         parts = summary(plan) if isinstance(plan, Plan) else trajectory_lines(plan)
-        print_parts(parts, console(_PIPE_WIDTH))
+        print_parts(parts, console(WIDTH))
     if plan.status is Status.INFEASIBLE and not options.quiet:
         remark(f"to see why, and what would help: tsplan explain {options.mission}")

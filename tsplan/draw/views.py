@@ -52,9 +52,14 @@ def draw_plan(
 ) -> Picture:
     """One of the `VIEWS`: the paths unless named; without a mission the timeline, all there is.
 
-    Raises InputError for a view that does not exist or needs the mission, and PlanError for a plan
-    without paths or of another mission.
+    The view `PAGE` is a figure with several axes, for which none can be given. Raises InputError
+    for a view that does not exist or needs the mission, and PlanError for a plan without paths or
+    of another mission.
     """
+    if view == PAGE and ax is not None:
+        raise InputError([Finding("a page has axes of its own", "leave out ax")])
+    if mission is not None and view == PAGE:
+        return draw_page(plan, mission)
     if mission is not None:
         return draw_view(plan, mission, view or ("policy" if plan.policies else "paths"), ax)
     if view not in ("", "timeline"):
@@ -66,7 +71,7 @@ def draw_plan(
 def draw_view(plan: Plan, mission: Mission, view: str, ax: Any = None) -> Picture:
     """One of the `VIEWS`, by name; raises as `draw_plan`."""
     if view not in VIEWS:
-        found = Finding(f"there is no view '{view}' of a plan", nearest(view, VIEWS))
+        found = Finding(f"there is no view '{view}' of a plan", nearest(view, [*VIEWS, PAGE]))
         raise InputError([found])
     if bool(plan.policies) is not (view == "policy") and view not in ("map", "requirements"):
         what = "a plan of policies has no" if plan.policies else "the plan has no policy, nor a"

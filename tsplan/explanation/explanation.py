@@ -8,7 +8,10 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
+from tsplan import display
+from tsplan.display import Told
 from tsplan.explanation.change_kinds import ORDER, ChangeKind
+from tsplan.plans.known_mission import OfMission
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.mission_numbers import Edit
@@ -143,8 +146,10 @@ of facts that take solves some come after the first conflict. Last comes what is
 
 
 @dataclass(frozen=True)
-class Explanation:
+class Explanation(OfMission["AnyMission"], Told):
     """Why a mission cannot be met and what would help; for one that can, what is tight.
+
+    `str` is what `tsplan explain` prints, where the mission is known: `tsplan.explain` sees to it.
 
     `cut` says which stages (`facts`, `conflicts`, `changes`, `tight`, `slack`) were cut short, and
     why: there may be more than they found. What is `likely` stands for what they could not prove.
@@ -171,6 +176,11 @@ class Explanation:
             case Likely():
                 return replace(self, likely=(*self.likely, item))
         return replace(self, changes=ranked([*self.changes, item]))
+
+    def __str__(self) -> str:
+        """What `tsplan explain` prints; without the mission it is the `repr`."""
+        mission = self.known_mission()
+        return repr(self) if mission is None else display.explanation_words(self, mission)
 
     def to_json(self) -> str:
         """The explanation as a `tsplan-explanation/1` document, with a line break at its end."""

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from tsplan.signals.result_check import AnyMission
 
 
+WIDTH = 100
+"""Columns of an explanation where there is no terminal to ask."""
+
 _OUTCOME = {
     Status.EXPLAINED: "there is no plan",
     Status.FEASIBLE: "there is a plan",
@@ -62,6 +65,12 @@ def print_explanation(explanation: Explanation, mission: AnyMission, console: Co
     report = Report(mission, console, several=len(explanation.conflicts) > 1)
     for line in report.lines_until(explanation):
         report.say(line)
+
+
+def explanation_words(explanation: Explanation, mission: AnyMission) -> str:
+    """The same as one text, of `WIDTH` columns."""
+    lines = lines_of(explanation, mission, WIDTH)
+    return "\n".join(visible(line, "\n") for line in lines)
 
 
 def lines_of(explanation: Explanation, mission: AnyMission, width: int) -> Iterator[str]:

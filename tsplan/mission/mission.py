@@ -31,7 +31,8 @@ from tsplan.mission.name_resolution import (
     with_named_states,
 )
 from tsplan.mission.resources import Resource
-from tsplan.mission.team import Agent, Group, Rank
+from tsplan.mission.team import Agent, Rank
+from tsplan.mission.team_values import TeamValues, team_members
 from tsplan.mission.values import parts_from_values
 from tsplan.mission.vocabulary import (
     Booking,
@@ -196,7 +197,7 @@ class Mission(MissionParts):
         cls,
         *,
         map: TransitionSystem | nx.Graph[Any] | Mapping[str, Any] | str | Path,  # noqa: A002  (the word of files)
-        team: Iterable[Group | Mapping[str, Any]] | None = None,
+        team: TeamValues | None = None,
         resources: Iterable[Resource | Mapping[str, Any]] = (),
         configurations: Mapping[str, Configuration | Mapping[str, Any]] | None = None,
         reconfigure: Iterable[Reconfiguration | Mapping[str, Any]] = (),
@@ -224,8 +225,9 @@ class Mission(MissionParts):
 
         `map` is a transition system, a networkx graph (see `tsplan.ts.builders.map_of_graph`), the
         path of a map file, or a mapping as a mission file has it, such as `{"file": "nav.geojson",
-        "speed": 0.5}`. Each member of `team` is a Group
-        or a mapping with the keys of a mission file; instead of a team or beside it there may be
+        "speed": 0.5}`. Each member of `team` is a Group, the arguments of `Group.of` in a tuple, or
+        a mapping with the keys of a mission file; a mapping has them by their classes, of which
+        each may be the starts alone. Instead of a team or beside it there may be
         one `swarm` or several `swarms`, mappings with those keys, and for them `max_subswarms`
         and `margin`. Each of the `resources` is a Resource or a mapping, and so are the
         `configurations` of modular robots by their names, the ways to `reconfigure` them, and their
@@ -235,9 +237,9 @@ class Mission(MissionParts):
         and that of swarms "mtl". In "wmtl" formulas name `weights`, which may be functions (see
         `tsplan.logic.parse`). Raises MissionError with all findings.
         """
-        team = None if team is None else list(team)
+        members = None if team is None else team_members(team)
         spec = {
-            "language": language or default_language(team=bool(team)),
+            "language": language or default_language(team=bool(members)),
             "formula": formula,
             "must": must,
             "prefer": list(prefer) or None,
@@ -250,7 +252,7 @@ class Mission(MissionParts):
             "configurations": configurations,
             "reconfigure": list(reconfigure) or None,
             "performance": performance,
-            "team": team,
+            "team": members,
             "swarm": swarm,
             "swarms": None if swarms is None else list(swarms),
             "max_subswarms": max_subswarms,

@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 from pydantic import Field, field_validator, model_validator
 
 from tsplan import display
-from tsplan.errors import Finding, PlanError
-from tsplan.limits import MOST_STEPS
+from tsplan.errors import Finding, InputError, PlanError, nearest
+from tsplan.limits import MOST_STEPS, clipped
 from tsplan.parameters import known_name, name_list, step_within
 from tsplan.plans.agent_entries import READ_AGENTS, agents_json
 from tsplan.plans.agent_plans import AgentPlan, state_in
 from tsplan.plans.bundles import Agents, AgentsById, Bundle
 from tsplan.plans.cargo_rows import READ_CARGO, CargoRows, cargo_json
+from tsplan.plans.known_mission import OfMission
 from tsplan.plans.moves import Moves, shares
 from tsplan.plans.outcomes import (
     FOUND,
@@ -30,6 +31,7 @@ from tsplan.plans.outcomes import (
     Timings,
     contradictions,
 )
+from tsplan.plans.plan_frame import agent_columns, frame
 from tsplan.plans.plan_text import PLANS, read_result
 from tsplan.plans.policies import Policy, expected_counts
 from tsplan.plans.presence import Presence, of_bundles, of_groups, state_counts
@@ -48,6 +50,7 @@ from tsplan.plans.structures import Rebuilt, Structure, of_structures
 from tsplan.plans.subswarms import SubSwarm
 from tsplan.plans.supplies import Cargo, ExecutedTask, StockHistory
 from tsplan.stopping import StoppedBy
+from tsplan.words import known
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -58,7 +61,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Plan(Record, display.Displayed):
+class Plan(Record, OfMission["Mission"], display.Displayed):
     """What planning a mission ended with.
 
     `agents` is empty unless `status` is optimal or feasible; it and `cargo` make each item when it
@@ -77,6 +80,9 @@ class Plan(Record, display.Displayed):
     The plan of a mission with resources has the `executions` of tasks, the `cargo` of every agent
     and the `stocks` that follow from both; where agents are booked it has executions, too.
     Where moves are uncertain there are `policies`, and no agents: numbers are expected ones.
+
+    `str` is the summary that the command line prints. A plan that was made here knows its mission,
+    which those read from files have to be given: `load_plan(path).with_mission(mission)`.
 
     Raises PlanError for a status that contradicts `stopped_by` or the presence of paths.
     """
@@ -250,14 +256,43 @@ class Plan(Record, display.Displayed):
             return expected_counts(self.policies, states, self.horizon, capability)
         return state_counts(self.presences, states, self.horizon, capability)
 
-    def explain(self, mission: Mission) -> display.WitnessNode:
+    def value(self, name: str, mission: Mission | None = None) -> float | None:
+        """The value of an objective in the plan, as `travel`; None where it is infinite.
+
+        Objectives that the mission does not name are measured on the paths, for which the mission
+        has to be known or given. Raises InputError for what is no objective of the mission, and
+        PlanError for a plan without paths.
+        """
+        if not self.has_paths:
+            raise PlanError([Finding(f"a plan of status {self.status} has no values")])
+        told = {"availability": self.availability}
+        told |= {item.name: item.value for item in self.objective}
+        mission = self.known_mission(mission)
+        if name not in told and mission is not None:
+            told |= display.objective_values(mission, self)
+        if name not in told:
+            remedy = nearest(name, told)
+            if mission is None:
+                remedy += "; others are measured with the mission: plan.value(name, mission)"
+            raise InputError([Finding(f"the plan has no value {clipped(name)}", remedy)])
+        return known(told[name])
+
+    def to_frame(self) -> Any:
+        """A DataFrame of pandas with a row for each agent and step: agent, class, step and state.
+
+        The state is None while the agent is travelling. Raises FrameUnavailableError without
+        pandas, and PlanError for a plan without paths of agents (of swarms, see `tsplan.assign`).
+        """
+        return frame(agent_columns(self._agents, self.horizon))
+
+    def explain(self, mission: Mission | None = None) -> display.WitnessNode:
         """Why the plan satisfies the formula of its mission, as a tree that prints itself.
 
         Every node says where it holds, by how many agents, and what it rests on there: which step,
-        which agents. It comes from the evaluator and the counts alone. Raises PlanError for a
-        plan without paths or of another mission.
+        which agents. It comes from the evaluator and the counts alone. Raises InputError where the
+        mission is not known and not given, PlanError for a plan without paths or of another one.
         """
-        return display.explain(self, mission)
+        return display.explain(self, self.needed_mission(mission, "explain"))
 
     def plot(
         self, mission: Mission | None = None, *, view: str = "", ax: Any = None
@@ -266,34 +301,52 @@ class Plan(Record, display.Displayed):
 
         `view` is one of `paths` (the default with a mission; of policies `policy`), `timeline` (the
         default, and all that there is, without one), `requirements`, `stocks` (of a mission with
-        resources), `flow` and `map`. Without `ax` there is a figure of its own that pyplot does not
-        know. Raises PlotUnavailableError without matplotlib, InputError for an unknown view and one
-        that the mission has nothing for, and PlanError for a plan without paths or of another
-        mission.
+        resources), `flow` and `map`; or `page`, which has several below each other. Without `ax`
+        there is a figure of its own that pyplot does not know; a page always has one. Raises
+        PlotUnavailableError without matplotlib, InputError for an unknown view and one that the
+        mission has nothing for, and PlanError for a plan without paths or of another mission.
         """
-        return display.draw_plan(self, mission, view, ax)
+        return display.draw_plan(self, self.known_mission(mission), view, ax)
 
-    def requirements(self, mission: Mission) -> tuple[display.Requirement, ...]:
+    def requirements(self, mission: Mission | None = None) -> tuple[display.Requirement, ...]:
         """What the formula's atoms ask of the counts and what the plan gives, over all steps.
 
-        Raises PlanError for a plan without paths or of another mission.
+        Raises as `explain`.
         """
-        return display.requirements(self, mission)
+        return display.requirements(self, self.needed_mission(mission, "requirements"))
 
-    def view(self, mission: Mission, path: str | Path | None = None) -> Path:
+    def view(self, mission: Mission | None = None, path: str | Path | None = None) -> Path:
         """Show the plan in the browser: one page that plays it, whose path is returned.
 
-        With a `path` the page is written there and no browser is opened. Raises PlanError for a
-        plan without paths and for one that does not fit the mission's map.
+        With a `path` the page is written there and no browser is opened. Raises as `explain`.
         """
-        return display.show_page(mission, self, None if path is None else Path(path))
+        place = None if path is None else Path(path)
+        return display.show_page(self.needed_mission(mission, "view"), self, place)
 
-    def simulate(self, mission: Mission, *, runs: int = 1000, seed: int = 0) -> display.Simulation:
+    def animate(
+        self, path: str | Path | None = None, mission: Mission | None = None, **pace: Any
+    ) -> display.Movie:
+        """The plan as a moving picture, which a notebook plays.
+
+        With a `path` it is written there, as .gif, .mp4 or .html; `save` of what is returned does
+        that, too, where the keywords of the `pace` are explained. Raises as `explain`.
+        """
+        return display.movie(self.needed_mission(mission, "animate"), self, path, **pace)
+
+    def simulate(
+        self, mission: Mission | None = None, *, runs: int = 1000, seed: int = 0
+    ) -> display.Simulation:
         """How often the plan's mission holds if every agent follows the shares at random.
 
-        See `tsplan.simulate`; raises PlanError for a plan without moves of swarms.
+        See `tsplan.simulate`; raises PlanError for a plan without moves of swarms, and InputError
+        where the mission is not known and not given.
         """
-        return display.simulate(mission, self, runs=runs, seed=seed)
+        known_one = self.needed_mission(mission, "simulate")
+        return display.simulate(known_one, self, runs=runs, seed=seed)
+
+    def __str__(self) -> str:
+        """What `tsplan plan` prints."""
+        return display.plan_words(self)
 
     def _repr_html_(self) -> str:
         """The plan as notebooks show it: what is known, and who is where when."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 from textwrap import shorten
 from typing import TYPE_CHECKING
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
 
     from tsplan.plans.satisfaction import Node
 
+WIDTH = 120
+"""Columns of a summary where there is no terminal to ask."""
+
 MOST_PATHS = 40
 """Distinct paths that are listed; the rest is only counted."""
 
@@ -45,6 +49,21 @@ _LIMITS = {
 def print_summary(plan: Plan, console: Console) -> None:
     """Print outcome, objectives and paths of a plan."""
     print_parts(summary(plan), console)
+
+
+def plan_words(plan: Plan) -> str:
+    """The summary as one text, of `WIDTH` columns."""
+    return text_of(summary(plan))
+
+
+def text_of(parts: Iterable[RenderableType]) -> str:
+    """Lines and tables as one text, of `WIDTH` columns, without a line break at its end."""
+    from rich.console import Console  # noqa: PLC0415  (slow to import)
+
+    stream = io.StringIO()
+    console = Console(file=stream, width=WIDTH, color_system=None, force_jupyter=False)
+    print_parts(parts, console)
+    return stream.getvalue().rstrip("\n")
 
 
 def print_parts(parts: Iterable[RenderableType], console: Console) -> None:

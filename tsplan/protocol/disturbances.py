@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from tsplan.display import Told
 from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.traces import SignalTrace
@@ -23,6 +24,7 @@ from tsplan.protocol.simulation import Frequency
 from tsplan.signals.controller import Controller
 from tsplan.signals.equalities import TOLERANCE, approximate
 from tsplan.signals.trajectory_check import check
+from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.milp.model import Floats
@@ -36,8 +38,8 @@ Amplitude: TypeAlias = "float | Mapping[str, float]"
 
 
 @dataclass(frozen=True, slots=True)
-class DisturbedRuns:
-    """What came of many shaken runs.
+class DisturbedRuns(Told):
+    """What came of many shaken runs; `str` tells it in words.
 
     `formula` tells how often the formula held, `bounds` how often every signal stayed in its
     bounds. `least` and `mean` are of the formula's robustness, with its weights.
@@ -49,6 +51,18 @@ class DisturbedRuns:
     bounds: Frequency
     least: float
     mean: float
+
+    def __str__(self) -> str:
+        """What `tsplan simulate` prints."""
+        runs = f"{self.runs:,} runs (seed {self.seed})"
+        return "\n".join(
+            (
+                f"{runs}: the controls as planned, every step shaken",
+                f"the formula held in {self.formula}",
+                f"the signals stayed in their bounds in {self.bounds}",
+                f"robustness {number(self.mean)} on average, at least {number(self.least)}",
+            )
+        )
 
 
 def simulate_disturbed(

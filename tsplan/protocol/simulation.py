@@ -14,8 +14,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from statistics import NormalDist
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -23,19 +24,23 @@ from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.count_traces import count_trace
 from tsplan.checking.plan_check import check
 from tsplan.checking.traffic import Traffic, read_traffic
+from tsplan.display import Told
 from tsplan.errors import Finding, PlanError
 from tsplan.logic import capabilities, holds
+from tsplan.mission import Mission
 from tsplan.parameters import refuse_options
+from tsplan.plans.plan import Plan
 from tsplan.plans.policies import expected_counts
 from tsplan.plans.presence import state_counts
 from tsplan.protocol.policy_runs import sampled_counts
+from tsplan.signals.result_check import mixed_up, result_given
+from tsplan.signals.signal_files import mission_given
+from tsplan.words import number
 
 if TYPE_CHECKING:
     from tsplan.checking.path_segments import Segment
     from tsplan.milp.model import Ints
-    from tsplan.mission import Mission
     from tsplan.plans.moves import Node
-    from tsplan.plans.plan import Plan
 
 _ENTRIES = 4_000_000  # counts of a batch of runs, which are kept at once
 _CONFIDENCE = 0.95
@@ -55,6 +60,11 @@ class Frequency:
 
     times: int
     runs: int
+
+    def __str__(self) -> str:
+        """How many, their share and the interval."""
+        told = f"95 % interval {self.low:.1%} to {self.high:.1%}"
+        return f"{self.times:,} of them: {self.rate:.1%} ({told})"
 
     @property
     def rate(self) -> float:
@@ -81,13 +91,14 @@ class Frequency:
 
 
 @dataclass(frozen=True, slots=True)
-class Simulation:
-    """What came of many runs of the protocol.
+class Simulation(Told):
+    """What came of many runs of the protocol; `str` tells it in words.
 
     `formula` tells how often the formula held, `bounds` how often every sub-swarm was large
     enough and there were never too many, at every step. `stray_max` is the largest and `stray_mean`
     the mean distance, in agents, between a swarm's number at a state at a step and the planned
-    one, over all states and steps where the plan has agents.
+    one, over all states and steps where the plan has agents. The chance is `by` the plan's shares,
+    or its policies, which have no sub-swarms.
     """
 
     runs: int
@@ -96,11 +107,30 @@ class Simulation:
     bounds: Frequency
     stray_max: float
     stray_mean: float
+    by: Literal["shares", "policies"] = "shares"
+
+    def __str__(self) -> str:
+        """What `tsplan simulate` prints of the runs."""
+        runs = f"{self.runs:,} runs (seed {self.seed})"
+        lines = [
+            f"{runs}: every agent by chance, by the plan's {self.by}",
+            f"the formula held in {self.formula}",
+        ]
+        if self.by == "shares":
+            lines.append(f"the bounds on sub-swarms held in {self.bounds}")
+        mean, most = f"{self.stray_mean:.2f} agents", number(round(self.stray_max, 2))
+        lines.append(
+            f"numbers at a state strayed from the plan by {mean} on average, at most by {most}"
+        )
+        return "\n".join(lines)
 
 
-def simulate(mission: Mission, plan: Plan, *, runs: int = 1000, seed: int = 0) -> Simulation:
+def simulate(
+    mission: Mission | str | Path, plan: Plan | str | Path, *, runs: int = 1000, seed: int = 0
+) -> Simulation:
     """Let every agent follow the plan's shares by chance, `runs` times.
 
+    The mission and the plan may be the paths of their files.
     The work grows with the moves of the plan and the runs, not with the number of agents. The
     result is the same for equal seeds. Raises PlanError for a plan without moves of swarms, or
     policies, one that the independent check refuses, and ValueError for fewer runs than one
@@ -109,6 +139,13 @@ def simulate(mission: Mission, plan: Plan, *, runs: int = 1000, seed: int = 0) -
     if runs < 1:
         raise ValueError(f"at least one run is needed, not {runs}")
     refuse_options(runs=runs, seed=seed)
+    known, result = mission_given(mission), result_given(plan)
+    if not (isinstance(known, Mission) and isinstance(result, Plan)):
+        raise PlanError([mixed_up(known, result)])
+    return _simulated(known, result, runs, seed)
+
+
+def _simulated(mission: Mission, plan: Plan, runs: int, seed: int) -> Simulation:
     chancy = plan.policies if mission.expected is not None else plan.moves
     if not chancy or (mission.swarm is None and mission.expected is None):
         what = "only plans of swarms, with their moves, and policies can be simulated"
@@ -148,6 +185,7 @@ def _by_policies(mission: Mission, plan: Plan, runs: int, seed: int) -> Simulati
         Frequency(runs, runs),  # there are no sub-swarms
         max(tally.stray_max for tally in tallies),
         float(sum(tally.stray_sum for tally in tallies) / (runs * places)),
+        "policies",
     )
 
 

@@ -37,4 +37,4 @@ def plan(
     choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Problem) else Problem(mission, tuning)
-    return MissionRun(problem, choice, on_event).result()
+    return MissionRun(problem, choice, on_event).result().with_mission(problem.mission)

@@ -14,6 +14,7 @@ from tsplan.plans.plan import Plan
 from tsplan.plans.plan_file import load_plan
 from tsplan.plans.plan_text import TRAJECTORIES
 from tsplan.signals import trajectory_check
+from tsplan.signals.signal_files import mission_given
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory import Trajectory
 from tsplan.signals.trajectory_file import load_trajectory
@@ -24,18 +25,26 @@ Result: TypeAlias = Plan | Trajectory
 _GLANCE = 1000  # bytes within which a file says what it is
 
 
-def check(mission: AnyMission, result: Result) -> Report:
+def check(mission: AnyMission | str | Path, result: Result | str | Path) -> Report:
     """Judge a plan or a trajectory against its mission by itself alone, without any solver.
 
+    Both may be the paths of their files.
     Of a plan the agents' paths and the swarms' moves are followed over the map, of a trajectory
     the start and the controls are simulated; then the formula is evaluated as written. The report
-    lists everything that is wrong at once. Raises PlanError where one is not of the other's kind.
+    lists everything that is wrong at once. Raises PlanError where one is not of the other's kind,
+    and InputError for files that cannot be read.
+
+    >>> import tsplan
+    >>> tsplan.save_plan(tsplan.plan("mission.yaml"), "plan.json")
+    >>> tsplan.check("mission.yaml", "plan.json").verdict
+    'the plan is accepted'
     """
-    if isinstance(mission, Mission) and isinstance(result, Plan):
-        return plan_check.check(mission, result)
-    if isinstance(mission, SignalMission) and isinstance(result, Trajectory):
-        return trajectory_check.check(mission, result)
-    raise PlanError([mixed_up(mission, result)])
+    known, made = mission_given(mission), result_given(result)
+    if isinstance(known, Mission) and isinstance(made, Plan):
+        return plan_check.check(known, made)
+    if isinstance(known, SignalMission) and isinstance(made, Trajectory):
+        return trajectory_check.check(known, made)
+    raise PlanError([mixed_up(known, made)])
 
 
 def mixed_up(mission: AnyMission, result: Result, source: str = "") -> Finding:
@@ -44,6 +53,11 @@ def mixed_up(mission: AnyMission, result: Result, source: str = "") -> Finding:
     kind = "over signals" if isinstance(mission, SignalMission) else "for a team on a map"
     what = f"this is a {noun}, and the mission is one {kind}"
     return Finding(what, "name the mission that it was made for", source)
+
+
+def result_given(given: Result | str | Path) -> Result:
+    """The plan or trajectory of a file, for a path; or the one that is given."""
+    return load_result(given) if isinstance(given, str | Path) else given
 
 
 def load_result(path: str | Path) -> Result:

@@ -45,6 +45,14 @@ def load_any_mission(path: str | Path) -> Mission | SignalMission:
     return any_mission_from_document(document, Path(path).parent)
 
 
+def mission_given(given: Mission | SignalMission | str | Path) -> Mission | SignalMission:
+    """The mission of a file, for a path; or the one that is given.
+
+    Raises MissionError with everything that is wrong with the file.
+    """
+    return load_any_mission(given) if isinstance(given, str | Path) else given
+
+
 def any_mission_from_document(document: Document, folder: Path) -> Mission | SignalMission:
     """The mission of either kind of a document; maps are looked for in `folder`.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
@@ -16,6 +16,7 @@ from tsplan.errors import Finding, InputError, PlanError, nearest
 from tsplan.limits import MOST_STEPS
 from tsplan.logic.traces import SignalTrace
 from tsplan.milp.model import Floats
+from tsplan.plans.known_mission import OfMission
 from tsplan.plans.outcomes import (
     MissionRef,
     ModelSize,
@@ -54,7 +55,7 @@ class PartValue(Record):
 
 
 @dataclass(frozen=True)
-class Trajectory(Record, display.Displayed):
+class Trajectory(Record, OfMission["SignalMission"], display.Displayed):
     """What synthesis ended with.
 
     `signals` have one value more than there are `controls`, unless there is no trajectory.
@@ -141,31 +142,6 @@ class Trajectory(Record, display.Displayed):
 
     # --- with its mission --------------------------------------------------------------------
 
-    def with_mission(self, mission: SignalMission) -> Self:
-        """The same trajectory, which knows its mission as long as it is not changed or written.
-
-        Pictures and reasons are then of this mission unless another one is named.
-        """
-        made = replace(self)
-        object.__setattr__(made, "_mission", mission)
-        return made
-
-    def __getstate__(self) -> dict[str, Any]:
-        """What is sent to other processes: not the mission, which they have."""
-        return {name: value for name, value in self.__dict__.items() if name != "_mission"}
-
-    def known_mission(self, given: SignalMission | None = None) -> SignalMission | None:
-        """The mission that is given, or else the one that is known."""
-        return given if given is not None else self.__dict__.get("_mission")
-
-    def _needed(self, given: SignalMission | None, method: str) -> SignalMission:
-        mission = self.known_mission(given)
-        if mission is None:
-            what = "the trajectory was read from a file, which does not have its mission"
-            remedy = f"give the mission: trajectory.{method}(mission)"
-            raise InputError([Finding(what, remedy)])
-        return mission
-
     def explain(self, mission: SignalMission | None = None) -> display.WitnessNode:
         """Why the trajectory satisfies the formula of its mission, as a tree that prints itself.
 
@@ -173,7 +149,7 @@ class Trajectory(Record, display.Displayed):
         the critical predicates, which keep its robustness from being greater. Raises InputError
         where the mission is not known and not given, PlanError for one of another system.
         """
-        return display.explain_trajectory(self, self._needed(mission, "explain"))
+        return display.explain_trajectory(self, self.needed_mission(mission, "explain"))
 
     def plot(
         self,
@@ -208,7 +184,13 @@ class Trajectory(Record, display.Displayed):
         With a `path` the page is written there and no browser is opened. Raises as `explain`.
         """
         place = None if path is None else Path(path)
-        return display.show_page(self._needed(mission, "view"), self, place)
+        return display.show_page(self.needed_mission(mission, "view"), self, place)
+
+    def animate(
+        self, path: str | Path | None = None, mission: SignalMission | None = None, **pace: Any
+    ) -> display.Movie:
+        """The trajectory as a moving picture; as `Plan.animate`."""
+        return display.movie(self.needed_mission(mission, "animate"), self, path, **pace)
 
     def simulate(
         self,
@@ -222,8 +204,12 @@ class Trajectory(Record, display.Displayed):
 
         See `tsplan.simulate_disturbed`; raises as `explain`.
         """
-        known = self._needed(mission, "simulate")
+        known = self.needed_mission(mission, "simulate")
         return display.simulate_disturbed(known, self, amplitude=amplitude, runs=runs, seed=seed)
+
+    def __str__(self) -> str:
+        """What `tsplan plan` prints."""
+        return display.trajectory_words(self)
 
     def _repr_html_(self) -> str:
         """The trajectory as notebooks show it: what is known, and the signals over time."""

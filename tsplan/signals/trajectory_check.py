@@ -42,17 +42,17 @@ def check(mission: SignalMission, trajectory: Trajectory) -> Report:
     """
     if not trajectory.has_signals:
         what = f"a trajectory of status {trajectory.status} has no signals to check"
-        return Report(findings_of([what], _NOUN), ())
+        return Report(findings_of([what], _NOUN), (), noun=_NOUN)
     problems = list(strangers(mission.system, trajectory, mission.horizon))
     if problems:
-        return Report(findings_of(problems, _NOUN), ())
+        return Report(findings_of(problems, _NOUN), (), noun=_NOUN)
     motion = Motion(mission.system, trajectory)
     problems = list(deviations(motion, motion.simulated, "and the dynamics lead to"))
     try:
         own = led(motion, trajectory)
     except PlanError as error:  # an unstable system that is led beyond all numbers
         words = [finding.message for finding in error.findings]
-        return Report(findings_of([*problems, *words], _NOUN), ())
+        return Report(findings_of([*problems, *words], _NOUN), (), noun=_NOUN)
     motion = Motion(mission.system, own)
     measures = measured(mission, motion, own.trace())
     problems += [*broken(motion), *_broken_formula(mission, measures)]
@@ -60,7 +60,7 @@ def check(mission: SignalMission, trajectory: Trajectory) -> Report:
     facts = () if problems else tuple(_facts(mission, measures))
     values = {"robustness": measures.robustness}
     values |= {line.name: line.value for line in measures.objective if line.value is not None}
-    return Report(findings_of(problems, _NOUN), facts, values=values)
+    return Report(findings_of(problems, _NOUN), facts, values=values, noun=_NOUN)
 
 
 def certify(mission: SignalMission, trajectory: Trajectory) -> Trajectory:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
-from tsplan.plans.summary import objective_line, outcome, seen, work_lines
+from tsplan.plans.summary import objective_line, outcome, seen, text_of, work_lines
 from tsplan.words import known, number
 
 if TYPE_CHECKING:
@@ -28,6 +28,11 @@ def trajectory_lines(trajectory: Trajectory) -> list[str]:
         lines += [f"  {fact}" for fact in trajectory_facts(trajectory)]
         lines += [*_part_lines(trajectory.parts), "", *_signal_lines(trajectory), ""]
     return [*seen(lines), *work_lines(trajectory)]
+
+
+def trajectory_words(trajectory: Trajectory) -> str:
+    """The summary as one text."""
+    return text_of(trajectory_lines(trajectory))
 
 
 def trajectory_facts(trajectory: Trajectory) -> Iterator[str]:

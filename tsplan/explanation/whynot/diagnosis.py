@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, get_args
 
@@ -34,6 +35,7 @@ from tsplan.mission import Mission
 from tsplan.parameters import refuse_options
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
+from tsplan.signals.signal_files import mission_given
 from tsplan.signals.signal_mission import SignalMission
 
 if TYPE_CHECKING:
@@ -53,7 +55,7 @@ _REASONS: tuple[Cut, ...] = get_args(Cut)  # gravest first
 
 
 def explain(
-    mission: AnyMission,
+    mission: AnyMission | str | Path,
     *,
     conflicts: int = 1,
     slack: bool = False,
@@ -64,11 +66,12 @@ def explain(
 ) -> Explanation:
     """Say why a mission cannot be met and what would help; or what is tight where it can be.
 
-    Up to `conflicts` different conflicts are looked for. With `slack`, for a mission that can be
-    met, it is found how much sooner each deadline could be. `time_limit` is in seconds;
-    `on_stage` hears the stage of the work with every question of it, `on_found` each fact,
-    conflict and change as it is found (`Found`). Ctrl-C and the time limit end the search with what
-    is known; `cut` says what they kept from being looked at, `likely` what from being proven.
+    The mission, for a team or over signals, may be the path of its file. Up to `conflicts`
+    different conflicts are looked for. With `slack`, for a mission that can be met, it is found how
+    much sooner each deadline could be. `time_limit` is in seconds; `on_stage` hears the stage of
+    the work with every question of it, `on_found` each fact, conflict and change as it is found
+    (`Found`). Ctrl-C and the time limit end the search with what is known; `cut` says what they
+    kept from being looked at, `likely` what from being proven.
 
     Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails, and
     InputError for a time limit out of range; MissionError for a mission over expected numbers.
@@ -83,14 +86,15 @@ def explain(
     ('feasible', True)
     """
     refuse_options(time_limit=time_limit)
-    if getattr(mission, "expected", None) is not None:
+    known = mission_given(mission)
+    if getattr(known, "expected", None) is not None:
         what = "why expected numbers cannot be met is not told"
         raise MissionError([Finding(what, "ask for less in the formula, or add agents")])
-    limit = mission.solver.time_limit if time_limit is None else time_limit
+    limit = known.solver.time_limit if time_limit is None else time_limit
     hear = (audible(on_stage or (lambda _: None)), audible(on_found or (lambda _: None)))
-    run = _Run(mission, limit, solver, *hear)
+    run = _Run(known, limit, solver, *hear)
     with on_interrupt(run.stop), hushed_alone():
-        return run.explanation(conflicts, slack=slack)
+        return run.explanation(conflicts, slack=slack).with_mission(known)
 
 
 class _Kind(NamedTuple):
