@@ -5,8 +5,11 @@ from __future__ import annotations
 import importlib.util
 import pickle
 import re
+import sys
 from html import unescape
+from io import StringIO
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -209,3 +212,68 @@ def test_a_team_may_be_said_in_short(team):
 def test_what_is_no_team_is_refused(team, words):
     with pytest.raises(tsplan.MissionError, match=words):
         tsplan.Mission.of(map=tsplan.grid(1, 3), team=team, formula="true", language="mtl")
+
+
+class Handle:
+    """What a notebook gives for something that it shows: the texts that were shown."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+
+    def update(self, data, raw):
+        """Show something else there."""
+        assert raw
+        self.texts.append(data["text/plain"])
+
+
+def test_progress_is_one_line_below_the_cell_of_a_notebook(folder, monkeypatch, capsys):
+    handle = Handle()
+    shell = SimpleNamespace(kernel=object())
+    display = SimpleNamespace(display=lambda *_, **__: handle)
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    heard: list[tsplan.Event] = []
+    assert tsplan.plan("mission.yaml", progress=True, on_event=heard.append).verified
+    assert handle.texts[-1] == ""  # nothing is left of it
+    assert any(text.startswith("paths and check") for text in handle.texts)
+    assert heard
+    assert capsys.readouterr().err == ""
+
+
+def test_progress_is_lines_on_stderr_elsewhere(folder, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "IPython", None)
+    stopped = tsplan.plan("mission.yaml", progress=True, on_event=lambda _event: True)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines
+    assert all(line.endswith(" s") for line in lines)
+    assert stopped.stopped_by == "interrupt" or stopped.status == "optimal"
+    tsplan.plan("signals.yaml", progress=True)
+    assert "paths and check" in capsys.readouterr().err
+    tsplan.plan("mission.yaml")
+    assert capsys.readouterr() == ("", "")
+
+
+def test_progress_is_written_over_on_a_terminal(folder, monkeypatch):
+    monkeypatch.setitem(sys.modules, "IPython", None)
+    terminal = StringIO()
+    monkeypatch.setattr(terminal, "isatty", lambda: True)
+    monkeypatch.setattr(sys, "stderr", terminal)
+    tsplan.plan("mission.yaml", progress=True)
+    said = terminal.getvalue()
+    assert "\n" not in said
+    assert said.endswith("\r\x1b[K")
+    assert "paths and check" in said
+
+
+def test_what_the_solver_says_is_heard(folder):
+    heard: list[str] = []
+    tsplan.plan("mission.yaml", encoding="reference", on_log=heard.append)
+    assert "Solving report" in "".join(heard)
+    spoken: list[str] = []
+    tsplan.plan("signals.yaml", on_log=spoken.append)
+    assert spoken
+    silent = here("plan", "mission.yaml", "--encoding", "reference", "--json")
+    told = here("plan", "mission.yaml", "--encoding", "reference", "--json", "--log-solver")
+    assert "Solving report" in told.err
+    assert "Solving report" not in silent.err
+    assert tsplan.Plan.from_json(told.out).objective == tsplan.Plan.from_json(silent.out).objective

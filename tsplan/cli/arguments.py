@@ -101,6 +101,11 @@ def _plan(commands: Commands) -> None:
     add("--agents", action="store_true", help=each)
     add("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")
     add("--json", action="store_true", help="print the JSON alone")
+    add(
+        "--log-solver",
+        action="store_true",
+        help="print on stderr what the solver says of each integer program",
+    )
     add("--quiet", action="store_true", help="no progress and no summary")
 
 

@@ -39,7 +39,7 @@ def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
     mission, choice, loaded = mission_to_solve(options, "the plan")
     order = order_for(mission, choice, options.encoding, tuple(options.without))
-    order = replace(order, anytime=options.anytime)
+    order = replace(order, anytime=options.anytime, log=options.log_solver)
     requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
         if not (may_have_children() or options.quiet):

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import time
 from contextlib import suppress
 from typing import TYPE_CHECKING, Self
 
 from tsplan.cli.output import ERR, remark
-from tsplan.run.events import Bound, Event, Incumbent, Stage
-from tsplan.words import number, visible
+from tsplan.run.progress_line import ProgressLine
 
 if TYPE_CHECKING:
     from rich.live import Live
     from rich.text import Text
 
-_EVERY = 5.0  # seconds between plain lines that tell nothing but a new bound
+    from tsplan.run.events import Event
+
 _REFRESH = 8  # live lines a second
 
 
@@ -26,10 +25,7 @@ class Progress:
 
     def __init__(self, *, quiet: bool = False) -> None:
         self.quiet = quiet
-        self._began = time.monotonic()
-        self._said = -_EVERY
-        self._stage = "start"
-        self._news: Incumbent | Bound | None = None
+        self._known = ProgressLine()
         self._live: Live | None = None
 
     def __enter__(self) -> Self:
@@ -66,23 +62,12 @@ class Progress:
             self._tell(event)
 
     def _tell(self, event: Event) -> None:
-        important = not isinstance(event, Bound)
-        if isinstance(event, Stage):
-            if event.name != self._stage:
-                self._news = None
-            self._stage = event.name
-        else:
-            if event.stage != self._stage:
-                important = True
-            self._stage, self._news = event.stage, event
+        self._known.take(event)
         if self.quiet or self._live is not None:
             return
         if ERR.isatty():
             self._begin()
-            return
-        now = time.monotonic()
-        if important or now - self._said >= _EVERY:
-            self._said = now
+        elif self._known.due():
             remark(self.line())
 
     def note(self, text: str) -> None:
@@ -92,15 +77,7 @@ class Progress:
 
     def line(self) -> str:
         """Stage, objective, bound, gap and elapsed time as far as they are known."""
-        parts = [visible(self._stage)]
-        news = self._news
-        if news is not None and news.objective is not None:
-            parts.append(f"best {number(news.objective)}")
-        if news is not None and news.bound is not None:
-            parts.append(f"bound {number(news.bound)}")
-        if news is not None and news.gap is not None:
-            parts.append(f"gap {news.gap:.1%}")
-        return "  ".join([*parts, f"{time.monotonic() - self._began:.1f} s"])
+        return str(self._known)
 
     def _rendered(self) -> Text:
         from rich.text import Text  # noqa: PLC0415  (slow to import)

@@ -45,7 +45,7 @@ class Order:
     """What is asked of a planner: the function `planner` of a module, which makes a `kind`.
 
     With `anytime` it goes on until nothing is left to prove or time is up, else it ends with the
-    first plan.
+    first plan. With `log` the audience is told what the solver says, too.
     """
 
     mission: Any
@@ -55,6 +55,14 @@ class Order:
     planner: tuple[str, str] = ("tsplan.run.planner", "plan")
     kind: type[Any] = Plan
     anytime: bool = True
+    log: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """What the solver says."""
+
+    text: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,9 +108,12 @@ class Planning:
     def _tried(self, order: Order) -> Any:
         leash = Leash(order.choice.time_limit)
 
-        def hear(news: Event | _HandedOver) -> None:
+        def hear(news: Event | _HandedOver | _Said) -> None:
             if isinstance(news, _HandedOver):
                 self._best = news.plan
+                return
+            if isinstance(news, _Said):
+                self.audience.note(news.text)
                 return
             if isinstance(news, Stage) and news.name == FINISHING:
                 leash.finishing = True
@@ -150,6 +161,7 @@ def _job(order: Order, send: Callable[[object], object]) -> Any:
         encoding=order.encoding,
         without=order.without,
         on_event=Forward(send, 0.0 if many else _SHARE, anytime=order.anytime),
+        on_log=(lambda text: send(_Said(text))) if order.log else None,
     )
 
 

@@ -17,6 +17,7 @@ from tsplan.mission import Mission
 from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
 from tsplan.plans.plan import Plan
 from tsplan.plans.satisfaction import Depth, Satisfaction
+from tsplan.process.quiet_output import Hear
 from tsplan.run.events import FINISHING
 from tsplan.run.own_terms import worth
 from tsplan.run.paths import ways_of
@@ -31,10 +32,16 @@ from tsplan.words import known
 class MissionRun(Run[Point, Plan]):
     """One planning run for a problem."""
 
-    def __init__(self, problem: Problem, choice: SolverChoice, listener: Listener | None) -> None:
+    def __init__(
+        self,
+        problem: Problem,
+        choice: SolverChoice,
+        listener: Listener | None,
+        log: Hear | None = None,
+    ) -> None:
         self._problem = problem
         self._mission = problem.mission
-        super().__init__(choice.over(self._mission.solver), listener)
+        super().__init__(choice.over(self._mission.solver), listener, log)
 
     def prepared(self) -> None:
         """Bring the team into classes, on reduced maps."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
+from tsplan.process.quiet_output import Hear
 from tsplan.run.mission_run import MissionRun
 from tsplan.run.problem import Problem, Tuning
 from tsplan.run.run import Listener
@@ -21,14 +22,16 @@ def plan(
     encoding: str = "tight",
     without: tuple[str, ...] = (),
     on_event: Listener | None = None,
+    on_log: Hear | None = None,
 ) -> Plan:
     """Plan a mission, or a `Problem` made from one: a verified plan, or why there is none.
 
     `time_limit` is in seconds, `gap` relative; what is None comes from the mission. `on_event` is
     called with every `Event`; when it returns True the search stops and the best plan is kept.
-    Ctrl-C does the same. What `on_event` raises ends the search and is raised here. `without` names
-    methods of the tight encoding to switch off. The plan of a swarm mission has its moves and
-    sub-swarms, and the agents' paths too if there are at most 1,000; `assign` makes them for more.
+    Ctrl-C does the same. What `on_event` raises ends the search and is raised here. `on_log` hears
+    what the solver says. `without` names methods of the tight encoding to switch off. The plan of a
+    swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
+    1,000; `assign` makes them for more.
 
     Raises MissionError for unknown names, InputError for numbers out of range,
     SolverUnavailableError for a solver that cannot be used, and SolverError when a solver fails or
@@ -37,4 +40,4 @@ def plan(
     choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Problem) else Problem(mission, tuning)
-    return MissionRun(problem, choice, on_event).result().with_mission(problem.mission)
+    return MissionRun(problem, choice, on_event, on_log).result().with_mission(problem.mission)

@@ -13,7 +13,7 @@ from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
 from tsplan.plans.outcomes import SolverUse, Timings
 from tsplan.process.grace_period import NATIVE, GracePeriod
 from tsplan.process.interrupt import on_interrupt
-from tsplan.process.quiet_output import audible, hushed_alone
+from tsplan.process.quiet_output import Hear, audible, hushed_alone
 from tsplan.run.events import Bound, Event, Incumbent, Stage
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
@@ -31,14 +31,17 @@ class Run(ABC, Generic[PointT, ResultT]):
 
     Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out, the
     best point known is made use of, with that as the reason. Native code that does not end within
-    `grace` of that is left behind.
+    `grace` of that is left behind. `log` gets what the solver says of each program, line by line.
     """
 
     grace: GracePeriod = NATIVE
 
-    def __init__(self, choice: SolverChoice, listener: Listener | None) -> None:
+    def __init__(
+        self, choice: SolverChoice, listener: Listener | None, log: Hear | None = None
+    ) -> None:
         self.choice = choice.over(DEFAULT_CHOICE)
         self._listener = listener
+        self._log = None if log is None else audible(log)
         self._stopped: float | None = None  # seconds after which it was asked to stop
         self._newest: PointT | None = None
         self.clock = Clock(self.choice.time_limit, lambda: self._stopped is not None)
@@ -66,7 +69,7 @@ class Run(ABC, Generic[PointT, ResultT]):
             solver = solver_named(self.choice.name or "")
             version = solver.availability().version or ""
             used = SolverUse(solver.name, version, self.choice.numbers)
-            effort = Effort(solver, self.choice, grace=self.grace)
+            effort = Effort(solver, self.choice, grace=self.grace, log=self._log)
             return self.finished(self._searched(effort), used)
 
     def reason(self, outcome: Outcome[PointT]) -> StoppedBy | None:

@@ -12,19 +12,22 @@ from tsplan.milp.solver import Solver
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
 from tsplan.milp.target import Target
 from tsplan.process.grace_period import NATIVE, GracePeriod
+from tsplan.process.quiet_output import Hear
 
 
 @dataclass(frozen=True)
 class Effort:
     """How to solve: the solver, what was chosen of it, and which switches to use.
 
-    `grace` is how long native code may take to stop once its time is up.
+    `grace` is how long native code may take to stop once its time is up; `log` gets the lines that
+    the solver says.
     """
 
     solver: Solver
     choice: SolverChoice = DEFAULT_CHOICE
     switches: frozenset[Switch] = frozenset(Switch)
     grace: GracePeriod = NATIVE
+    log: Hear | None = None
 
     def options(self, clock: Clock, target: Target, start: Floats | None = None) -> Options:
         """What to ask a solver for: the least value of a target, in the time that is left."""
@@ -42,6 +45,7 @@ class Effort:
             clock.left,
             threads=choice.threads,
             seed=choice.seed,
+            log=self.log,
             stop=clock.stop,
             grace=self.grace,
         )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, TypedDict, Unpack, overload
 from tsplan.mission import Mission
 from tsplan.run.planner import plan as plan_team
 from tsplan.run.problem import Problem
+from tsplan.run.progress_line import ProgressDisplay
 from tsplan.signals.signal_files import load_any_mission
 from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.synthesis import Synthesis
@@ -15,6 +16,7 @@ from tsplan.signals.synthesiser import synthesise_mission
 
 if TYPE_CHECKING:
     from tsplan.plans.plan import Plan
+    from tsplan.process.quiet_output import Hear
     from tsplan.run.run import Listener
     from tsplan.signals.trajectory import Trajectory
 
@@ -30,22 +32,31 @@ class Options(TypedDict, total=False):
     encoding: str
     without: tuple[str, ...]
     on_event: Listener | None
+    on_log: Hear | None
 
 
 @overload
-def plan(mission: Mission | Problem, **options: Unpack[Options]) -> Plan: ...
+def plan(
+    mission: Mission | Problem, *, progress: bool = False, **options: Unpack[Options]
+) -> Plan: ...
 
 
 @overload
-def plan(mission: SignalMission | Synthesis, **options: Unpack[Options]) -> Trajectory: ...
+def plan(
+    mission: SignalMission | Synthesis, *, progress: bool = False, **options: Unpack[Options]
+) -> Trajectory: ...
 
 
 @overload
-def plan(mission: str | Path, **options: Unpack[Options]) -> Plan | Trajectory: ...
+def plan(
+    mission: str | Path, *, progress: bool = False, **options: Unpack[Options]
+) -> Plan | Trajectory: ...
 
 
 def plan(
     mission: Mission | Problem | SignalMission | Synthesis | str | Path,
+    *,
+    progress: bool = False,
     **options: Unpack[Options],
 ) -> Plan | Trajectory:
     """Plan a mission, or the file of one: a verified plan, or why there is none.
@@ -53,10 +64,12 @@ def plan(
     A mission for a team, or a `Problem` made from one, gives a `Plan`; one over signals, or a
     `Synthesis`, a `Trajectory`. Both know their mission.
 
+    With `progress` a line below the notebook's cell, or on stderr, says how far the search is.
     `time_limit` is in seconds, `gap` relative, `solver` the name of one, `threads` and `seed` are
     for it; what is not given comes from the mission. `on_event` is called with every `Event`; when
     it returns True the search stops and the best plan is kept. Ctrl-C does the same. What
-    `on_event` raises ends the search and is raised here. `encoding` is `tight` or `reference`;
+    `on_event` raises ends the search and is raised here. `on_log` hears what the solver says of
+    each integer program, so `on_log=print` shows it. `encoding` is `tight` or `reference`;
     `without` names methods of the tight one to switch off. The plan of a swarm mission has its
     moves and sub-swarms, and the agents' paths too if there are at most 1,000; `assign` makes them
     for more.
@@ -72,6 +85,15 @@ def plan(
     """
     if isinstance(mission, str | Path):
         mission = load_any_mission(mission)
+    if progress:
+        with ProgressDisplay(options.get("on_event")) as shown:
+            return _planned(mission, {**options, "on_event": shown})
+    return _planned(mission, options)
+
+
+def _planned(
+    mission: Mission | Problem | SignalMission | Synthesis, options: Options
+) -> Plan | Trajectory:
     if isinstance(mission, SignalMission | Synthesis):
         return synthesise_mission(mission, **options)
     return plan_team(mission, **options)

@@ -14,6 +14,7 @@ from tsplan.logic import Formula
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
 from tsplan.plans.satisfaction import Depth
+from tsplan.process.quiet_output import Hear
 from tsplan.run.events import FINISHING
 from tsplan.run.problem import Tuning
 from tsplan.run.run import Listener, Run
@@ -34,10 +35,16 @@ from tsplan.words import known
 class SynthesisRun(Run[SignalPoint, Trajectory]):
     """One run of synthesis."""
 
-    def __init__(self, problem: Synthesis, choice: SolverChoice, listener: Listener | None) -> None:
+    def __init__(
+        self,
+        problem: Synthesis,
+        choice: SolverChoice,
+        listener: Listener | None,
+        log: Hear | None = None,
+    ) -> None:
         self.problem = problem
         self.mission = problem.mission
-        super().__init__(choice.over(self.mission.solver), listener)
+        super().__init__(choice.over(self.mission.solver), listener, log)
 
     def prepared(self) -> None:
         """Nothing is done before the first model is made."""
@@ -134,6 +141,7 @@ def synthesise_mission(
     encoding: str = "tight",
     without: tuple[str, ...] = (),
     on_event: Listener | None = None,
+    on_log: Hear | None = None,
 ) -> Trajectory:
     """The verified trajectory of a mission over signals, or that there is none.
 
@@ -142,7 +150,7 @@ def synthesise_mission(
     choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Synthesis) else Synthesis(mission, tuning)
-    return SynthesisRun(problem, choice, on_event).result()
+    return SynthesisRun(problem, choice, on_event, on_log).result()
 
 
 def synthesise(
@@ -162,7 +170,7 @@ def synthesise(
     `objective` is what a mission file has: `{"robustness": 1, "control_effort": 0.1}` for a
     weighted sum, `["robustness", "control_effort"]` for one after the other, `[]` for any
     trajectory; by default robustness is maximised. `options` are those of `tsplan.plan`:
-    `time_limit` in seconds, `solver`, `gap`, `threads`, `seed`, `encoding`, `on_event`.
+    `time_limit` in seconds, `solver`, `gap`, `threads`, `seed`, `encoding`, `on_event`, `on_log`.
 
     Raises MissionError with everything that does not fit together, and what `tsplan.plan` raises.
 
