@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
-from tsplan.milp.model import Model
+from tsplan.milp.model import Floats, Model
 from tsplan.milp.request import NativeRun, RawResult, Request
 from tsplan.milp.solution import Options, Status
 from tsplan.milp.solver import Availability, Solver
@@ -53,6 +53,12 @@ class Gurobi(Solver):
     def native(self, model: Model) -> Any:
         """The model as a `gurobipy.Model`."""
         return _load(model, _environment())
+
+    def point(self, native: Any) -> Floats:
+        """The best point of a solved `gurobipy.Model`."""
+        if not native.SolCount:
+            raise SolverError("Gurobi has no point of the model; optimise it first")
+        return np.array(native.getAttr("X", native.getVars()))
 
     def answer(self, request: Request) -> RawResult:
         """What Gurobi makes of a request; see `tsplan.milp.solver.Solver`."""

@@ -104,6 +104,13 @@ class Highs(Solver):
         """The model as a `highspy.Highs`."""
         return load(model)
 
+    def point(self, native: highspy.Highs) -> Floats:
+        """The point of a solved `highspy.Highs`."""
+        info = native.getInfo()
+        if info.primal_solution_status != int(highspy.SolutionStatus.kSolutionStatusFeasible):
+            raise SolverError("HiGHS has no point of the model; run it first")
+        return np.array(native.getSolution().col_value)
+
     def option_names(self) -> list[str]:
         """HiGHS' own names of its options."""
         return option_names()

@@ -98,6 +98,18 @@ class Pulp(Solver):
         self._chosen()
         return load(model)[0]
 
+    def point(self, native: Any) -> Floats:
+        """The point of a solved `pulp.LpProblem`, whose variables are numbered."""
+        named = {variable.name: variable for variable in native.variables()}
+        # one of its own stands for an objective that is missing
+        ordered = [
+            named[f"x{number}"] for number in range(sum(name[1:].isdigit() for name in named))
+        ]
+        values = [variable.value() for variable in ordered]
+        if any(value is None for value in values):
+            raise SolverError("PuLP has no point of the model; solve it first")
+        return np.array(values, dtype=np.float64)
+
     def answer(self, request: Request) -> RawResult:
         """What the backend makes of a request; see `tsplan.milp.solver.Solver`."""
         return _Solve(self._chosen(), request).answer()

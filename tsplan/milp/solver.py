@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from tsplan.errors import SolverUnavailableError, nearest
-from tsplan.milp.model import Model
+from tsplan.errors import SolverError, SolverUnavailableError, nearest
+from tsplan.milp.model import Floats, Model
 from tsplan.milp.request import RawResult, Request
 from tsplan.milp.solution import Options, Solution, Watcher, presolved
 
@@ -64,6 +64,13 @@ class Solver(ABC):
     @abstractmethod
     def native(self, model: Model) -> Any:
         """The model loaded into the solver's own object, not yet solved."""
+
+    def point(self, native: Any) -> Floats:
+        """The point of `native`'s own object that somebody has solved, in the order of columns.
+
+        Raises SolverError where there is none.
+        """
+        raise SolverError(f"points of {self.name}'s own objects are not read; give the values")
 
     @abstractmethod
     def answer(self, request: Request) -> RawResult:

@@ -14,18 +14,18 @@ from tsplan.errors import SolverError
 from tsplan.exact import digits
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
-from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
+from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse
 from tsplan.plans.plan import Plan
 from tsplan.plans.satisfaction import Depth, Satisfaction
 from tsplan.process.quiet_output import Hear
 from tsplan.run.events import FINISHING
 from tsplan.run.own_terms import worth
 from tsplan.run.paths import ways_of
+from tsplan.run.point_reading import open_objective, plan_at
 from tsplan.run.problem import Problem
 from tsplan.run.run import Listener, Run
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome
-from tsplan.stopping import StoppedBy
 from tsplan.words import known
 
 
@@ -53,21 +53,7 @@ class MissionRun(Run[Point, Plan]):
 
     def provisional(self, found: Point) -> Plan:
         """The verified plan of something found on the way."""
-        mission = self._mission
-        made = Plan(
-            status=Status.FEASIBLE,
-            stopped_by=StoppedBy.INTERRUPT,
-            mission=MissionRef(mission.name, mission.digest),
-            horizon=mission.horizon,
-            objective=self._open(),
-            **ways_of(self._problem.setting, found, self.choice.seed),
-        )
-        return certify(mission, made)
-
-    def _open(self) -> tuple[ObjectiveValue, ...]:
-        """The objectives of the mission, nothing known of them: the check fills their values in."""
-        mission = self._mission
-        return tuple(ObjectiveValue(name, None, None) for name in mission.objective)
+        return plan_at(self._problem.setting, found, self.choice.seed)
 
     def finished(self, outcome: Outcome[Point], used: SolverUse) -> Plan:
         """The plan of what was found, after the independent check."""
@@ -85,7 +71,7 @@ class MissionRun(Run[Point, Plan]):
         # values are those that the check measures on the paths
         reached = [replace(item, value=None, bound=known(item.bound)) for item in outcome.reached]
         if point is not None and not reached:
-            reached = list(self._open())
+            reached = list(open_objective(mission))
         size = ModelSize(
             *outcome.size, states=len(mission.system.states), edges=len(mission.system.edges)
         )

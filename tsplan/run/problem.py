@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+
+import numpy as np
 
 from tsplan.clock import Clock
 from tsplan.encode.assemble import reference, tight
@@ -14,13 +16,15 @@ from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.model_objectives import OwnSum, objectives_of
 from tsplan.encode.preparation import prepare
 from tsplan.encode.switches import ALL_SWITCHES, Switch
-from tsplan.errors import Finding, InputError, MissionError, nearest
+from tsplan.errors import Finding, InputError, MissionError, SolverError, nearest
 from tsplan.limits import LARGEST, Range, clipped
 from tsplan.milp.model import Model
+from tsplan.milp.request import TOLERANCE
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
 from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
+from tsplan.run.point_reading import plan_at
 from tsplan.search.capacity_relaxation import CapacityRelaxation, relaxable
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Outcome, Tell
@@ -219,6 +223,36 @@ class Problem:
     def native(self, solver: str = "highs") -> Any:
         """The model as the solver's own object, for example a `gurobipy.Model`."""
         return solver_named(solver).native(self.model)
+
+    def plan_from(self, native: Any, solver: str = "highs") -> Plan:
+        """The plan of the solver's own object after somebody has solved it, judged by the check.
+
+        `native` came from `native(solver)`, or is the values of its columns in their order. What
+        it was solved for is not known, so that the plan is feasible, and its objectives are those
+        of the mission, as the check measures them. Raises SolverError where there is no point, or
+        one that is no plan of this problem, and InputError for another number of columns.
+
+        >>> import tsplan
+        >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
+        >>> highs = problem.native("highs")
+        >>> _ = highs.run()
+        >>> problem.plan_from(highs).verified
+        True
+        """
+        given = isinstance(native, Sequence | np.ndarray)
+        values = np.asarray(native if given else solver_named(solver).point(native), np.float64)
+        encoded = self.encode()
+        columns = encoded.model.size.columns
+        if values.shape != (columns,):
+            what = f"the point has {values.size:,} values, and the model {columns:,} columns"
+            raise InputError([Finding(what, "solve what problem.native() gives, as it is now")])
+        if not encoded.model.violation(values) <= TOLERANCE:
+            raise SolverError("the point is none of this problem: it breaks rows of its model")
+        point = Point(encoded, values, self.tuning.encoding == "tight")
+        plan = plan_at(self.setting, point, self.mission.solver.seed)
+        if broken := self.broken(plan):
+            raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
+        return plan.with_mission(self.mission)
 
     def solve(self, effort: Effort, clock: Clock, tell: Tell[Point]) -> Outcome[Point]:
         """Run all objectives; `tell` hears of stages, points and bounds."""
