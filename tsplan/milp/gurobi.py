@@ -7,14 +7,14 @@ usable are two things; a model that is too large is refused in words.
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 
 from tsplan.errors import SolverError, SolverUnavailableError, nearest
-from tsplan.milp.model import Floats, Model
+from tsplan.milp.model import Bools, Floats, Model
 from tsplan.milp.request import NativeRun, RawResult, Request
 from tsplan.milp.solution import Options, Status
 from tsplan.milp.solver import Availability, Solver
@@ -53,6 +53,16 @@ class Gurobi(Solver):
     def native(self, model: Model) -> Any:
         """The model as a `gurobipy.Model`."""
         return _load(model, _environment())
+
+    def named(self, model: Model, columns: Sequence[str], rows: Sequence[str]) -> Any:
+        """The model as a `gurobipy.Model` with names; both sides of a row have its name."""
+        native = self.native(model)
+        native.setAttr("VarName", native.getVars(), list(columns))
+        numbers = np.concatenate([np.flatnonzero(chosen) for chosen, _, _ in _sides(model)])
+        ordered = [rows[number] for number in numbers.tolist()]
+        native.setAttr("ConstrName", native.getConstrs(), ordered[: native.NumConstrs])
+        native.update()
+        return native
 
     def point(self, native: Any) -> Floats:
         """The best point of a solved `gurobipy.Model`."""
@@ -168,16 +178,21 @@ def _load(model: Model, environment: Any) -> Any:
     )
     native.ModelSense = gurobipy.GRB.MINIMIZE
     native.ObjCon = model.offset
-    same = model.row_lower == model.row_upper
-    for rows, sense, side in (
-        (same, "=", model.row_lower),
-        (~same & np.isfinite(model.row_lower), ">", model.row_lower),
-        (~same & np.isfinite(model.row_upper), "<", model.row_upper),
-    ):
+    for rows, sense, side in _sides(model):
         if rows.any() and model.size.columns:
             native.addMConstr(model.matrix[np.flatnonzero(rows)], x, sense, side[rows])
     native.update()
     return native
+
+
+def _sides(model: Model) -> tuple[tuple[Bools, str, Floats], ...]:
+    """Which rows become constraints of which sense, in their order; of some, either side does."""
+    same = model.row_lower == model.row_upper
+    return (
+        (same, "=", model.row_lower),
+        (~same & np.isfinite(model.row_lower), ">", model.row_lower),
+        (~same & np.isfinite(model.row_upper), "<", model.row_upper),
+    )
 
 
 def _configure(native: Any, options: Options) -> None:

@@ -7,6 +7,7 @@ number of them there, so a fresh thread is also what lets `threads` differ from 
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -103,6 +104,15 @@ class Highs(Solver):
     def native(self, model: Model) -> highspy.Highs:
         """The model as a `highspy.Highs`."""
         return load(model)
+
+    def named(self, model: Model, columns: Sequence[str], rows: Sequence[str]) -> highspy.Highs:
+        """The model as a `highspy.Highs` with names."""
+        native = self.native(model)
+        for number, name in enumerate(columns):
+            checked(native.passColName(number, name), f"the name {name}")
+        for number, name in enumerate(rows):
+            checked(native.passRowName(number, name), f"the name {name}")
+        return native
 
     def point(self, native: highspy.Highs) -> Floats:
         """The point of a solved `highspy.Highs`."""

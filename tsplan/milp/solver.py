@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import import_module
 from types import MappingProxyType
@@ -64,6 +64,10 @@ class Solver(ABC):
     @abstractmethod
     def native(self, model: Model) -> Any:
         """The model loaded into the solver's own object, not yet solved."""
+
+    def named(self, model: Model, columns: Sequence[str], rows: Sequence[str]) -> Any:
+        """The same with a name for every column and row, where the solver has such names."""
+        return self.native(model)
 
     def point(self, native: Any) -> Floats:
         """The point of `native`'s own object that somebody has solved, in the order of columns.

@@ -14,6 +14,7 @@ from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.model_objectives import OwnSum, objectives_of
+from tsplan.encode.native_names import column_names, row_names
 from tsplan.encode.preparation import prepare
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.errors import Finding, InputError, MissionError, SolverError, nearest
@@ -221,8 +222,15 @@ class Problem:
         return self.encode().model
 
     def native(self, solver: str = "highs") -> Any:
-        """The model as the solver's own object, for example a `gurobipy.Model`."""
-        return solver_named(solver).native(self.model)
+        """The model as the solver's own object, for example a `gurobipy.Model`.
+
+        HiGHS and Gurobi have names for its columns, as `n[barn,3,cart]` for the carts that wait at
+        the barn from step 3 on and `x[barn,field,3,cart]` for those that leave it for the field,
+        and for its rows; those of PuLP are numbered.
+        """
+        encoded = self.encode()
+        names = column_names(encoded), row_names(encoded.model)
+        return solver_named(solver).named(encoded.model, *names)
 
     def plan_from(self, native: Any, solver: str = "highs") -> Plan:
         """The plan of the solver's own object after somebody has solved it, judged by the check.
