@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import pickle
 import re
@@ -17,7 +18,7 @@ import tsplan
 from tests.command_line import here
 from tsplan.errors import InputError, PlanError
 from tsplan.plans.plan_frame import FrameUnavailableError
-from tsplan.public_names import GROUPS
+from tsplan.public_names import GROUPS, public_names
 
 PAGE = (Path(__file__).parents[1] / "docs" / "library.md").read_text(encoding="utf-8")
 SECTIONS = dict(re.findall(r"^## (\w+)\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))
@@ -60,6 +61,19 @@ def test_every_name_is_in_one_group_and_on_the_page_there():
         for name in (name for names in homes.values() for name in names):
             assert re.search(rf"\b{name}\b", SECTIONS[title]), f"{name} is missing in {title}"
     assert set(SECTIONS) == set(GROUPS)
+
+
+def test_type_checkers_see_every_name_at_its_module():
+    tree = ast.parse(Path(tsplan.__file__).read_text(encoding="utf-8"))
+    seen = {
+        (node.module, alias.name, alias.asname)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+        if alias.asname is not None
+    }
+    homes = {f"tsplan.{home}": names for home, names in public_names().items()}
+    assert seen == {(home, name, name) for home, names in homes.items() for name in names}
 
 
 def test_files_are_planned_checked_and_explained_by_their_paths(folder):
