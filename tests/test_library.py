@@ -111,6 +111,14 @@ def test_a_refused_plan_is_told_with_all_findings(folder):
     assert report.findings
 
 
+def test_names_act_on_nothing_where_they_are_told():
+    hostile = "<b>\x1b[31m&"
+    report = tsplan.Report((tsplan.Finding(hostile, source="plan"),), ())
+    assert str(report) == "plan: <b>\\x1b[31m&\nthe plan is refused"
+    assert report._repr_html_().startswith("<pre>plan: &lt;b&gt;\\x1b[31m&amp;\n")
+    assert report._repr_mimebundle_()["text/plain"] == str(report)
+
+
 def test_a_plan_knows_its_mission_and_keeps_it_to_itself(folder):
     mission = tsplan.load_mission("mission.yaml")
     plan = tsplan.plan(mission)
@@ -135,8 +143,12 @@ def test_values_are_told_and_others_measured(folder):
     with pytest.raises(InputError, match=r"no value 'agents'.*plan\.value\(name, mission\)"):
         stranger.value("agents")
     assert stranger.value("agents", tsplan.load_mission("mission.yaml")) == 1
-    with pytest.raises(InputError, match="travel"):
+    with pytest.raises(InputError, match="did you mean 'travel'"):
         plan.value("travvel")
+    for name in (None, 3, ["travel"]):
+        for asked in (plan, stranger):
+            with pytest.raises(InputError, match="is not the name of a value"):
+                asked.value(name)
     none = tsplan.Plan("infeasible", plan.mission, 3)
     with pytest.raises(PlanError, match="infeasible has no values"):
         none.value("travel")

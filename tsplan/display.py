@@ -11,6 +11,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any
 
 from tsplan.lazy_names import lazily
+from tsplan.words import visible
 
 if TYPE_CHECKING:
     from tsplan.checking.plan_check import objective_values
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from tsplan.viewer.notebook import formula_svg, map_svg, plan_html
     from tsplan.viewer.trajectory_form import trajectory_html
 
+_LINES = "\n"  # what separates lines is not shown as a character
 _FORMS = {"image/svg+xml": "_repr_svg_", "text/html": "_repr_html_"}
 
 __all__ = [
@@ -91,7 +93,7 @@ class Told(Displayed):
 
     def _repr_html_(self) -> str:
         """The words, as they stand."""
-        return f"<pre>{escape(str(self))}</pre>"
+        return f"<pre>{escape(visible(str(self), _LINES))}</pre>"
 
 
 __getattr__, __dir__ = lazily(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from tsplan.display import Told
 from tsplan.errors import Finding, SolverError
+from tsplan.words import visible
 
 _SHOWN = 20  # findings of one kind that are listed before the rest is only counted
 
@@ -39,7 +40,8 @@ class Report(Told):
 
     def __str__(self) -> str:
         """Everything that is wrong, or what was found to hold; then the verdict."""
-        return "\n".join((*map(str, self.findings), *self.facts, self.verdict))
+        lines = (*map(str, self.findings), *self.facts, self.verdict)
+        return "\n".join(visible(line, "\n") for line in lines)
 
 
 def findings_of(problems: Sequence[str], source: str = "plan") -> tuple[Finding, ...]:

@@ -268,14 +268,13 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
         told = {"availability": self.availability}
         told |= {item.name: item.value for item in self.objective}
         mission = self.known_mission(mission)
-        if name not in told and mission is not None:
+        missing = isinstance(name, str) and name not in told
+        if missing and mission is not None:
             told |= display.objective_values(mission, self)
-        if name not in told:
-            remedy = nearest(name, told)
-            if mission is None:
-                remedy += "; others are measured with the mission: plan.value(name, mission)"
+        if missing and mission is None:
+            remedy = f"{nearest(name, told)}; others need the mission: plan.value(name, mission)"
             raise InputError([Finding(f"the plan has no value {clipped(name)}", remedy)])
-        return known(told[name])
+        return known(told[known_name(name, [told], "value of the plan")])
 
     def to_frame(self) -> Any:
         """A DataFrame of pandas with a row for each agent and step: agent, class, step and state.
