@@ -16,7 +16,7 @@ from tsplan.mission import Mission
 from tsplan.plans.bundles import Agents
 from tsplan.plans.decomposition import paths_of
 from tsplan.plans.outcomes import ObjectiveValue
-from tsplan.run import mission_run, paths
+from tsplan.run import mission_run, paths, point_reading
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
 from tsplan.search.lexicographic import Outcome
 from tsplan.stopping import StoppedBy
@@ -64,7 +64,8 @@ def answers(monkeypatch, told=(), **changes):
         return {"moves": moves, "agents": Agents.along(chain.from_iterable(made))}
 
     monkeypatch.setattr(tsplan.Problem, "solve", solve)
-    monkeypatch.setattr(mission_run, "ways_of", ways)
+    for reader in (mission_run, point_reading):
+        monkeypatch.setattr(reader, "ways_of", ways)
     return answer
 
 
