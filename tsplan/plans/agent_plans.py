@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated, TypeAlias
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Field, ValidationInfo
 
 from tsplan.parameters import step_within
 from tsplan.plans.records import OPTIONAL, Record, Whole, Word, shared
@@ -16,18 +16,16 @@ Stay: TypeAlias = tuple[Whole, Whole, Word]
 """`(from, to, state)`: at that state at every step from..to, both included."""
 
 
-def _forwards(stays: tuple[Stay, ...]) -> tuple[Stay, ...]:
+def _forwards(stays: tuple[Stay, ...], info: ValidationInfo) -> tuple[Stay, ...]:
     before = -1
     for first, last, _ in stays:
         if not before < first <= last:
             raise ValueError(f"the stay from {first} to {last} is out of order")
         before = last
-    return stays
+    return shared(stays, info)
 
 
-Stays: TypeAlias = Annotated[
-    tuple[Stay, ...], Field(min_length=1), AfterValidator(_forwards), AfterValidator(shared)
-]
+Stays: TypeAlias = Annotated[tuple[Stay, ...], Field(min_length=1), AfterValidator(_forwards)]
 """The stays of an agent in order; equal ones of one file are one object."""
 
 Able: TypeAlias = Annotated[frozenset[Word], AfterValidator(shared)]

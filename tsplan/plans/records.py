@@ -11,7 +11,7 @@ import math
 import re
 from dataclasses import fields
 from fractions import Fraction
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeAlias, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeAlias, TypeVar, cast
 
 from pydantic import ConfigDict, Field, PlainValidator, ValidationInfo, model_validator
 
@@ -173,7 +173,10 @@ def json_document(entries: Mapping[str, Any], large: Mapping[str, Callable[[], s
     return "{" + ",\n ".join(lines) + "}\n"
 
 
-def shared(value: Any, info: ValidationInfo) -> Any:
+SharedT = TypeVar("SharedT")
+
+
+def shared(value: SharedT, info: ValidationInfo) -> SharedT:
     """Of equal values that are read from one file only the first, so that they compare at once."""
-    known = info.context if isinstance(info.context, dict) else {}
+    known: dict[SharedT, SharedT] = info.context if isinstance(info.context, dict) else {}
     return known.setdefault(value, value)

@@ -139,8 +139,6 @@ class Search:
         if cuts is not None and cuts.open and root is not None and not self.done:
             again = self._judged(lp.solve(time_limit=self._clock.left))
             root = self._dived(lp, self._tightened(lp, again, cuts, np.inf))
-        if root is not None and not self.done and self._long and Switch.DIVE in switches:
-            self._improve()
         if root is not None and not self.done and Switch.TREE in switches:
             self._grow(lp)
 
@@ -165,9 +163,11 @@ class Search:
             self._model = cuts.model
 
     def _dived(self, lp: WarmLP, root: LPResult | None) -> LPResult | None:
-        """The root again, after a dive from it."""
+        """The root again, after a dive from it; what that finds is made better if all is slow."""
         if root is not None and not self.done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
+            if self._long and not self.done:
+                self._improve()
         return root
 
     def _dive(self, lp: WarmLP, root: LPResult) -> None:
@@ -180,11 +180,14 @@ class Search:
             pickers.append(Earliest(encoded.indicators, encoded.steps, encoded.choices))
         for pick in pickers:
             cutoff = self._known.cutoff
+            # where some plan is known, time is better spent near it than on slow programs
+            spent = self._clock.elapsed - self._began
+            most = np.inf if cutoff is None or not self._long else spent / 2
             dived = dive(
                 lp,
                 encoded.indicators,
                 root,
-                self._clock,
+                self._clock.within(most),
                 cutoff=cutoff,
                 turns=turns,
                 pick=pick,
