@@ -154,10 +154,11 @@ class Crowd:
             total += np.maximum(self._counted[quota.steps, number] - quota.most, 0).sum()
         return int(total)
 
-    def burden(self, number: int) -> tuple[Floats, Floats]:
+    def burden(self, number: int) -> tuple[Floats, Ints, Floats]:
         """What one more agent of a class finds no room for: states at steps, and edges entered.
 
-        Arrays (horizon + 1, states) and (horizon, edges) count the places that are full already.
+        An array (horizon + 1, states), the edges that are in a group, and for these an array
+        (horizon, edges): they count the places that are full already.
         """
         graph = self.graphs[number]
         states = self._full_states(above=1).astype(np.float64)
@@ -166,16 +167,18 @@ class Crowd:
             if number in quota.able:
                 full = quota.steps[self._counted[quota.steps, place] >= quota.most]
                 states[np.ix_(full, quota.states)] += 1.0
-        edges = np.zeros((self.horizon, len(graph.tail)))
         full = (self._riding + 1 > self.room.groups).astype(np.float64)
         zoned = np.flatnonzero(self.room.zone >= 0)
         states[:, zoned] += full[:, self.room.zone[zoned]]
         grouped = np.flatnonzero(graph.group >= 0)
-        if len(grouped):
+        edges = full[: self.horizon].take(graph.group[grouped], axis=1)
+        inside = self._from_inside(graph, grouped)
+        several = np.flatnonzero((graph.duration[grouped] > 1) | inside)
+        if len(several):
+            some = grouped[several]
             before = np.concatenate([np.zeros((1, full.shape[1])), np.cumsum(full, axis=0)])
-            step = np.arange(self.horizon)[:, None]
-            begun = step + self._from_inside(graph, grouped)
-            ended = np.minimum(step + graph.duration[grouped], self.horizon)
-            group = graph.group[grouped]
-            edges[:, grouped] = before[ended, group] - before[begun, group]
-        return states, edges
+            step, group = np.arange(self.horizon)[:, None], graph.group[some]
+            begun = step + inside[several]
+            ended = np.minimum(step + graph.duration[some], self.horizon)
+            edges[:, several] = before[ended, group] - before[begun, group]
+        return states, grouped, edges

@@ -186,12 +186,14 @@ class Rerouting:
     def _cheapest(self, agent: int, weights: Weights) -> Walk | None:
         """The cheapest way of an agent among those that are counted in."""
         walk = self.walks[agent]
-        states, edges = self.crowd.burden(walk.number)
+        states, grouped, full = self.crowd.burden(walk.number)
         shape = states.shape
         shift = int(self._random.integers(shape[0] * shape[1]))
         noise = self._noise[shift : shift + shape[0] * shape[1]].reshape(shape)
         at = weights.conflict * states + weights.price * noise
-        entering = weights.conflict * edges + weights.price * self.prices[walk.number]
+        prices = weights.price * self.prices[walk.number]
+        entering = np.tile(prices, (self.setting.horizon, 1))
+        entering[:, grouped] += weights.conflict * full
         if self.last is not None:
             graph = self.setting.classes[walk.number].graph
             ends = np.arange(self.setting.horizon)[:, None] + graph.arrives

@@ -28,25 +28,34 @@ class SingleAgent:
 
     @cached_property
     def _incoming(self) -> Ints:
-        """The edges that end at each state, filled up with one that is none."""
+        """The edges that end at each state, one a row, filled up with one that is none."""
         graph = self.graph
         order = np.argsort(graph.head, kind="stable")
         head = graph.head[order]
         begin = np.searchsorted(head, np.arange(len(graph.start) + 1))
         most = int(np.diff(begin).max(initial=1))
-        edges = np.full((len(graph.start), most), len(graph.tail))
-        edges[head, np.arange(len(head)) - begin[head]] = order
+        edges = np.full((most, len(graph.start)), len(graph.tail))
+        edges[np.arange(len(head)) - begin[head], head] = order
         return edges
 
     @cached_property
-    def _ends(self) -> tuple[Ints, Ints]:
-        """Tail and duration of each edge of `_incoming`."""
-        tail = np.append(self.graph.tail, 0)[self._incoming]
-        return tail, np.append(self.graph.duration, 1)[self._incoming]
+    def _longest(self) -> int:
+        return int(self.graph.duration.max(initial=1))
 
     @cached_property
-    def _longest(self) -> int:
-        return int(self.graph.duration.max(initial=0))
+    def _begun(self) -> tuple[Ints, Ints]:
+        """Where it says, for each incoming edge that ends at step 0, what its beginning cost.
+
+        Positions in the tables of costs and of prices, which have a row for every step, and rows
+        for steps before 0 in which nothing is possible; those of a later step lie rows further on.
+        """
+        tail = np.append(self.graph.tail, 0)[self._incoming]
+        row = self._longest - np.append(self.graph.duration, 1)[self._incoming]
+        return row * len(self.graph.start) + tail, row * self._width + self._incoming
+
+    @property
+    def _width(self) -> int:
+        return len(self.graph.tail) + 1
 
     def cheapest(
         self, start: int, duties: Mapping[int, Bools], at: Floats, entering: Floats
@@ -57,41 +66,45 @@ class SingleAgent:
         each step, arrays (horizon + 1, states) and (horizon, edges). At the steps of `duties` the
         agent is at one of the states that they mark, and at the horizon at some state.
         """
-        tail, duration = self._ends
-        steps = self.horizon
-        cost = np.full((steps + 1, len(self.graph.start)), np.inf)
-        cost[0, start] = 0.0 if 0 not in duties or duties[0][start] else np.inf
-        price = np.concatenate([entering, np.full((steps, 1), np.inf)], axis=1)
+        before, steps, states = self._longest, self.horizon, len(self.graph.start)
+        price = np.full((before + steps, self._width), np.inf)
+        price[before:, :-1] = entering
         for due in duties:  # nobody is at a state while on an edge
-            for before in range(1, min(self._longest, due + 1)):
-                price[due - before, :-1][self.graph.duration > before] = np.inf
+            for ago in range(1, min(before, due + 1)):
+                price[before + due - ago, :-1][self.graph.duration > ago] = np.inf
+        cost = np.full((before + steps + 1, states), np.inf)
+        if 0 not in duties or duties[0][start]:
+            cost[before, start] = 0.0
+        reached, paid = cost.ravel(), price.ravel()
+        of_cost, of_price = (positions.copy() for positions in self._begun)
         for step in range(1, steps + 1):
-            begun = step - duration
-            since = np.maximum(begun, 0)
-            ways = cost[since, tail] + price[since, self._incoming]
-            ways[begun < 0] = np.inf
-            cost[step] = ways.min(axis=1) + at[step]
+            of_cost += states
+            of_price += self._width
+            ways = reached.take(of_cost)
+            ways += paid.take(of_price)
+            here = cost[before + step]
+            ways.min(axis=0, out=here)
+            here += at[step]
             if step in duties:
-                cost[step, ~duties[step]] = np.inf
-        end = int(cost[steps].argmin())
-        if not np.isfinite(cost[steps, end]):
+                here[~duties[step]] = np.inf
+        end = int(cost[-1].argmin())
+        if not np.isfinite(cost[-1, end]):
             return None
-        return self._traced(start, end, cost, price), float(cost[steps, end])
+        return self._traced(start, end, reached, paid), float(cost[-1, end])
 
-    def _traced(self, start: int, end: int, cost: Floats, price: Floats) -> Walk:
+    def _traced(self, start: int, end: int, reached: Floats, paid: Floats) -> Walk:
         """The way that has the least cost, read backwards."""
-        tail, duration = self._ends
+        of_cost, of_price = self._begun
+        states, width = len(self.graph.start), self._width
         edges: list[int] = []
         entered: list[int] = []
         state, step = end, self.horizon
         while step > 0:
-            begun = step - duration[state]
-            since = np.maximum(begun, 0)
-            ways = cost[since, tail[state]] + price[since, self._incoming[state]]
-            ways[begun < 0] = np.inf
-            best = int(ways.argmin())
-            edges.append(int(self._incoming[state, best]))
-            step = int(begun[best])
+            ways = reached[of_cost[:, state] + step * states]
+            ways = ways + paid[of_price[:, state] + step * width]
+            edge = int(self._incoming[int(ways.argmin()), state])
+            step -= int(self.graph.duration[edge])
+            edges.append(edge)
             entered.append(step)
-            state = int(tail[state, best])
+            state = int(self.graph.tail[edge])
         return Walk(self.number, start, np.array(edges[::-1]), np.array(entered[::-1]))
