@@ -10,8 +10,8 @@ from random import Random
 import tsplan
 from tsplan import Mission
 from tsplan.mission import Group
+from tsplan.mission.scenarios import read_scenario
 from tsplan.ts import Edge, State, TransitionSystem
-from tsplan.ts.builders import cell_name
 
 _ROOM = 5  # cells on a side, of which one row and column in six is left for walls
 _STATION = 3  # cells of a station, next to each other
@@ -122,7 +122,6 @@ def _tasks(sizes: Floor, labels: Sequence[str], horizon: int, random: Random) ->
         yield f"F[{begin},{min(begin + width, horizon - 4)}] {wanted}"
 
 
-_COLUMNS = 9  # of a line of a scenario
 _SPARE = 1.5  # steps of the horizon for each that a robot may need from corner to corner
 
 
@@ -135,20 +134,8 @@ def scenario(
     pathfinding: definitions, variants, and benchmarks", SoCS 2019.
     """
     system = tsplan.load_map(map_file)
-    trips = []
-    for line in list_file.read_text().splitlines():
-        parts = line.split("\t")
-        if len(parts) == _COLUMNS:
-            x, y, goal_x, goal_y = map(int, parts[4:8])
-            trips.append((cell_name(y, x), cell_name(goal_y, goal_x)))
-    trips = trips[:robots]
-    goals: dict[str, set[str]] = {}
-    for number, (_, goal) in enumerate(trips):
-        goals.setdefault(goal, set()).add(f"goal{number}")
-    states = [
-        replace(state, labels=frozenset(goals.get(state.name, ())), capacity=1)
-        for state in system.states.values()
-    ]
+    ways = read_scenario(list_file, system, robots)
+    states = [replace(state, capacity=1) for state in system.states.values()]
     edges = [
         edge if edge.is_wait else replace(edge, capacity=1, both_ways=True)
         for edge in system.edges.values()
@@ -157,14 +144,12 @@ def scenario(
     last = round(_SPARE * (len(rows) + len(system.states) / len(rows)))
     return Mission.of(
         map=TransitionSystem.build(states, edges, name=map_file.stem),
-        team=[
-            Group.of(f"robot{n}", {start: 1}, {f"robot{n}"}) for n, (start, _) in enumerate(trips)
-        ],
+        team=[Group.of(f"robot{n}", {way.start: 1}) for n, way in enumerate(ways)],
         formula=" && ".join(
-            f"F[{last},{last}] sum(goal{n},robot{n}) >= 1" for n in range(len(trips))
+            f"F[{last},{last}] sum({way.goal},robot{n}) >= 1" for n, way in enumerate(ways)
         ),
         language="mtl",
         objective=tuple(objective),
         horizon=last,
-        name=f"{list_file.stem} {len(trips)} robots",
+        name=f"{list_file.stem} {len(ways)} robots",
     )

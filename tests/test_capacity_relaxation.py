@@ -73,6 +73,14 @@ def test_the_random_missions_are_of_all_kinds(monkeypatch: pytest.MonkeyPatch) -
     assert sum(bool(held.states) for held in rounds) >= 3
 
 
+def test_where_waits_are_narrow_agents_wait_next_to_them() -> None:
+    # all three begin where one may wait, and only those next to it may wait as they like
+    mission = narrow_mission(1882, states=4, most_agents=3, steps=5)
+    assert mission is not None
+    assert any(edge.is_wait and edge.zone for edge in mission.system.edges.values())
+    compare(mission, {})
+
+
 def test_some_narrow_missions_are_enumerated() -> None:
     made = [narrow_mission(seed, states=4, most_agents=3, steps=5) for seed in range(60)]
     tiny = [mission for mission in made if mission is not None and small_enough(mission)]

@@ -59,14 +59,16 @@ class Interest:
         # agents that must leave a limited state may wait in those next to it
         relevant[graph.head[limited[graph.tail]]] = True
         bounded = graph.group >= 0
-        if self.narrow.any() or bounded.any():
-            around = self.narrow.copy()
-            around[graph.head[around[graph.tail]]] = True
+        narrow = self.narrow.copy()
+        narrow[graph.tail[bounded & graph.wait]] = True  # who may not wait there waits next to it
+        if narrow.any() or bounded.any():
+            around = narrow.copy()
+            around[graph.head[narrow[graph.tail]]] = True
             around[graph.tail[bounded]] = around[graph.head[bounded]] = True
             if np.isfinite(self.slack):
                 around &= detours(graph, relevant | (graph.start > 0)) <= self.slack
             relevant |= around
-            limited |= self.narrow & around
+            limited |= narrow & around
         return replace(self, relevant=relevant, limited=limited)
 
 

@@ -168,8 +168,8 @@ class CapacityRelaxation:
 
     def _learn(self, outcome: Outcome[Point]) -> None:
         """Take in what a relaxation proves."""
-        if outcome.infeasible:  # there is no better plan than the one known
-            (value,) = self._values
+        if outcome.infeasible and self._values:  # there is no better plan than the one known
+            value = self._values[0]
             self._learnt.hear(value, value)
         self._learnt.add(outcome.reached)
 
