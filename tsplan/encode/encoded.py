@@ -68,6 +68,24 @@ class Setting:
         parts = [part for part in (self.plain, self.beside) if part is not None]
         return simplify(conjunction(parts)) if parts else self.goal
 
+    @property
+    def formula_alone(self) -> bool:
+        """Whether robots that go one by one have nothing to keep but the formula and the map.
+
+        There are no swarms, structures, resources, margins, delays, expected numbers or
+        constraints of the user's own.
+        """
+        mission = self.mission
+        return not (
+            mission.swarm is not None
+            or mission.expected is not None
+            or mission.resources
+            or self.changes
+            or self.constraints
+            or self.delay
+            or self.plain is not None
+        )
+
     def at(self, level: int) -> Setting:
         """The setting of plans with availability at least `level`."""
         rules = self.mission.swarm

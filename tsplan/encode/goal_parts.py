@@ -36,18 +36,8 @@ class GoalPart:
 
 def parts_of(setting: Setting) -> tuple[GoalPart, ...]:
     """The parts of a setting's goal, or none where teams could get in each other's way."""
-    mission = setting.mission
-    together = (
-        not setting.monotone
-        or mission.swarm is not None
-        or mission.expected is not None
-        or mission.resources
-        or setting.changes
-        or setting.constraints
-        or setting.delay
-        or setting.plain is not None
-    )
-    if together or not isinstance(setting.goal, And):
+    apart = setting.monotone and setting.formula_alone
+    if not apart or not isinstance(setting.goal, And):
         return ()
     atoms = setting.atoms(setting.unrolled())
     found = []

@@ -138,11 +138,11 @@ class Crowd:
         """States and steps at which there are more agents than would leave room for `above`."""
         return np.asarray(self._there + above > self.room.states)
 
-    def overfull(self) -> tuple[Ints, Ints]:
+    def overfull(self) -> tuple[list[int], list[int]]:
         """The states and the groups of edges that are too full at some step after the first."""
         states = np.flatnonzero(self._full_states(above=0)[1:].any(axis=0))
         groups = np.flatnonzero((self._riding > self.room.groups).any(axis=0))
-        return states, groups
+        return states.tolist(), groups.tolist()
 
     @property
     def excess(self) -> int:

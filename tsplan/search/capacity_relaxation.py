@@ -60,17 +60,7 @@ def relaxable(setting: Setting) -> bool:
     Not where groups move together, structures are rebuilt, things are carried or agents may be
     late, nor with constraints of the user's own. Small models need no help.
     """
-    mission = setting.mission
-    plain = not (
-        mission.swarm is not None
-        or mission.expected is not None
-        or mission.resources
-        or setting.changes
-        or setting.delay
-        or setting.constraints
-        or setting.plain is not None
-        or "delay" in mission.objective
-    )
+    plain = setting.formula_alone and "delay" not in setting.mission.objective
     limited = bool(setting.arrays.capacity or setting.arrays.group_capacity)
     on = Switch.CAPACITIES in setting.switches
     return on and plain and limited and _columns(setting) > SMALL
@@ -117,7 +107,7 @@ class CapacityRelaxation:
                     self._loosest = next((o.bound for o in self._learnt.of(self._values)), None)
                 if outcome.point is None or self._settled:
                     break
-                more = held.also(*self._routed(outcome.point, held))
+                more = self._routed(outcome.point, held)
                 if self._settled or self.clock.over or not held < more:
                     break
                 held = replace(more, slack=self._slack)
@@ -238,8 +228,8 @@ class CapacityRelaxation:
         """Whether ways may be looked for while a relaxation is still being planned."""
         return self._best is None or self._routing < _ROUTING * self.clock.elapsed
 
-    def _routed(self, point: Point, held: Enforced) -> tuple[list[int], list[int]]:
-        """Look for ways with room for everybody; the states and edges where there is none."""
+    def _routed(self, point: Point, held: Enforced) -> Enforced:
+        """Look for ways with room for everybody; what is to be held where there is none."""
         began = self.clock.elapsed
         routes = self._rerouting(point)
         before = routes.crowd.overfull()
@@ -258,11 +248,8 @@ class CapacityRelaxation:
             if self._take(point_of(self.setting, routes.walks, level)):
                 self._routes = routes, level
         self._routing += self.clock.elapsed - began
-        states, groups = ([*map(int, part)] for part in crowded)
-        if held < held.also(states, groups):
-            return states, groups
-        first, other = ([*map(int, part)] for part in before)
-        return first, other
+        more = held.also(*crowded)
+        return more if held < more else held.also(*before)
 
     def _rerouting(self, point: Point) -> Rerouting:
         """The ways of a point, to be changed where there is no room."""

@@ -135,10 +135,11 @@ class Search:
             root = self._tightened(lp, root, cuts, max(_SLOW - spent, 0.0) if blind else np.inf)
         if root is not None and not self.done:
             self._send(self.rescue)
-        root = self._dived(lp, root)
+        self._descend(lp, root)
         if cuts is not None and cuts.open and root is not None and not self.done:
             again = self._judged(lp.solve(time_limit=self._clock.left))
-            root = self._dived(lp, self._tightened(lp, again, cuts, np.inf))
+            root = self._tightened(lp, again, cuts, np.inf)
+            self._descend(lp, root)
         if root is not None and not self.done and Switch.TREE in switches:
             self._grow(lp)
 
@@ -162,13 +163,12 @@ class Search:
         finally:
             self._model = cuts.model
 
-    def _dived(self, lp: WarmLP, root: LPResult | None) -> LPResult | None:
-        """The root again, after a dive from it; what that finds is made better if all is slow."""
+    def _descend(self, lp: WarmLP, root: LPResult | None) -> None:
+        """Dive from the root; what that finds is made better if all is slow."""
         if root is not None and not self.done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
             if self._long and not self.done:
                 self._improve()
-        return root
 
     def _dive(self, lp: WarmLP, root: LPResult) -> None:
         """Look for points by diving, or find that there is none."""

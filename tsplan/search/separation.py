@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from scipy import sparse
@@ -49,7 +50,7 @@ class Separation:
         left = self.clock.left
         most = seconds if left is None else min(_SHARE * left, seconds)
         clock = self.clock.within(most)
-        visitors = VisitorCuts(self.encoded.network, self.encoded.visits)
+        visitors = self._visitors
         for _ in range(_ROUNDS):
             if clock.over:
                 return root
@@ -68,6 +69,11 @@ class Separation:
                 break
         self.open = False
         return root
+
+    @cached_property
+    def _visitors(self) -> VisitorCuts:
+        """Made once: what it unrolls serves all rounds, also those after a break."""
+        return VisitorCuts(self.encoded.network, self.encoded.visits)
 
     def _add(self, lp: WarmLP, root: LPResult, visitors: VisitorCuts) -> bool:
         """Add what a solution violates; whether there is anything."""
