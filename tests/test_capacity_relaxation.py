@@ -121,6 +121,22 @@ def test_an_aisle_is_passed_one_after_the_other_without_the_whole_model(
     assert plan.verified
 
 
+def test_agents_that_are_booked_are_planned_with_all_capacities() -> None:
+    map_ = grid(2, 3, labels={(0, 2): "a", (1, 2): "b"})
+    states = [replace(state, capacity=2) for state in map_.states.values()]
+    mission = Mission.of(
+        map=map_.rebuilt(states, map_.edges.values()),
+        team=[tsplan.Group.of("cart", {"r0c0": 2}, {"u"})],
+        formula="F[0,8] T(1,a,{(u,1)}) && F[0,8] T(1,b,{(u,1)})",
+        language="catl",
+        objective=["travel"],
+        booking="exclusive",
+    )
+    plan = tsplan.plan(mission)
+    assert (plan.status, plan.verified, len(plan.executions)) == ("optimal", True, 2)
+    assert values(mission) == values(mission, **REFERENCE)
+
+
 def test_capacities_that_are_not_enforced_are_left_out() -> None:
     mission = aisle(6, 3)
     loose = prepare(mission, enforced=Enforced())

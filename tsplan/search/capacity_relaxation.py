@@ -28,6 +28,7 @@ from tsplan.encode.preparation import prepare
 from tsplan.encode.priced_objectives import Priced, Travel
 from tsplan.encode.switches import Switch
 from tsplan.exact import relative_gap
+from tsplan.logic import Execution, walk
 from tsplan.milp.model import Floats
 from tsplan.routing.crowd import Room
 from tsplan.routing.duties import Sharing
@@ -57,10 +58,11 @@ _LESSER = 1e-4  # what later objectives weigh in the price of an edge
 def relaxable(setting: Setting) -> bool:
     """Whether capacities can be left out first, and single agents be led around each other.
 
-    Not where groups move together, structures are rebuilt, things are carried or agents may be
-    late, nor with constraints of the user's own. Small models need no help.
+    Not where groups move together, structures are rebuilt, things are carried, tasks book agents or
+    these may be late, nor with constraints of the user's own. Small models need no help.
     """
-    plain = setting.formula_alone and "delay" not in setting.mission.objective
+    booked = any(isinstance(node, Execution) for node in walk(setting.goal))
+    plain = setting.formula_alone and not booked and "delay" not in setting.mission.objective
     limited = bool(setting.arrays.capacity or setting.arrays.group_capacity)
     on = Switch.CAPACITIES in setting.switches
     return on and plain and limited and _columns(setting) > SMALL
