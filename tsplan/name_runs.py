@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate, chain, pairwise
-from typing import Generic, NamedTuple, TypeVar, overload
+from typing import Generic, NamedTuple, Protocol, Self, TypeVar, overload
 
 T = TypeVar("T")
 
@@ -90,14 +90,28 @@ class Run(NamedTuple):
         return Run(self.stem, first, last) if self.stem == other.stem and first <= last else None
 
 
-def joined_runs(runs: Iterable[Run]) -> Iterator[Run]:
-    """The same names in the same order, in as few runs as can be."""
-    open_: Run | None = None
+class Continuing(Protocol):
+    """What may go on in the next of its kind."""
+
+    def continued(self, after: Self) -> Self | None:
+        """Both as one, if the other goes on where this one ends."""
+
+
+ContinuingT = TypeVar("ContinuingT", bound=Continuing)
+
+
+def joined_runs(runs: Iterable[ContinuingT]) -> Iterator[ContinuingT]:
+    """The same in the same order, those that continue each other as one.
+
+    >>> list(joined_runs([Run("a-", 1, 2), Run("a-", 3, 3), Run("b")]))
+    [Run(stem='a-', first=1, last=3), Run(stem='b', first=-1, last=-1)]
+    """
+    open_: ContinuingT | None = None
     for run in runs:
         both = None if open_ is None else open_.continued(run)
         if open_ is not None and both is None:
             yield open_
-        open_ = both or run
+        open_ = run if both is None else both
     if open_ is not None:
         yield open_
 

@@ -7,7 +7,7 @@ plan, counted from 0. A name without a number has null for first and last.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from operator import itemgetter
 from typing import Annotated, Any, NamedTuple, Self, TypeAlias
@@ -22,7 +22,7 @@ from pydantic import (
 from pydantic_core.core_schema import CoreSchema, no_info_after_validator_function
 
 from tsplan.limits import MOST_ROBOTS
-from tsplan.name_runs import Run
+from tsplan.name_runs import Run, joined_runs
 from tsplan.plans.agent_plans import Able, Stays
 from tsplan.plans.bundles import Agents, Bundle
 from tsplan.plans.records import OPTIONAL, Record, Whole, Word, as_json, json_lines
@@ -94,7 +94,7 @@ class _Placed(NamedTuple):
 
 def _agents_of(entries: tuple[_Entry, ...]) -> Agents:
     """The agents that a file lists, one by one or in bundles."""
-    placed = sorted(_joined(_placed(entries)), key=itemgetter(0))
+    placed = sorted(joined_runs(_placed(entries)), key=itemgetter(0))
     before = 0
     for place, names, _ in placed:
         if place != before:
@@ -103,18 +103,6 @@ def _agents_of(entries: tuple[_Entry, ...]) -> Agents:
     if before > MOST_ROBOTS:
         raise ValueError(f"there are {before:,} agents, more than the {MOST_ROBOTS:,} of any team")
     return Agents.along(each[1:] for each in placed)
-
-
-def _joined(placed: Iterable[_Placed]) -> Iterator[_Placed]:
-    """The same in as few rows as follow each other."""
-    open_: _Placed | None = None
-    for each in placed:
-        both = None if open_ is None else open_.continued(each)
-        if open_ is not None and both is None:
-            yield open_
-        open_ = both or each
-    if open_ is not None:
-        yield open_
 
 
 def _placed(entries: tuple[_Entry, ...]) -> Iterator[_Placed]:

@@ -15,7 +15,7 @@ from pydantic import (
 )
 from pydantic_core.core_schema import CoreSchema, no_info_after_validator_function
 
-from tsplan.name_runs import Names, Run
+from tsplan.name_runs import Names, Run, joined_runs
 from tsplan.plans.agent_entries import MOST_LISTED, Counted, sound
 from tsplan.plans.records import OPTIONAL, Record, Whole, Word, as_json, json_lines
 from tsplan.plans.supplies import Cargo, Loads
@@ -29,6 +29,11 @@ class CargoRow(NamedTuple):
     step: int
     resource: str
     amount: float
+
+    def continued(self, after: CargoRow) -> CargoRow | None:
+        """Both rows as one, if the agents of the other follow and carry the same."""
+        both = self.names.continued(after.names) if self[1:] == after[1:] else None
+        return None if both is None else self._replace(names=both)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -52,15 +57,7 @@ class CargoRows(Unfolded[Cargo]):
     @classmethod
     def joined(cls, rows: Iterable[CargoRow]) -> CargoRows:
         """The same in as few rows as follow each other."""
-        found: list[CargoRow] = []
-        for row in rows:
-            same = bool(found) and found[-1][1:] == row[1:]
-            both = found[-1].names.continued(row.names) if same else None
-            if both is None:
-                found.append(row)
-            else:
-                found[-1] = row._replace(names=both)
-        return cls(tuple(found))
+        return cls(tuple(joined_runs(rows)))
 
     def made(self, row: CargoRow, name: str) -> Cargo:
         """What one agent of a row carries."""
