@@ -24,7 +24,7 @@ def crowded(traffic: Traffic) -> Iterator[str]:
     on_edges = interval_counts(
         (
             (row[segment.edge.pair], segment.entered, segment.left - 1, segment.agents)
-            for segment in traffic.segments
+            for segment in (*traffic.segments, *traffic.begun)
             if segment.edge.pair in row
         ),
         len(system.capacity_groups),
@@ -48,12 +48,13 @@ def _in_zones(traffic: Traffic) -> Floats | Ints:
     """
     system, parts = traffic.mission.system, traffic.mission.system.zone_parts
     row = {name: number for number, name in enumerate(parts)}
+    entered = [(segment, system.states[segment.edge.source].zone) for segment in traffic.segments]
     between = interval_counts(
         (
             (row[zone], first, last, segment.agents)
-            for segment in traffic.segments
+            for segment, left in (*entered, *((segment, None) for segment in traffic.begun))
             if (zone := segment.edge.zone) is not None
-            for first, last in _on_the_way(segment, system.states[segment.edge.source].zone == zone)
+            for first, last in _on_the_way(segment, left == zone)
         ),
         len(row),
         traffic.horizon,

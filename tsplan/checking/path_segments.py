@@ -63,9 +63,14 @@ def read_path(
 ) -> Path:
     """The segments of a bundle's path, with everything the map does not allow about it.
 
-    It begins at step `begin`. With a `pace`, that says how many steps each edge takes.
+    It begins at step `begin`; of agents that are `coming` then, when the team says so. With a
+    `pace`, that says how many steps each edge takes.
     """
     pace = pace or (lambda edge: edge.duration_for(bundle.class_name))
+    if bundle.coming is not None:
+        if not bundle.stays:
+            return Path((), ())
+        begin = bundle.stays[0][0]
     problems = _out_of_order(bundle.stays, horizon, begin)
     if problems:
         return Path((), tuple(problems))

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Names, Run, RunMap
 from tsplan.plans.bundles import Agents
 
@@ -32,7 +33,7 @@ def strangers(mission: Mission, plan: Plan) -> Iterator[str]:
                 yield f"{told(Names((part,)))} is not in the team"
                 continue
             there[rank].append(part)
-            yield from (f"{told(Names((part,)))} {words}" for words in _unlike(path, rank))
+            yield from (f"{told(Names((part,)))} {words}" for words in _unlike(path, rank, plan.horizon))
     for mine in there.values():
         mine.sort()
         yield from (f"{told(Names((part,)))} is there twice" for part in _repeated(mine))
@@ -45,14 +46,31 @@ def told(names: Sequence[str], common: str = "more") -> str:
     return f"agent {names[0]} (and {more} {common})" if more else f"agent {names[0]}"
 
 
-def _unlike(path: Bundle, rank: Rank) -> Iterator[str]:
+def _unlike(path: Bundle, rank: Rank, horizon: int) -> Iterator[str]:
     """What is not so of agents of a rank that take a path."""
     if path.class_name != rank.class_name:
         yield f"is of class {rank.class_name}, not {path.class_name}"
     if path.capabilities != rank.capabilities:
         yield "has other capabilities in the mission"
-    if path.stays and path.stays[0][2] != rank.start:
+    if isinstance(rank.start, UnderWay):
+        yield from _unlike_arrival(path, rank.start, horizon)
+    elif path.coming is not None:
+        yield f"starts at {rank.start}, and not on the way from {path.coming}"
+    elif path.stays and path.stays[0][2] != rank.start:
         yield f"starts at {rank.start}, not at {path.stays[0][2]}"
+
+
+def _unlike_arrival(path: Bundle, start: UnderWay, horizon: int) -> Iterator[str]:
+    """What is not so of agents that start under way: where they come from, and when they arrive."""
+    arrival = f"starts on the way from {start.origin} to {start.target} until step {start.arrives}"
+    if path.coming != start.origin:
+        yield f"{arrival}, and not on the way from {path.coming or 'anywhere'}"
+    elif start.arrives > horizon:
+        if path.stays or path.heading != start.target:
+            yield f"{arrival}, and the plan has it elsewhere before"
+    elif not path.stays or path.stays[0][0] != start.arrives or path.stays[0][2] != start.target:
+        first = f"first at {path.stays[0][2]} at step {path.stays[0][0]}" if path.stays else "never"
+        yield f"{arrival}, and is {first} by the plan"
 
 
 def _repeated(runs: Iterable[Run]) -> Iterator[Run]:

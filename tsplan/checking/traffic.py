@@ -28,6 +28,7 @@ from tsplan.plans.moves import Move
 from tsplan.plans.presence import Presence, of_bundles, state_counts
 from tsplan.plans.subswarms import SubSwarm, subswarms
 from tsplan.plans.supplies import execution_tables
+from tsplan.ts import Edge
 
 if TYPE_CHECKING:
     from tsplan.milp.model import Floats, Ints
@@ -63,6 +64,24 @@ class Traffic:
         """The times of all agents on edges that are no waits."""
         return (segment for segment in self.segments if not segment.edge.is_wait)
 
+    @cached_property
+    def begun(self) -> tuple[Segment, ...]:
+        """The times on edges of agents that start under way, from step 0 on.
+
+        Where the map has lost the edge, it is one that nothing is known of.
+        """
+        edges = self.mission.system.edges
+        return tuple(
+            Segment(
+                edges.get((start.origin, start.target), Edge(start.origin, start.target)),
+                0,
+                start.arrives,
+                count,
+            )
+            for group in self.mission.team
+            for start, count in group.coming
+        )
+
     @property
     def swarms(self) -> Iterator[ClassTraffic]:
         """What the swarms among the classes do."""
@@ -76,13 +95,13 @@ class Traffic:
     @cached_property
     def groups(self) -> tuple[SubSwarm, ...]:
         """The sub-swarms that the moves of every swarm make."""
-        starts = {group.class_name: dict(group.starts) for group in self.mission.team}
+        mine = {group.class_name: group for group in self.mission.team}
         return tuple(
             group
             for swarm in self.swarms
             for group in subswarms(
                 swarm.class_name,
-                starts[swarm.class_name],
+                dict((*mine[swarm.class_name].starts, *mine[swarm.class_name].coming)),
                 swarm.moves,
                 {segment.edge.pair: segment.left - segment.entered for segment in swarm.segments},
                 self.horizon,
@@ -255,7 +274,7 @@ def _moving(walks: Iterable[_Walk]) -> int:
     return sum(
         len(bundle.agents)
         for bundle, segments in walks
-        if any(not segment.edge.is_wait for segment in segments)
+        if bundle.coming is not None or any(not segment.edge.is_wait for segment in segments)
     )
 
 
@@ -295,6 +314,8 @@ def _read_moves(
     present: Counter[tuple[str, int]] = Counter()
     for state, count in group.starts:
         present[state, 0] += count
+    for start, count in group.coming:
+        present[start.target, start.arrives] += count
     gone: Counter[tuple[str, int]] = Counter()
     for item in segments:
         gone[item.edge.source, item.entered] += item.agents
@@ -308,7 +329,7 @@ def _read_moves(
         for (state, step), count in present.items()
         if step <= horizon
     )
-    moving = group.count - _waiting(group, segments, horizon)
+    moving = group.count - _waiting(group, segments, horizon)  # also who is under way
     return ClassTraffic(group.class_name, tuple(segments), stays, moving, tuple(moves)), problems
 
 

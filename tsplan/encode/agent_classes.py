@@ -12,13 +12,14 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
 from tsplan.encode.class_graph import ClassGraph, Outcomes
 from tsplan.exact import exact
 from tsplan.milp.model import Bools, Floats, Ints
-from tsplan.mission import Group, SwarmBounds
+from tsplan.mission import Group, SwarmBounds, UnderWay
 from tsplan.ts import TransitionSystem
 from tsplan.ts.actions import Action
 from tsplan.ts.edges import RISKS
@@ -26,7 +27,11 @@ from tsplan.ts.edges import RISKS
 
 @dataclass(frozen=True, eq=False)
 class MapArrays:
-    """A transition system as arrays: states and edges by number."""
+    """A transition system as arrays: states and edges by number.
+
+    Behind the states there is a place for every start under way, which none of the edges leads to;
+    `coming` has their numbers.
+    """
 
     names: tuple[str, ...]
     number: Mapping[str, int]
@@ -37,6 +42,12 @@ class MapArrays:
     capacity: tuple[tuple[int, int], ...]  # (state, most agents there)
     group_capacity: tuple[int, ...]
     zone_states: Mapping[int, Ints]  # the states that share the capacity of a group with its edges
+    coming: tuple[UnderWay, ...] = ()
+
+    @property
+    def begun(self) -> Ints:
+        """The numbers of the places of starts under way."""
+        return np.arange(len(self.names) - len(self.coming), len(self.names))
 
     def states_with(self, system: TransitionSystem, label: str) -> Ints:
         """Numbers of the states that carry a label."""
@@ -63,6 +74,17 @@ class AgentClass:
 
 
 _NONE: Mapping[str, SwarmBounds] = MappingProxyType({})
+
+
+def arrays_of(system: TransitionSystem, team: Iterable[Group]) -> MapArrays:
+    """The arrays of a map, with the places of the starts under way of a team."""
+    coming = dict.fromkeys(start for group in team for start, _ in group.coming)
+    arrays = map_arrays(system)
+    if not coming:
+        return arrays
+    names = (*arrays.names, *(start.place for start in coming))
+    number = {name: index for index, name in enumerate(names)}
+    return replace(arrays, names=names, number=number, coming=tuple(coming))
 
 
 @lru_cache(maxsize=16)
@@ -153,7 +175,7 @@ def agent_classes(
     """
     if system.actions:
         return action_classes(system, team, named, apart=apart)
-    arrays = map_arrays(system)
+    arrays = arrays_of(system, team)
     known = frozenset(named)
     needed = _needed(system)
     classes: dict[object, AgentClass] = {}
@@ -184,14 +206,42 @@ def agent_classes(
             carries=carries,
         )
         classes[key] = AgentClass(graph, (index,), swarm)
-    return tuple(classes.values())
+    ways = {pair: place for place, pair in enumerate(system.edges)}
+    return tuple(replace(item, graph=_with_begun(item.graph, arrays, ways)) for item in classes.values())
+
+
+def _with_begun(
+    graph: ClassGraph, arrays: MapArrays, ways: Mapping[tuple[str, str], int]
+) -> ClassGraph:
+    """The graph with an edge for every start under way of its agents, entered at step 0.
+
+    The moves are paid for already. They use what room the edge has, if there is one still.
+    """
+    mine = [place for place in arrays.begun.tolist() if graph.start[place]]
+    if not mine:
+        return graph
+    starts = [arrays.coming[place - int(arrays.begun[0])] for place in mine]
+    edges = [ways.get((start.origin, start.target), -1) for start in starts]
+    free = np.zeros(len(mine))
+    more: dict[str, Any] = {
+        "tail": np.array(mine, dtype=np.int64),
+        "head": np.array([arrays.number[start.target] for start in starts], dtype=np.int64),
+        "duration": np.array([start.arrives for start in starts], dtype=np.int64),
+        "cost": free,
+        "risk": free,
+        "group": np.array([arrays.group[edge] if edge >= 0 else -1 for edge in edges], np.int64),
+    }
+    joined = {name: np.concatenate([getattr(graph, name), more[name]]) for name in more}
+    return replace(graph, coming=np.array(mine, dtype=np.int64), **joined)
 
 
 def starts_of(group: Group, arrays: MapArrays) -> Ints:
-    """How many agents of a group start at each state."""
+    """How many agents of a group start at each state, and at the places of those under way."""
     start = np.zeros(len(arrays.names), dtype=np.int64)
     for state, count in group.starts:
         start[arrays.number[state]] += count
+    for way, count in group.coming:
+        start[arrays.number[way.place]] += count
     return start
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -88,7 +88,9 @@ class ClassGraph:
     """What one class of interchangeable agents can do on the map.
 
     Arrays run over the edges this class may use; states are numbers of the whole map, or nodes
-    where the class has `modes`. `group` is the number of an edge's capacity group, or -1.
+    where the class has `modes`. `group` is the number of an edge's capacity group, or -1. Agents
+    that start under way are at the nodes `coming`, each of which has one edge: the rest of the
+    move that they began before, which is entered at step 0.
     """
 
     capabilities: frozenset[str]
@@ -104,6 +106,26 @@ class ClassGraph:
     modes: Modes | None = None
     layer: Layer | None = None
     entries: tuple[Ints, Ints] | None = None  # first and last step at which each edge is entered
+    coming: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
+
+    @property
+    def begun(self) -> Bools:
+        """Which edges are the rest of a move that was begun before; it is no move any more."""
+        return np.isin(self.tail, self.coming)
+
+    @property
+    def still(self) -> Bools:
+        """Which edges are waits of any kind: agents neither move nor are they on their way."""
+        return (self.travel == 0) & ~self.begun
+
+    @property
+    def landed(self) -> Ints:
+        """How many agents begin to move at each node: those under way where they come to."""
+        landed = self.start.copy()
+        landed[self.coming] = 0
+        edges = np.flatnonzero(self.begun)
+        np.add.at(landed, self.head[edges], self.start[self.tail[edges]])
+        return landed
 
     @property
     def wait(self) -> Bools:
@@ -124,7 +146,7 @@ class ClassGraph:
         ride = np.zeros(len(self.tail), dtype=np.bool_)
         ride[self.rides] = True
         waiting = np.zeros(len(self.start), dtype=np.bool_)
-        waiting[self.tail[ride & (self.travel == 0) & (self.duration == 1)]] = True
+        waiting[self.tail[ride & self.still & (self.duration == 1)]] = True
         return ride & ~self.wait & waiting[self.tail]
 
     @property
@@ -132,10 +154,10 @@ class ClassGraph:
         """For how many steps agents move along each edge, or are rebuilt."""
         if self.modes is not None:
             return self.modes.travel
-        begun = ~self.wait
+        moving = ~self.wait & ~self.begun
         if self.layer is not None:  # who is rebuilt counts where that begins
-            begun &= self.tail < len(self.start) - 1
-        return self.duration * begun
+            moving &= self.tail < len(self.start) - 1
+        return self.duration * moving
 
     @property
     def rides(self) -> Ints:
@@ -192,7 +214,7 @@ class ClassGraph:
         """Edges and steps by which an agent waits at a state all the time; None if it cannot."""
         edges, steps, node, step = [], [], state, 0
         while step < horizon:
-            stays = np.flatnonzero((self.tail == node) & (self.travel == 0))
+            stays = np.flatnonzero((self.tail == node) & self.still)
             if not len(stays):
                 return None
             edges.append(int(stays[0]))

@@ -211,6 +211,7 @@ def laid_out(
     last = np.full(len(graph.tail), horizon - 1)
     if finish is not None:
         last = np.where(finish, horizon - graph.duration, last)
+    last[graph.begun] = min(0, horizon - 1)
     first = arrival[graph.tail] if graph.layer is None else graph.layer.begins
     if graph.entries is not None:
         first, last = np.maximum(first, graph.entries[0]), np.minimum(last, graph.entries[1])

@@ -56,7 +56,7 @@ def with_standing(graph: ClassGraph, wanted: Bools, delay: int) -> ClassGraph:
 
     From above everybody counts who left within the delay, as if nobody came back.
     """
-    travel = graph.duration * ~graph.wait
+    travel = graph.travel
     modes = Modes(
         delay=delay,
         place=np.arange(len(graph.start)),
@@ -132,7 +132,7 @@ class _Expansion:
         graph, edge = self._graph, np.array(self._edge, dtype=np.int64)
         extra = len(self._nodes) - len(graph.start)
         duration = graph.duration[edge]
-        travel = (graph.duration * ~graph.wait)[edge]
+        travel = graph.travel[edge]
         return replace(
             graph,
             start=np.concatenate([graph.start, np.zeros(extra, dtype=np.int64)]),

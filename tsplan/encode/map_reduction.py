@@ -56,6 +56,7 @@ class Interest:
     def within_slack(self, graph: ClassGraph) -> Interest:
         """The states that matter, the narrow ones among them and those next to these."""
         relevant, limited = self.relevant.copy(), self.limited.copy()
+        relevant[graph.head[graph.begun]] = True  # moves go on from where the begun ones end
         # agents that must leave a limited state may wait in those next to it
         relevant[graph.head[limited[graph.tail]]] = True
         bounded = graph.group >= 0
@@ -102,9 +103,10 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) ->
 
 
 def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) -> Reduced | None:
-    unit_wait = (graph.travel == 0) & (graph.duration == 1)
+    unit_wait = graph.still & (graph.duration == 1)
     waiting = np.zeros(len(graph.start), dtype=np.bool_)
     waiting[graph.tail[unit_wait]] = True
+    waiting[graph.coming] = True  # nobody stays there
     interest = interest.within_slack(graph)
     relevant = interest.relevant
     sources = np.flatnonzero(relevant | (graph.start > 0))
@@ -115,7 +117,7 @@ def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) 
     kept = Kept(sources, relevant, relevant & ~interest.limited)
     if interest.tolls:
         (toll,) = interest.tolls
-        if toll[graph.travel == 0].any():  # where agents wait matters
+        if toll[graph.still].any():  # where agents wait matters
             return None
         found = cheap_ways(graph, kept, toll, longest, clock)
         if found is None:
@@ -136,7 +138,9 @@ def _assemble(
     kept[sources] = True
     inside = kept[graph.tail] & kept[graph.head]
     own = np.flatnonzero(
-        (graph.wait & (graph.duration == 1) & kept[graph.tail]) | ((graph.group >= 0) & inside)
+        (graph.wait & (graph.duration == 1) & kept[graph.tail])
+        | ((graph.group >= 0) & inside)
+        | graph.begun
     )
     tail, head = ends
     duration = np.array([graph.duration[path].sum() for path in paths], dtype=np.int64)
@@ -152,6 +156,7 @@ def _assemble(
         risk=np.concatenate([graph.risk[own], risk]),
         group=np.concatenate([graph.group[own], np.full(len(tail), -1)]),
         carries=graph.carries,
+        coming=graph.coming,
     )
     every = (*own.reshape(-1, 1), *paths)
     if graph.modes is not None:

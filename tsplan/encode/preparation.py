@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from tsplan.clock import Clock
-from tsplan.encode.agent_classes import AgentClass, agent_classes, map_arrays
+from tsplan.encode.agent_classes import AgentClass, agent_classes, arrays_of
 from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.class_graph import ClassGraph, Modes
 from tsplan.encode.count_atoms import watched_states
@@ -46,7 +46,7 @@ def prepare(
         plain = simplify(positive(mission.counted))
     goal = mission.goal if goal is None else goal
     classes, changes = _classes(mission, goal, constraints)
-    arrays = map_arrays(mission.system)
+    arrays = arrays_of(mission.system, mission.team)
     if enforced is not None:
         classes, arrays = enforced.on(classes, arrays)
     setting = Setting(
@@ -183,7 +183,7 @@ def _late_interest(graph: ClassGraph, modes: Modes, wanted: Bools, limited: Bool
     limited = limited[modes.place]
     relevant = np.append(wanted, np.zeros(len(limited) - len(wanted), dtype=np.bool_)) | limited
     relevant[graph.head[limited[graph.tail] | modes.recent[graph.tail]]] = True
-    stays = (graph.travel == 0) & (graph.duration == 1)
+    stays = graph.still & (graph.duration == 1)
     for _ in range(modes.delay):
         relevant[graph.head[stays & relevant[graph.tail]]] = True
     return Interest(relevant, limited, np.zeros_like(limited))

@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from tsplan.encode.agent_classes import AgentClass, allowed_edges, map_arrays, starts_of
+from tsplan.encode.agent_classes import AgentClass, allowed_edges, arrays_of, starts_of
 from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph, Layer
 from tsplan.encode.demand_rows import Built
@@ -106,7 +106,7 @@ class _Layers:
         self._mission = mission
         self._pool = pool
         self._first = first
-        self._arrays = map_arrays(mission.system)
+        self._arrays = arrays_of(mission.system, mission.team)
         self._group = mission.team[pool.groups[0]]
         self._able = [self._group.capabilities | shape.capabilities for shape in pool.shapes]
         steps = [

@@ -7,7 +7,15 @@ from tsplan.mission.mission_parts import Preference
 from tsplan.mission.objectives import OBJECTIVES, Objective, register
 from tsplan.mission.read import load_mission, mission_from_text
 from tsplan.mission.resources import Resource
-from tsplan.mission.team import Agent, Expectation, Group, Rank, SwarmBounds, SwarmRules
+from tsplan.mission.team import (
+    Agent,
+    Expectation,
+    Group,
+    Rank,
+    SwarmBounds,
+    SwarmRules,
+    UnderWay,
+)
 from tsplan.mission.vocabulary import LANGUAGES, ORDERS, TASK_INTERVALS
 
 __all__ = [
@@ -29,6 +37,7 @@ __all__ = [
     "SolverChoice",
     "SwarmBounds",
     "SwarmRules",
+    "UnderWay",
     "load_mission",
     "mission_from_text",
     "register",

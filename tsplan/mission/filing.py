@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Self
 
@@ -13,6 +13,8 @@ from tsplan.mission.findings import Fault, Place, preferred
 from tsplan.mission.formulas import Formulas
 from tsplan.mission.mission_parts import Preference
 from tsplan.mission.mission_schema import SoftFormula
+from tsplan.mission.start_entries import start_path
+from tsplan.mission.vocabulary import WHO
 
 
 @dataclass
@@ -60,13 +62,24 @@ class Filing:
 
     def file(self, fault: Fault) -> None:
         """Turn a fault into a finding at its place."""
-        at = fault.at or (self.document.source, *self.formulas.place(fault))
+        at = fault.at or (self.document.source, *self.formulas.place(self._found(fault)))
         finding = Finding(fault.message, fault.remedy, *at)
         if finding not in self.known:
             self.known.add(finding)
             self.findings.append(finding)
             if not fault.serious:
                 self.warnings.append(finding)
+
+    def _found(self, fault: Fault) -> Fault:
+        """A fault of a start that is one of a list, at its place in that."""
+        if "at" not in fault.path[:-1] or fault.path[0] not in WHO:
+            return fault
+        place = fault.path.index("at") + 1
+        try:
+            given = self.document.at(fault.path[:place])
+        except KeyError:
+            return fault
+        return replace(fault, path=(*fault.path[:place], *start_path(given, fault.path[place])))
 
     @property
     def serious(self) -> bool:

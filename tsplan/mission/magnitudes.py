@@ -28,6 +28,7 @@ from tsplan.mission.team import SwarmRules
 _COUNT = Range(1, LARGEST, whole=True)
 _FROM_0 = Range(0, LARGEST, whole=True)
 _STEPS = Range(0, MOST_STEPS, whole=True)
+_ARRIVAL = Range(1, MOST_STEPS, whole=True)
 _ROBOTS = Range(0, MOST_ROBOTS, whole=True)
 _SHARE = Range(0, 1)
 _WEIGHT = Range(LEAST_WEIGHT, MOST_WEIGHT)
@@ -44,6 +45,11 @@ def number_faults(mission: MissionParts) -> list[Fault]:
         found += [
             (("team", number, "at", state), _COUNT.complaint(count))
             for state, count in group.starts
+        ]
+        found += [
+            (("team", number, "at", start.label), complaint)
+            for start, count in group.coming
+            for complaint in (_COUNT.complaint(count), _ARRIVAL.complaint(start.arrives))
         ]
     for number, wish in enumerate(mission.prefer):
         place = ("spec", "prefer", number)

@@ -142,12 +142,12 @@ class Mission(MissionParts):
         made: dict[str, int] = {}
         ranks: list[Rank] = []
         for place, group in enumerate(self.team):
-            for state, count in group.starts:
+            for start, count in (*group.starts, *group.coming):
                 before = made.get(group.class_name, 0)
                 made[group.class_name] = before + count
                 names = Run(f"{group.class_name}-", before + 1, before + count)
                 if count:
-                    ranks.append(Rank(names, group.class_name, group.capabilities, state, place))
+                    ranks.append(Rank(names, group.class_name, group.capabilities, start, place))
         return tuple(ranks)
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -53,16 +53,23 @@ from tsplan.mission.name_resolution import with_named_classes, with_named_config
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resource_checks import Carrying, resource_faults, spending_faults
 from tsplan.mission.resources import Resource
-from tsplan.mission.team import ONE_SWARM, Expectation, Group, SwarmBounds, SwarmRules
+from tsplan.mission.start_entries import StartEntry, UnderWayEntry
+from tsplan.mission.team import (
+    ONE_SWARM,
+    Expectation,
+    Group,
+    SwarmBounds,
+    SwarmRules,
+    UnderWay,
+)
 from tsplan.mission.team_checks import map_faults, team_faults
-from tsplan.mission.vocabulary import ORDERS, Order, default_language
+from tsplan.mission.vocabulary import ORDERS, WHO, Order, default_language
 from tsplan.mission.weight_entries import settled, weights_in
 from tsplan.ts import TransitionSystem
 from tsplan.ts.io.map_files import load_map, map_from_document
 from tsplan.ts.io.map_settings import is_reference, read_settings
 from tsplan.words import nfc
 
-KINDS = ("team", "swarm", "swarms")
 MODULAR = ("configurations", "reconfigure", "performance")
 
 
@@ -168,7 +175,7 @@ class _Draft(Filing):
         for path, name, entry in swarms:
             able = {nfc(name)} - taken if path[0] == "swarms" else set()
             able |= self._words(entry.capabilities, (*path, "capabilities"))
-            team.append((path, Group(name, frozenset(able), self._swarm_starts(entry, path))))
+            team.append((path, self._swarm(entry, path, name, frozenset(able))))
         self.entries = team
         if swarms:
             each = {
@@ -188,32 +195,42 @@ class _Draft(Filing):
         """The groups, as far as they are known."""
         return None if self.entries is None else tuple(group for _, group in self.entries)
 
-    def _swarm_starts(self, entry: Swarm, path: Place) -> tuple[tuple[str, int], ...]:
-        if isinstance(self.document.at((*path, "at")), dict):
-            starts = tuple(entry.at.items())
-            total = sum(entry.at.values())
-            if entry.size != total:
-                what = f"the size is {entry.size:,} and the start states hold {total:,}"
-                remedy = f"write {total} or correct the start states"
-                self.report((*path, "size"), what, remedy)
-            return starts
-        (state,) = entry.at
-        return ((self.word(state, (*path, "at")), entry.size),)
+    def _swarm(self, entry: Swarm, path: Place, name: str, able: frozenset[str]) -> Group:
+        starts = self._starts(entry.at, (*path, "at"), entry.size)
+        total = sum(count for _, count in starts)
+        if entry.size != total:
+            what = f"the size is {entry.size:,} and the start states hold {total:,}"
+            remedy = f"write {total} or correct the start states"
+            self.report((*path, "size"), what, remedy)
+        return Group.of(name, starts, able)
+
+    def _starts(
+        self, given: Sequence[StartEntry], path: Place, count: int | None
+    ) -> list[tuple[str | UnderWay, int]]:
+        """Where robots start; one start that says no number is of `count` of them."""
+        listed = isinstance(self.document.at(path), list)
+        starts: list[tuple[str | UnderWay, int | None]] = []
+        for number, entry in enumerate(given):
+            if isinstance(entry, UnderWayEntry):
+                starts.append((entry.start, entry.count))
+            elif isinstance(entry, dict):
+                starts += entry.items()
+            else:
+                starts.append((self.word(entry, (*path, number) if listed else path), None))
+        alone = count if len(starts) == 1 else None
+        return [(start, own or alone or 1) for start, own in starts]
 
     def _group(self, member: Member, path: Place) -> Group:
-        if isinstance(self.document.at((*path, "at")), dict):
-            starts = tuple(member.at.items())
-            total = sum(member.at.values())
-            if member.count is not None and member.count != total:
-                what = f"the count is {member.count} and the start states hold {total}"
-                self.report((*path, "count"), what, f"leave the count out or write {total}")
-        else:
-            (name,) = member.at
-            starts = ((self.word(name, (*path, "at")), member.count or 1),)
+        starts = self._starts(member.at, (*path, "at"), member.count)
+        total = sum(count for _, count in starts)
+        if member.count is not None and member.count != total:
+            what = f"the count is {member.count} and the start states hold {total}"
+            self.report((*path, "count"), what, f"leave the count out or write {total}")
         able = self._words(member.capabilities, (*path, "capabilities"))
         shape = member.configuration and self.word(member.configuration, (*path, "configuration"))
         name = self.word(member.class_name, (*path, "class"))
-        return Group(name, able, starts, member.carries, shape)
+        group = Group.of(name, starts, able, configuration=shape)
+        return replace(group, carries=member.carries)
 
     def read_resources(self, file: MissionFile) -> None:
         """The resources."""
@@ -234,7 +251,7 @@ class _Draft(Filing):
         """Judge what a file says elsewhere than under its faulty keys."""
         if file is None:
             return
-        if not faulty.intersection(KINDS) and any(kind in self.document.data for kind in KINDS):
+        if not faulty.intersection(WHO) and any(kind in self.document.data for kind in WHO):
             self.read_agents(file)
         if "resources" not in faulty:
             self.read_resources(file)
@@ -373,7 +390,7 @@ def _named_map(document: Document, path: Place, folder: Path) -> TransitionSyste
 
 def misplaced(data: Mapping[str, Any]) -> Iterator[tuple[Place, str, str]]:
     """Keys at the top of a mission file that are missing, too many, or belong elsewhere."""
-    given = [kind for kind in KINDS if kind in data]
+    given = [kind for kind in WHO if kind in data]
     single = "swarm" in given and "swarms" not in given
     if not given:
         remedy = "add 'team: ...', or 'swarm: ...' for a swarm that may split"

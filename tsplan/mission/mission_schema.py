@@ -31,6 +31,15 @@ from tsplan.limits import (
     MOST_WEIGHT,
     Range,
 )
+from tsplan.mission.start_entries import (
+    Amount,
+    Count,
+    Name,
+    NameText,
+    Part,
+    Starts,
+    name_text,
+)
 from tsplan.mission.vocabulary import (
     BOOKINGS,
     FORMAT,
@@ -47,11 +56,6 @@ from tsplan.ts.io.map_settings import MapReference
 from tsplan.ts.io.tsplan_yaml import MapFile
 
 _SHARE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,15})?)\s*%")
-
-
-def _name(value: Any) -> Any:
-    """A name may look like a whole number in YAML."""
-    return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
 def _margin(value: Any) -> Any:
@@ -104,16 +108,13 @@ def _load(value: Any) -> Any:
     return tuple((str(name), float(amount)) for name, amount in value.items())
 
 
-_Named = Annotated[str, BeforeValidator(_name), StringConstraints(min_length=1)]
-Name = Annotated[_Named, Written(Annotated[str, Field(min_length=1)] | int)]
-Title = Annotated[str, BeforeValidator(_name), Written(str | int)]
+Title = Annotated[str, BeforeValidator(name_text), Written(str | int)]
 _Weight = Annotated[Number, Field(gt=0)]
 WeightEntry = Annotated[
     Any,
     BeforeValidator(weights_of_entry),
     Written(_Weight | list[_Weight] | dict[str, _Weight]),
 ]
-Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
 Whole = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
 Counted = Annotated[dict[Name, Count], BeforeValidator(_counted), Written(Name | dict[Name, Count])]
 _Text = Annotated[str, Field(min_length=1)] | bool
@@ -123,14 +124,6 @@ _Share = Annotated[str, Field(pattern=rf"^\s*{_SHARE.pattern}\s*$")]
 _Margin = Annotated[int, Field(ge=0, le=MOST_ROBOTS)] | _Share
 
 
-class Part(BaseModel):
-    """A mapping with known keys and nothing else, whose values are what they are written as."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
-
-
-_Amount = Field(ge=0, le=LARGEST)
-Amount = Annotated[Number, _Amount, Written(Annotated[float, _Amount])]
 Load = Annotated[Any, BeforeValidator(_load), Written(Amount | dict[Name, Amount])]
 
 
@@ -168,7 +161,7 @@ class Member(Part):
 
     class_name: Name = Field(alias="class")
     count: Count | None = None
-    at: Counted
+    at: Starts
     capabilities: list[Name] = []
     carries: Load = ()
     configuration: Name | None = None
@@ -178,7 +171,7 @@ class Swarm(Part):
     """A swarm: how many agents, where they start, and how far they may divide."""
 
     size: Count
-    at: Counted
+    at: Starts
     max_subswarms: Count | None = None
     min_subswarm: Count = 1
     capabilities: list[Name] = []
@@ -235,7 +228,7 @@ class SatisfactionEntry(Part):
     satisfaction: Order
 
 
-Aim = Annotated[_Named, BeforeValidator(_aim), Written(Name | SatisfactionEntry)]
+Aim = Annotated[NameText, BeforeValidator(_aim), Written(Name | SatisfactionEntry)]
 _Foreign = Annotated[
     Any,
     WithJsonSchema(

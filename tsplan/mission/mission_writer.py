@@ -22,6 +22,7 @@ from tsplan.mission.amount_entries import amounts_entry, carries_entry
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.module_entries import module_entries
 from tsplan.mission.resources import Resource
+from tsplan.mission.start_entries import starts_entry
 from tsplan.mission.team import ONE_SWARM, Group, SwarmRules
 from tsplan.mission.vocabulary import FORMAT, Language
 from tsplan.mission.weight_entries import entries_of
@@ -159,8 +160,8 @@ def _team_lines(mission: MissionParts) -> Iterator[str]:
 
 def group_entry(group: Group) -> dict[str, Any]:
     """The entry of a group of robots."""
-    starts: dict[str, Any] = {"at": dict(group.starts)}
-    if len(group.starts) == 1:
+    starts: dict[str, Any] = {"at": starts_entry(group)}
+    if len(group.starts) == 1 and not group.coming:
         ((state, count),) = group.starts
         starts = {"count": count, "at": state}
     able = {"capabilities": sorted(group.capabilities)} if group.capabilities else {}
@@ -180,7 +181,7 @@ def resource_entry(resource: Resource) -> dict[str, Any]:
 def swarm_entry(swarm: Group, rules: SwarmRules) -> dict[str, Any]:
     """The entry of a swarm but for its name, which is one of its capabilities anyway."""
     bounds = rules.each[swarm.class_name]
-    entry: dict[str, Any] = {"size": swarm.count, "at": dict(swarm.starts)}
+    entry: dict[str, Any] = {"size": swarm.count, "at": starts_entry(swarm)}
     if bounds.most is not None:
         entry["max_subswarms"] = bounds.most
     if bounds.least > 1:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from math import ceil
 from numbers import Integral
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from tsplan.mission.resources import Carries, merged
 from tsplan.name_runs import Run
@@ -19,17 +19,57 @@ ONE_SWARM = "swarm"
 """The class of a swarm that has no name of its own."""
 
 
+@dataclass(frozen=True, slots=True, order=True)
+class UnderWay:
+    """A start on an edge: the agent left `origin` before, and comes to `target` at step `arrives`.
+
+    Until then it is nowhere, and uses what room the edge has; it cannot turn. `carrying` is what
+    each such agent brings of each resource.
+
+    >>> UnderWay("q1", "q2", arrives=3)
+    UnderWay(origin='q1', target='q2', arrives=3)
+    """
+
+    origin: str
+    target: str
+    arrives: int
+    carrying: tuple[tuple[str, float], ...] = field(default=(), repr=False)
+
+    def __post_init__(self) -> None:
+        """Bring names into the form in which they are compared."""
+        object.__setattr__(self, "origin", nfc(self.origin))
+        object.__setattr__(self, "target", nfc(self.target))
+        object.__setattr__(self, "arrives", _whole(self.arrives))
+        object.__setattr__(self, "carrying", merged(self.carrying))
+
+    @property
+    def place(self) -> str:
+        """A name of the start that no state has, different for each edge and step of arrival."""
+        load = "".join(f" with {amount:g} {name}" for name, amount in self.carrying)
+        return f"{self.origin} to {self.target} until {self.arrives}{load}\0"
+
+    @property
+    def label(self) -> str:
+        """The start as a short text."""
+        return f"{self.origin} to {self.target} at {self.arrives}"
+
+    @property
+    def words(self) -> str:
+        """The start in a sentence."""
+        return f"on the way from '{self.origin}' to '{self.target}'"
+
+
 class Agent(NamedTuple):
-    """One robot of the team, before it has a path."""
+    """One robot of the team, before it has a path; `start` is a state, or how it is under way."""
 
     id: str
     class_name: str
     capabilities: frozenset[str]
-    start: str
+    start: str | UnderWay
 
 
 class Rank(NamedTuple):
-    """Robots of one group that start at one state, numbered one after the other.
+    """Robots of one group that start at one state or under way, numbered one after the other.
 
     `group` is the place of their group in the team, and `names` are their ids.
     """
@@ -37,8 +77,13 @@ class Rank(NamedTuple):
     names: Run
     class_name: str
     capabilities: frozenset[str]
-    start: str
+    start: str | UnderWay
     group: int
+
+    @property
+    def place(self) -> str:
+        """Where they start, by a name."""
+        return self.start.place if isinstance(self.start, UnderWay) else self.start
 
     @property
     def agents(self) -> Iterator[Agent]:
@@ -50,7 +95,7 @@ class Rank(NamedTuple):
 class Group:
     """Robots of one class with the same capabilities: how many of them start at which state.
 
-    `carries` is what each of them carries at most: so much of each resource, or so much of all
+    `coming` are those that start under way. `carries` is what each of them carries at most: so much of each resource, or so much of all
     together. Modules of modular robots start in structures of a `configuration`.
     """
 
@@ -59,18 +104,14 @@ class Group:
     starts: tuple[tuple[str, int], ...]
     carries: Carries = field(default=(), repr=False)
     configuration: str | None = field(default=None, repr=False)
+    coming: tuple[tuple[UnderWay, int], ...] = field(default=(), repr=False)
 
     def __post_init__(self) -> None:
-        """Bring names into the form in which they are compared; name every state once."""
+        """Bring names into the form in which they are compared; name every start once."""
         object.__setattr__(self, "class_name", nfc(self.class_name))
         object.__setattr__(self, "capabilities", frozenset(map(nfc, self.capabilities)))
-        starts = tuple((nfc(state), _whole(count)) for state, count in self.starts)
-        if all(type(count) is int for _, count in starts):  # the checks tell of others
-            total: Counter[str] = Counter()
-            for state, count in starts:
-                total[state] += count
-            starts = tuple(total.items())
-        object.__setattr__(self, "starts", starts)
+        object.__setattr__(self, "starts", _summed((nfc(s), n) for s, n in self.starts))
+        object.__setattr__(self, "coming", _summed(self.coming))
         if isinstance(self.carries, tuple):
             object.__setattr__(self, "carries", merged(self.carries))
         if self.configuration is not None:
@@ -79,28 +120,47 @@ class Group:
     @property
     def count(self) -> int:
         """How many robots the group has."""
-        return sum(count for _, count in self.starts)
+        return sum(count for _, count in (*self.starts, *self.coming))
 
     @classmethod
     def of(
         cls,
         class_name: str,
-        starts: Mapping[str, int] | Iterable[tuple[str, int]],
+        starts: Mapping[Any, int] | Iterable[tuple[str | UnderWay, int]],
         capabilities: Iterable[str] = (),
         carries: Mapping[str, float] | float = MappingProxyType({}),
         configuration: str | None = None,
     ) -> Group:
-        """A group from any mapping or pairs of start states and counts.
+        """A group from any mapping or pairs of starts and counts.
 
+        A start is a state, or an UnderWay for robots that are on an edge.
         What each robot carries is an amount of each resource, or one number for all together. Of
         modules, which are counted one by one, the `configuration` is that of their structures.
 
         >>> Group.of("scout", {"q1": 3}, ["Vis"]).count
         3
+        >>> Group.of("scout", {"q1": 3, UnderWay("q1", "q2", 2): 1}).count
+        4
         """
-        pairs = starts.items() if isinstance(starts, Mapping) else starts
+        pairs = tuple(starts.items() if isinstance(starts, Mapping) else starts)
+        there = tuple((start, count) for start, count in pairs if not isinstance(start, UnderWay))
+        coming = tuple((start, count) for start, count in pairs if isinstance(start, UnderWay))
         load = tuple(carries.items()) if isinstance(carries, Mapping) else carries
-        return cls(class_name, frozenset(capabilities), tuple(pairs), load, configuration)
+        return cls(class_name, frozenset(capabilities), there, load, configuration, coming)
+
+
+_Start = TypeVar("_Start", str, UnderWay)
+
+
+def _summed(starts: Iterable[tuple[_Start, Any]]) -> tuple[tuple[_Start, Any], ...]:
+    """Starts of which each is named once, with all that start there."""
+    pairs = tuple((start, _whole(count)) for start, count in starts)
+    if not all(type(count) is int for _, count in pairs):
+        return pairs  # the checks tell of them
+    total: Counter[_Start] = Counter()
+    for start, count in pairs:
+        total[start] += count
+    return tuple(total.items())
 
 
 def _whole(value: Any) -> Any:

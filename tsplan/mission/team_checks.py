@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from tsplan.errors import Nearest, nearest
-from tsplan.limits import MOST_ROBOTS
+from tsplan.limits import MOST_ROBOTS, MOST_STEPS, Range
 from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.findings import Entry, Fault, Place
 from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
@@ -35,12 +36,13 @@ def team_faults(
     if not entries:
         yield Fault(("team",), "the team is empty", "add at least one robot")
     for place, group in entries:
-        if not group.starts:
+        if not group.starts and not group.coming:
             yield Fault((*place, "at"), "no start state", "say where the robots start")
         for state, count in group.starts:
             if count < 1:
                 what, remedy = f"{count} robots at '{state}'", "a count is a whole number from 1"
                 yield Fault((*place, "at", state), what, remedy)
+        yield from _under_way_faults(place, group, system)
     size = sum(group.count for _, group in entries)
     if size > MOST_ROBOTS:
         path, remedy = entries[0][0][:1], f"at most {MOST_ROBOTS:,} are planned"
@@ -53,11 +55,43 @@ def team_faults(
         yield from _swarm_faults(entries, swarm)
 
 
+def _under_way_faults(
+    place: Place, group: Group, system: TransitionSystem | None
+) -> Iterator[Fault]:
+    """Starts on edges: numbers, steps of arrival, and states that are none."""
+    for start, count in group.coming:
+        path = (*place, "at", start.label)
+        if count < 1:
+            what, remedy = f"{count} robots {start.words}", "a count is a whole number from 1"
+            yield Fault(path, what, remedy)
+        if words := _STEP.complaint(start.arrives):
+            what = f"the robots {start.words} arrive at step {start.arrives}: {words}"
+            yield Fault(path, what, "write a step from 1, or start them at the state")
+        if group.configuration is not None:
+            what = f"modules of class '{group.class_name}' start {start.words}"
+            yield Fault(path, what, "structures are planned from states on; start them at one")
+        if system is None:
+            continue
+        if system.actions:
+            what = f"robots start {start.words}, and the moves of the map are uncertain"
+            yield Fault(path, what, "start them at a state")
+        for name in dict.fromkeys((start.origin, start.target)):
+            if name not in system.states:
+                yield Fault(path, f"the map has no state '{name}'", nearest(name, system.states))
+        needs = system.states[start.target].needs if start.target in system.states else frozenset()
+        if missing := ", ".join(sorted(needs - group.capabilities)):
+            what = f"class '{group.class_name}' comes to '{start.target}', which needs {missing}"
+            yield Fault(path, what, f"give the class the capability {missing}")
+
+
+_STEP = Range(1, MOST_STEPS, whole=True)
+
+
 def _start_faults(entries: Sequence[Entry], system: TransitionSystem) -> Iterator[Fault]:
     """Start states that are none, that a class may not be at, or where more start than fit."""
     closest = Nearest(system.states)
     starting: Counter[str] = Counter()
-    last: dict[str, Place] = {}
+    last: dict[Any, Place] = {}
     for place, group in entries:
         for name, count in group.starts:
             path = (*place, "at", name)
@@ -77,9 +111,23 @@ def _start_faults(entries: Sequence[Entry], system: TransitionSystem) -> Iterato
             what = f"{count} robots start at '{name}', which holds {capacity}"
             remedy = "start some of them elsewhere or raise the state's capacity"
             yield Fault(last[name], what, remedy)
+    coming: Counter[tuple[str, str]] = Counter()
+    for place, group in entries:
+        for start, count in group.coming:
+            coming[start.origin, start.target] += count
+            last[start.origin, start.target] = (*place, "at", start.label)
+    for capacity, pairs in system.capacity_groups:
+        inside: list[Any] = [pair for pair in pairs if coming[pair]]
+        count = sum(coming[pair] for pair in inside)
+        if count > capacity:
+            ends = " to ".join(f"'{name}'" for name in inside[-1])
+            what = f"{count} robots start on the edge from {ends}, which holds {capacity}"
+            remedy = "start some of them elsewhere or raise the edge's capacity"
+            yield Fault(last[inside[-1]], what, remedy)
     for zone, parts in system.zone_parts.items():
         inside = [name for name in parts.states if starting[name]]
-        count = sum(starting[name] for name in inside)
+        inside += [pair for pair in parts.edges if coming[pair]]
+        count = sum(starting[name] + coming[name] for name in inside)
         if count > system.zones[zone]:
             what = f"{count} robots start in the zone '{zone}', which holds {system.zones[zone]}"
             remedy = "start some of them elsewhere or raise the zone's capacity"
@@ -133,7 +181,7 @@ def _swarm_faults(entries: Sequence[Entry], rules: SwarmRules) -> Iterator[Fault
                 what = f"a class of the team is called '{name}', as the swarm is"
             yield Fault((*place, "name"), what, "give each a name of its own")
         yield from _impossible(group, rules.each[name], place)
-    begin = sum(len(group.starts) for _, group in swarms)
+    begin = sum(len(group.starts) + len(group.coming) for _, group in swarms)
     if rules.together is not None and begin > rules.together:
         what = f"the swarms start in {begin} places, and together only {rules.together} are allowed"
         yield Fault(("max_subswarms",), what, _HOPELESS, serious=False)
@@ -155,6 +203,12 @@ def _impossible(group: Group, bounds: SwarmBounds, place: Place) -> Iterator[Fau
             what = f"{count:,} agents start at '{state}', and a sub-swarm needs {least:,}"
             remedy = "no plan is possible; lower 'min_subswarm' or start together"
             yield Fault((*place, "at", state), what, remedy, serious=False)
-    if most is not None and len(group.starts) > most:
-        what = f"the swarm starts in {len(group.starts)} places, and only {most} are allowed"
+    for start, count in group.coming:
+        if 0 < count < least:
+            what = f"{count:,} agents start {start.words}, and a sub-swarm needs {least:,}"
+            remedy = "no plan is possible; lower 'min_subswarm' or start together"
+            yield Fault((*place, "at", start.label), what, remedy, serious=False)
+    begun = len(group.starts) + len(group.coming)
+    if most is not None and begun > most:
+        what = f"the swarm starts in {begun} places, and only {most} are allowed"
         yield Fault((*place, "max_subswarms"), what, _HOPELESS, serious=False)

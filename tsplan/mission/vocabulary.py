@@ -16,6 +16,8 @@ LANGUAGES: tuple[Language, ...] = ("catl", "mtl", "stl", "wmtl")
 TASK_INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
 BOOKINGS: tuple[Booking, ...] = ("shared", "per-label", "exclusive")
 ORDERS: tuple[Order, ...] = ("weighted", "hierarchical", "depth")
+WHO = ("team", "swarm", "swarms")
+"""The keys of a mission file that say who acts."""
 
 
 def default_language(*, team: bool) -> Language:

@@ -23,7 +23,7 @@ from pydantic_core.core_schema import CoreSchema, no_info_after_validator_functi
 
 from tsplan.limits import MOST_ROBOTS
 from tsplan.name_runs import Run, joined_runs
-from tsplan.plans.agent_plans import Able, Stays
+from tsplan.plans.agent_plans import Able, Stays, stays_somewhere
 from tsplan.plans.bundles import Agents, Bundle
 from tsplan.plans.records import OPTIONAL, Record, Whole, Word, as_json, json_lines
 
@@ -69,9 +69,11 @@ class _Entry(Record):
     id: Word | None = field(default=None, metadata=OPTIONAL)
     ids: tuple[Annotated[_Ids, AfterValidator(_sound)], ...] = ()
     heading: Word | None = field(default=None, metadata=OPTIONAL)
+    coming: Word | None = field(default=None, metadata=OPTIONAL)
 
     @model_validator(mode="after")
     def _named(self) -> Self:
+        stays_somewhere(self.stays, self.coming, self.heading)
         if (self.id is None) != bool(self.ids):
             raise ValueError("an agent has an id, and a bundle of agents has ids")
         return self
@@ -107,14 +109,15 @@ def _agents_of(entries: tuple[_Entry, ...]) -> Agents:
 
 def _placed(entries: tuple[_Entry, ...]) -> Iterator[_Placed]:
     """Rows of agents; an agent by itself comes after all that is before it in the file."""
-    paths: dict[tuple[str, frozenset[str], int, str | None], Bundle] = {}
+    paths: dict[tuple[object, ...], Bundle] = {}
     after = 0
     for entry in entries:
-        key = (entry.class_name, entry.capabilities, id(entry.stays), entry.heading)
+        ends = entry.heading, entry.coming
+        key = (entry.class_name, entry.capabilities, id(entry.stays), *ends)
         path = paths.get(key)
         if path is None:
             own = entry.class_name, entry.capabilities, entry.stays, entry.heading
-            path = paths[key] = Bundle(*own)
+            path = paths[key] = Bundle(*own, coming=entry.coming)
         if entry.id is not None:
             yield _Placed(after, Run.of(entry.id), path)
             after += 1

@@ -5,9 +5,9 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Annotated, TypeAlias
+from typing import Annotated, Self, TypeAlias
 
-from pydantic import AfterValidator, Field, ValidationInfo
+from pydantic import AfterValidator, ValidationInfo, model_validator
 
 from tsplan.parameters import step_within
 from tsplan.plans.records import OPTIONAL, Record, Whole, Word, shared
@@ -25,8 +25,15 @@ def _forwards(stays: tuple[Stay, ...], info: ValidationInfo) -> tuple[Stay, ...]
     return shared(stays, info)
 
 
-Stays: TypeAlias = Annotated[tuple[Stay, ...], Field(min_length=1), AfterValidator(_forwards)]
+Stays: TypeAlias = Annotated[tuple[Stay, ...], AfterValidator(_forwards)]
 """The stays of an agent in order; equal ones of one file are one object."""
+
+
+def stays_somewhere(stays: Sequence[Stay], coming: str | None, heading: str | None) -> None:
+    """Refuse a path without a stay, unless it is one of an agent that is on one edge throughout."""
+    if not stays and (coming is None or heading is None):
+        raise ValueError("there are no stays: the agent is nowhere")
+
 
 Able: TypeAlias = Annotated[frozenset[Word], AfterValidator(shared)]
 """What an agent can do."""
@@ -37,7 +44,8 @@ class AgentPlan(Record):
     """The path of one agent.
 
     Between two stays the agent is on the one edge from the first state to the second, and at no
-    state. `heading` is the state it is travelling to when its last stay ends before the horizon.
+    state. `heading` is the state it is travelling to when its last stay ends before the horizon,
+    and `coming` the state it left before step 0 when its first stay begins later.
     """
 
     id: Word
@@ -45,6 +53,13 @@ class AgentPlan(Record):
     capabilities: Able
     stays: Stays
     heading: Word | None = field(default=None, metadata=OPTIONAL)
+    coming: Word | None = field(default=None, metadata=OPTIONAL)
+
+    @model_validator(mode="after")
+    def _somewhere(self) -> Self:
+        """Asked of what a file says alone."""
+        stays_somewhere(self.stays, self.coming, self.heading)
+        return self
 
     def state_at(self, step: int) -> str | None:
         """The agent's state at `step`; None while it is travelling.

@@ -28,10 +28,12 @@ class Bundle:
     stays: tuple[Stay, ...]
     heading: str | None
     agents: Sequence[str] = _NOBODY
+    coming: str | None = None
 
     def agent(self, name: str) -> AgentPlan:
         """One of the agents by itself."""
-        return AgentPlan(name, self.class_name, self.capabilities, self.stays, self.heading)
+        own = self.class_name, self.capabilities, self.stays, self.heading, self.coming
+        return AgentPlan(name, *own)
 
 
 class Stretch(NamedTuple):
@@ -127,13 +129,14 @@ class _Numbering:
 
 def _alone(agents: Iterable[AgentPlan]) -> Iterator[Stretch]:
     """Agents one by one; large teams share the objects of their stays, which tells most apart."""
-    paths: dict[tuple[str, frozenset[str], int, str | None], Bundle] = {}
+    paths: dict[tuple[object, ...], Bundle] = {}
     for agent in agents:
-        key = (agent.class_name, agent.capabilities, id(agent.stays), agent.heading)
+        ends = agent.heading, agent.coming
+        key = (agent.class_name, agent.capabilities, id(agent.stays), *ends)
         path = paths.get(key)
         if path is None:
-            path = Bundle(agent.class_name, agent.capabilities, agent.stays, agent.heading)
-            paths[key] = path
+            own = agent.class_name, agent.capabilities, agent.stays, agent.heading
+            path = paths[key] = Bundle(*own, coming=agent.coming)
         yield Stretch(Run.of(agent.id), path)
 
 

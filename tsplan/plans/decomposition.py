@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 import numpy as np
 
 from tsplan.errors import TsplanError
+from tsplan.mission.team import UnderWay
 from tsplan.plans.agent_plans import Stay
 from tsplan.plans.bundles import Bundle, Stretch
 from tsplan.plans.moves import Durations, Move, Node, present
@@ -46,6 +47,8 @@ def paths_of(
         for pair, edge in mission.system.edges.items()
         if pair in used
     }
+    starts = (rank.start for rank in ranks)
+    durations |= {(s.place, s.target): s.arrives for s in starts if isinstance(s, UnderWay)}
     make = last_first if late else decompose
     return make(ranks, moves, durations, mission.horizon, seed)
 
@@ -95,7 +98,7 @@ _Line: TypeAlias = "list[tuple[int, Run]]"
 def _lines(ranks: Iterable[Rank]) -> dict[str, _Line]:
     lines: dict[str, _Line] = defaultdict(list)
     for number, rank in enumerate(ranks):
-        lines[rank.start].append((number, rank.names))
+        lines[rank.place].append((number, rank.names))
     return lines
 
 
@@ -126,7 +129,11 @@ def _dealt(line: _Line, paths: Iterable[_Path]) -> Iterator[tuple[int, Run, _Pat
 
 
 def _stretch(rank: Rank, names: Run, stays: tuple[Stay, ...], heading: str | None) -> Stretch:
-    return Stretch(names, Bundle(rank.class_name, rank.capabilities, stays, heading))
+    start, coming = rank.start, None
+    if isinstance(start, UnderWay):  # there they are nowhere
+        stays, coming = stays[1:], start.origin
+        heading = heading if stays else start.target
+    return Stretch(names, Bundle(rank.class_name, rank.capabilities, stays, heading, coming=coming))
 
 
 def _in_order(given: Iterable[list[Stretch]]) -> Walked:

@@ -14,6 +14,7 @@ from typing import Annotated, Any, NamedTuple, TypeAlias
 from pydantic import AfterValidator, GetCoreSchemaHandler, GetPydanticSchema
 from pydantic_core.core_schema import CoreSchema, no_info_after_validator_function
 
+from tsplan.mission.team import UnderWay
 from tsplan.plans.records import Positive, Whole, Word
 
 Node: TypeAlias = tuple[str, int]
@@ -21,6 +22,10 @@ Node: TypeAlias = tuple[str, int]
 
 Durations: TypeAlias = Mapping[tuple[str, str], int]
 """Steps that each edge, by its two ends, takes a swarm."""
+
+
+Starts: TypeAlias = "Mapping[str, int] | Mapping[str | UnderWay, int]"
+"""How many agents start at states, or under way."""
 
 
 class Move(NamedTuple):
@@ -77,14 +82,23 @@ def _by_node(pairs: Iterator[tuple[Node, Move]]) -> dict[Node, tuple[Move, ...]]
 
 
 def present(
-    starts: Mapping[str, int], moves: Iterable[Move], durations: Durations, horizon: int
+    starts: Starts, moves: Iterable[Move], durations: Durations, horizon: int
 ) -> dict[Node, int]:
     """How many agents are at each state and step up to the horizon, where there are any."""
-    counts: dict[Node, int] = {(state, 0): count for state, count in starts.items()}
+    counts: Counter[Node] = Counter()
+    for start, count in starts.items():
+        state, step = _first(start)
+        if step <= horizon:
+            counts[state, step] += count
     for (state, step), came in arriving(moves, durations).items():
         if step <= horizon:
-            counts[state, step] = counts.get((state, step), 0) + sum(move.count for move in came)
-    return counts
+            counts[state, step] += sum(move.count for move in came)
+    return dict(counts)
+
+
+def _first(start: str | UnderWay) -> Node:
+    """Where and when agents of a start are first."""
+    return (start.target, start.arrives) if isinstance(start, UnderWay) else (start, 0)
 
 
 def shares(moves: Iterable[Move]) -> dict[Node, tuple[tuple[str, Fraction], ...]]:

@@ -136,7 +136,7 @@ class _Lives:
             shape = self._mission.modular.of[str(group.configuration)]
             for begin in range(0, len(members), shape.modules):
                 mine = members[begin : begin + shape.modules]
-                self._born(shape.name, tuple(each.id for each in mine), 0, mine[0].start)
+                self._born(shape.name, tuple(each.id for each in mine), 0, str(mine[0].start))
 
     def _born(self, configuration: str, modules: tuple[str, ...], step: int, state: str) -> str:
         """A new structure that is there from a step on; its id, none if that is too late."""

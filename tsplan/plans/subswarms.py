@@ -10,7 +10,8 @@ from typing import Self, TypeAlias
 
 from pydantic import model_validator
 
-from tsplan.plans.moves import Durations, Move, Node, arriving, leaving, present
+from tsplan.mission.team import UnderWay
+from tsplan.plans.moves import Durations, Move, Node, Starts, arriving, leaving, present
 from tsplan.plans.records import OPTIONAL, Positive, Record, Whole, Word
 
 
@@ -19,7 +20,7 @@ class SubSwarm(Record):
     """Agents of one swarm that are at one place at every step `first`..`last`, both included.
 
     The place is a `state`, or an `edge` (its two ends) that all of them entered at step
-    `first - 1`. `parents` and `children` are the ids of the sub-swarms they come from and become.
+    `first - 1`, or before step 0. `parents` and `children` are the ids of the sub-swarms they come from and become.
     """
 
     id: Word
@@ -49,13 +50,16 @@ class SubSwarm(Record):
         return f"at {self.state}"
 
 
-_Key: TypeAlias = tuple[int, bool, str, str]
-"""Since when a sub-swarm is where: they are numbered as they come to be, first those at states."""
+_Key: TypeAlias = tuple[int, bool, str, str, int]
+"""Since when a sub-swarm is where: they are numbered as they come to be, first those at states.
+
+Those that are under way from the beginning have their step of arrival last.
+"""
 
 
 def subswarms(
     swarm: str,
-    starts: Mapping[str, int],
+    starts: Starts,
     moves: Iterable[Move],
     durations: Durations,
     horizon: int,
@@ -72,12 +76,19 @@ def subswarms(
     }
     parents: dict[_Key, list[_Key]] = defaultdict(list)
     children: dict[_Key, list[_Key]] = defaultdict(list)
+    ways: list[tuple[_Key | None, ...]] = []
+    for start, count in starts.items():
+        if isinstance(start, UnderWay):
+            under_way = (0, True, start.origin, start.target, start.arrives)
+            size[under_way], last[under_way] = count, min(start.arrives - 1, horizon)
+            ways.append((under_way, staying.get((start.target, start.arrives))))
     for move in listed:
         arrival = move.step + durations[move.source, move.target]
-        on_edge = (move.step + 1, True, move.source, move.target)
+        on_edge = (move.step + 1, True, move.source, move.target, 0)
         if arrival > move.step + 1:
             size[on_edge], last[on_edge] = move.count, min(arrival - 1, horizon)
-        way = staying[move.source, move.step], on_edge, staying.get((move.target, arrival))
+        ways.append((staying[move.source, move.step], on_edge, staying.get((move.target, arrival))))
+    for way in ways:
         for parent, child in pairwise(key for key in way if key in size):
             if parent != child and child not in children[parent]:
                 children[parent].append(child)
@@ -91,7 +102,7 @@ def subswarms(
             last[key],
             size[key],
             None if key[1] else key[2],
-            key[2:] if key[1] else None,
+            key[2:4] if key[1] else None,
             tuple(name[other] for other in parents[key]),
             tuple(name[other] for other in children[key]),
         )
@@ -100,10 +111,11 @@ def subswarms(
 
 
 def _staying(
-    starts: Mapping[str, int], moves: Sequence[Move], durations: Durations, horizon: int
+    starts: Starts, moves: Sequence[Move], durations: Durations, horizon: int
 ) -> tuple[dict[Node, _Key], dict[_Key, int]]:
     """The sub-swarm at each state and step where there are agents, and the last step of each."""
     came, gone = arriving(moves, durations), leaving(moves)
+    joined = {(s.target, s.arrives) for s in starts if isinstance(s, UnderWay)}
     staying: dict[Node, _Key] = {}
     last: dict[_Key, int] = {}
     counts = present(starts, moves, durations, horizon)
@@ -111,6 +123,7 @@ def _staying(
         alone = came.get((state, step), ())
         # the one move that left here a step ago is the one that arrives: all wait, nobody joins
         waits = len(alone) == 1 and gone.get((state, step - 1)) == alone
-        key = staying[state, step - 1] if waits else (step, False, state, "")
+        waits = waits and (state, step) not in joined
+        key = staying[state, step - 1] if waits else (step, False, state, "", 0)
         staying[state, step], last[key] = key, step
     return staying, last

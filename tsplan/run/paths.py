@@ -111,7 +111,9 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
             continue
         made = listed(setting, item, entered)
         if item.bounds is not None:
-            moves[mission.team[item.groups[0]].class_name] = made
+            begun = {start.place for start in setting.arrays.coming}
+            own = tuple(move for move in made if move.source not in begun)
+            moves[mission.team[item.groups[0]].class_name] = own
             if mission.size > MOST_AGENTS:
                 continue
         walked.update(_walked(setting, item, made, seed))
