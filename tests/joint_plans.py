@@ -16,7 +16,7 @@ import numpy as np
 
 from tsplan import Mission
 from tsplan.logic.evaluation import CountTrace, robustness
-from tsplan.mission import Agent
+from tsplan.mission import Agent, UnderWay
 
 MOST_JOINT_PLANS = 3000
 SENSE = {
@@ -41,6 +41,11 @@ class Path:
     travel: int
     cost: float
     makespan: int
+    begun: tuple[tuple[str, str, int, int], ...] = ()  # an edge that it is on from before step 0
+
+    @property
+    def ways(self) -> tuple[tuple[str, str, int, int], ...]:
+        return (*self.begun, *self.entered)
 
 
 @dataclass(frozen=True)
@@ -71,7 +76,7 @@ class JointPlan:
             "travel": lambda: sum(path.travel for path in self.paths),
             "cost": lambda: sum(path.cost for path in self.paths),
             "makespan": lambda: max(path.makespan for path in self.paths),
-            "agents": lambda: sum(path.travel > 0 for path in self.paths),
+            "agents": lambda: sum(path.travel > 0 or path.begun != () for path in self.paths),
             "splits": lambda: sum(item.splits for item in groups),
             "moves": lambda: sum(item.moves for item in groups),
             "balance": lambda: min(min(sizes) for item in groups for sizes in item.sizes),
@@ -94,14 +99,26 @@ def paths(mission: Mission, agent: Agent) -> list[Path]:
                 entered = (edge.source, edge.target, step, duration)
                 go(edge.target, step + duration, (*moves, entered))
 
-    go(agent.start, 0, ())
+    go(*began(agent), ())
     return [walked(mission, agent, moves) for moves in found]
+
+
+def began(agent: Agent) -> tuple[str, int]:
+    """Where an agent is first, and when."""
+    if isinstance(agent.start, UnderWay):
+        return agent.start.target, agent.start.arrives
+    return agent.start, 0
 
 
 def walked(mission: Mission, agent: Agent, moves: tuple[tuple[str, str, int, int], ...]) -> Path:
     states: list[str | None] = [None] * (mission.horizon + 1)
-    states[0] = agent.start
-    travel, cost, makespan = 0, 0.0, 0
+    state, first = began(agent)
+    if first <= mission.horizon:
+        states[first] = state
+    travel, cost, makespan, begun = 0, 0.0, 0, ()
+    if isinstance(agent.start, UnderWay):
+        begun = ((agent.start.origin, state, -1, first + 1),)
+        makespan = first if agent.start.origin != state else 0
     for source, target, step, duration in moves:
         if step + duration <= mission.horizon:
             states[step + duration] = target
@@ -110,7 +127,7 @@ def walked(mission: Mission, agent: Agent, moves: tuple[tuple[str, str, int, int
         if source != target:
             travel += duration
             makespan = max(makespan, step + duration)
-    return Path(tuple(states), moves, travel, cost, makespan)
+    return Path(tuple(states), moves, travel, cost, makespan, begun)
 
 
 def within_capacity(mission: Mission, joint: tuple[Path, ...]) -> bool:
@@ -122,7 +139,7 @@ def within_capacity(mission: Mission, joint: tuple[Path, ...]) -> bool:
     for capacity, pairs in mission.system.capacity_groups:
         load: Counter[int] = Counter()
         for path in joint:
-            for source, target, step, duration in path.entered:
+            for source, target, step, duration in path.ways:
                 if (source, target) in pairs:
                     load.update(range(step, min(step + duration, mission.horizon)))
         if any(count > capacity for count in load.values()):
@@ -139,8 +156,10 @@ def in_zone(mission: Mission, path: Path, zone: str, step: int) -> bool:
     system, here = mission.system, path.states[step]
     inside = here is not None and system.states[here].zone == zone
     return inside or any(
-        system.edges[source, target].zone == zone and begun <= step < begun + duration
-        for source, target, begun, duration in path.entered
+        (source, target) in system.edges
+        and system.edges[source, target].zone == zone
+        and begun <= step < begun + duration
+        for source, target, begun, duration in path.ways
     )
 
 
@@ -210,7 +229,7 @@ def groups(mission: Mission, joint: tuple[Path, ...]) -> Groups:
         there: Counter[object] = Counter()
         for path in joint:
             state = path.states[step]
-            inside = [e for e in path.entered if e[2] < step < e[2] + e[3]]
+            inside = [e for e in path.ways if e[2] < step < e[2] + e[3]]
             there[state if state is not None else inside[0]] += 1
         sizes.append(tuple(there.values()))
     entered = {edge for path in joint for edge in path.entered}

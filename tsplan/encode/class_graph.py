@@ -212,6 +212,8 @@ class ClassGraph:
 
     def waits(self, state: int, horizon: int) -> tuple[Ints, Ints] | None:
         """Edges and steps by which an agent waits at a state all the time; None if it cannot."""
+        if state in self.coming:
+            return None
         edges, steps, node, step = [], [], state, 0
         while step < horizon:
             stays = np.flatnonzero((self.tail == node) & self.still)

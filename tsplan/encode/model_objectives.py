@@ -34,7 +34,7 @@ from tsplan.encode.objective_kinds import (
 from tsplan.encode.own_constraints import resolve
 from tsplan.encode.performance_objective import Performance
 from tsplan.encode.priced_objectives import Cost, Energy, Risk, Travel
-from tsplan.encode.read_back import availability, last_arrival, moving
+from tsplan.encode.read_back import availability, begun_until, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
 from tsplan.logic import Execution, walk
 from tsplan.milp.model import Draft, Floats, Ints
@@ -133,12 +133,12 @@ class Makespan(LevelObjective):
     grouping = Grouping.PLACES
 
     def ideal(self, setting: Setting) -> float:
-        """Nobody moves."""
-        return 0.0
+        """Nobody moves but those who are under way."""
+        return float(begun_until(setting))
 
     def worth(self, setting: Setting, point: Point) -> float:
         """Told by the moves."""
-        return float(last_arrival(setting, point))
+        return float(max(begun_until(setting), last_arrival(setting, point)))
 
     def kept(self, setting: Setting, encoded: Encoded, value: float) -> Encoded:
         """Without the moves that end later."""
@@ -173,7 +173,8 @@ class GroupMoves(ModelObjective):
         """One for every edge that is no wait."""
         vector = np.zeros(encoded.model.size.columns)
         for swarm in encoded.swarms:
-            swarm.places.entered.price(vector, ~swarm.places.entered.graph.wait)
+            graph = swarm.places.entered.graph
+            swarm.places.entered.price(vector, ~graph.wait & ~graph.begun)
         return vector
 
 

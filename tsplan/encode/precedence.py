@@ -114,11 +114,11 @@ def _approach(first: Bound, network: Network) -> int:
     """Steps that somebody has to travel from the start to meet a demand."""
     able = [item.graph for item in network.having(first.capability)]
     states = np.array(first.states)
-    if sum(int(graph.start[states].sum()) for graph in able) >= first.amount:
+    if sum(int(graph.landed[states].sum()) for graph in able) >= first.amount:
         return 0
     ways = [network.horizon + 1.0]
     for graph in able:
-        away = np.setdiff1d(np.flatnonzero(graph.start), states)
+        away = np.setdiff1d(np.flatnonzero(graph.landed), states)
         if len(away):
             ways.append(graph.lengths.nearest(away)[states].min())
     return int(min(ways))

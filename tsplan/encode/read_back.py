@@ -248,6 +248,12 @@ def last_arrival(setting: Setting, point: Point) -> int:
     return last
 
 
+def begun_until(setting: Setting) -> int:
+    """Last step at which an agent arrives that starts under way, but by a wait; 0 without any."""
+    ways = setting.arrays.coming
+    return max((way.arrives for way in ways if way.origin != way.target), default=0)
+
+
 def moving(setting: Setting, point: Point) -> int:
     """Agents that ever move: all but those that can wait at their start to the end."""
     staying = 0

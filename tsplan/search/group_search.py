@@ -92,7 +92,8 @@ class GroupSearch:
         return bound
 
     def _keep(self, question: Question, values: Floats) -> None:
-        self.hear(question, self._point(values), None)
+        """Hear of a point of a model that may have more columns, of what is kept."""
+        self.hear(question, self._point(values[: self.encoded.model.size.columns]), None)
 
     def _guided(self, question: Question) -> float:
         """A bound on the number of splits; plans that are found on the way are kept."""
