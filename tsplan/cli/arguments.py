@@ -97,6 +97,8 @@ def _plan(commands: Commands) -> None:
         metavar="IDEA",
         help="switch an idea of the tight encoding off, to find a culprit; may be repeated",
     )
+    old = "begin the search with the paths of this plan, of the mission or of one like it (JSON)"
+    add("--start", type=Path, metavar="PLAN", help=old)
     each = "a path for every agent of a swarm, and an entry for every agent, however many"
     add("--agents", action="store_true", help=each)
     add("-o", "--output", type=Path, metavar="FILE", help="write the plan as JSON")

@@ -6,14 +6,15 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, cast
 
 from tsplan.checking.assignment import assign
+from tsplan.checking.fitting import refuse_pathless
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import mission_to_solve
+from tsplan.cli.inputs import mission_to_solve, refuse_place
 from tsplan.cli.output import attempted, console, remark, say_json
 from tsplan.cli.progress import Progress
 from tsplan.errors import SolverError
 from tsplan.plans.outcomes import FOUND, Status
 from tsplan.plans.plan import Plan
-from tsplan.plans.plan_file import EachAgent, Written, save_plan
+from tsplan.plans.plan_file import EachAgent, Written, load_plan, save_plan
 from tsplan.process.child_process import may_have_children
 from tsplan.process.interrupt import Requests
 from tsplan.run.isolate import Planning
@@ -39,7 +40,7 @@ def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
     mission, choice, loaded = mission_to_solve(options, "the plan")
     order = order_for(mission, choice, options.encoding, tuple(options.without))
-    order = replace(order, anytime=options.anytime, log=options.log_solver)
+    order = replace(order, anytime=options.anytime, log=options.log_solver, start=_start(options))
     requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
         if not (may_have_children() or options.quiet):
@@ -56,6 +57,16 @@ def run(options: argparse.Namespace) -> Exit:
     if unwritten is not None:
         raise unwritten
     return _CODES[plan.status]
+
+
+def _start(options: argparse.Namespace) -> Plan | None:
+    """The plan that the search is to begin with."""
+    if options.start is None:
+        return None
+    refuse_place(options.output, "the plan", [options.start])
+    plan = load_plan(options.start)
+    refuse_pathless(plan, str(options.start))
+    return plan
 
 
 def _written(plan: Result, options: argparse.Namespace) -> Written:

@@ -45,7 +45,8 @@ class Order:
     """What is asked of a planner: the function `planner` of a module, which makes a `kind`.
 
     With `anytime` it goes on until nothing is left to prove or time is up, else it ends with the
-    first plan. With `log` the audience is told what the solver says, too.
+    first plan. With `log` the audience is told what the solver says, too. The
+    search for the plan of a team begins with the paths of a plan to `start` with.
     """
 
     mission: Any
@@ -56,6 +57,7 @@ class Order:
     kind: type[Any] = Plan
     anytime: bool = True
     log: bool = False
+    start: Plan | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,6 +152,7 @@ def _job(order: Order, send: Callable[[object], object]) -> Any:
     """The child's part."""
     module, name = order.planner  # it loads the solver, in the child alone
     mission, choice = order.mission, order.choice
+    start = {} if order.start is None else {"start": order.start}
     many = mission.pieces * mission.horizon > _MANY
     return getattr(import_module(module), name)(
         mission,
@@ -162,6 +165,7 @@ def _job(order: Order, send: Callable[[object], object]) -> Any:
         without=order.without,
         on_event=Forward(send, 0.0 if many else _SHARE, anytime=order.anytime),
         on_log=(lambda text: send(_Said(text))) if order.log else None,
+        **start,
     )
 
 

@@ -21,6 +21,7 @@ def plan(
     seed: int | None = None,
     encoding: str = "tight",
     without: tuple[str, ...] = (),
+    start: Plan | None = None,
     on_event: Listener | None = None,
     on_log: Hear | None = None,
 ) -> Plan:
@@ -29,8 +30,9 @@ def plan(
     `time_limit` is in seconds, `gap` relative; what is None comes from the mission. `on_event` is
     called with every `Event`; when it returns True the search stops and the best plan is kept.
     Ctrl-C does the same. What `on_event` raises ends the search and is raised here. `on_log` hears
-    what the solver says. `without` names methods of the tight encoding to switch off. The plan of a
-    swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
+    what the solver says. `without` names methods of the tight encoding to switch off. The search
+    begins with the paths of a plan to `start` with, see `Problem.start_from`. The plan of a swarm
+    mission has its moves and sub-swarms, and the agents' paths too if there are at most
     1,000; `assign` makes them for more.
 
     Raises MissionError for unknown names, InputError for numbers out of range,
@@ -40,4 +42,7 @@ def plan(
     choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Problem) else Problem(mission, tuning)
+    if start is not None:
+        problem = problem.tuned(problem.tuning)
+        problem.start_from(start)
     return MissionRun(problem, choice, on_event, on_log).result().with_mission(problem.mission)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
+from tsplan.checking.fitting import refuse_pathless
 from tsplan.clock import Clock
 from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
@@ -23,6 +24,8 @@ from tsplan.milp.model import Model
 from tsplan.milp.request import TOLERANCE
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
+from tsplan.routing.planned_ways import Planned, planned_ways, walks_along
+from tsplan.routing.walks import point_of
 from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
 from tsplan.run.point_reading import plan_at
@@ -95,6 +98,7 @@ class Problem:
         self._constraints: list[Constraint] = []
         self._objective = Expression()
         self._maximised = False
+        self._start: Plan | None = None
         self._setting: Setting | None = None
 
     def tuned(self, tuning: Tuning) -> Problem:
@@ -104,8 +108,18 @@ class Problem:
             _constraints=[*self._constraints],
             _objective=self._objective,
             _maximised=self._maximised,
+            _start=self._start,
         )
         return other
+
+    def start_from(self, plan: Plan) -> None:
+        """Begin the search with the paths of a plan, of this mission or of one like it.
+
+        Where they are a plan of this problem one is known at once; else they are of no use, and of
+        no harm. Agents are told by their ids. Raises PlanError for a plan without paths.
+        """
+        refuse_pathless(plan)
+        self._start = plan
 
     def count(self, place: str, capability: str | None = None, *, step: int) -> Expression:
         """Agents with a capability (None: all) at a state, or at a label's states, at a step.
@@ -269,7 +283,18 @@ class Problem:
         objectives = (*own, *objectives_of(self.mission))
         tight, soft = self.tuning.encoding == "tight", is_soft(self.mission)
         effort = replace(effort, switches=setting.switches)
+        ways = [] if self._start is None else planned_ways(setting, self._start)
         if tight and not soft and not own and relaxable(setting):
-            return CapacityRelaxation(setting, objectives, effort, clock, tell).run()
-        stages = Stages(setting, objectives, effort, clock, tell, tight=tight)
+            known = self._known_point(setting, ways) if ways else None
+            return CapacityRelaxation(setting, objectives, effort, clock, tell, known).run()
+        stages = Stages(setting, objectives, effort, clock, tell, tight=tight, planned=ways)
         return plan_soft(stages) if soft else stages.run()
+
+    def _known_point(self, setting: Setting, ways: Sequence[Planned]) -> Point | None:
+        """The point in which all go these ways, if that is a plan."""
+        point = point_of(setting, walks_along(ways), 0)
+        try:
+            plan_at(setting, point, None)
+        except SolverError:  # the check refuses it
+            return None
+        return point

@@ -75,13 +75,17 @@ def _columns(setting: Setting) -> int:
 
 @dataclass(eq=False)
 class CapacityRelaxation:
-    """Runs the objectives of a problem whose map has capacities; `setting` has all of them."""
+    """Runs the objectives of a problem whose map has capacities; `setting` has all of them.
+
+    `known` is a plan that is known.
+    """
 
     setting: Setting
     objectives: tuple[StageObjective, ...]
     effort: Effort
     clock: Clock
     tell: Tell[Point]
+    known: Point | None = None
     _best: Point | None = field(default=None, init=False)
     _learnt: LearntBounds = field(init=False)
     _bounded: bool = field(default=False, init=False)
@@ -98,6 +102,8 @@ class CapacityRelaxation:
     def run(self) -> Outcome[Point]:
         """All objectives until they are settled or the time is up."""
         held = Enforced()
+        if self.known is not None:
+            self._take(self.known)
         try:
             while True:
                 outcome = self._last = self._relaxed(held)

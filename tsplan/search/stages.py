@@ -7,6 +7,7 @@ level. The moves of every point are what its values are told by.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -22,6 +23,7 @@ from tsplan.encode.priced_objectives import Travel
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
 from tsplan.milp.target import CLOSED
+from tsplan.routing.planned_ways import Planned, planned_flows
 from tsplan.search.chained_witnesses import chain_model, first_flows
 from tsplan.search.effort import Effort
 from tsplan.search.group_search import GroupSearch
@@ -44,7 +46,9 @@ _HOPE_SECONDS = 5.0  # for a plan of the best availability that single demands a
 
 @dataclass(eq=False)
 class Stages(Lexicographic[Point, StageObjective]):
-    """Runs the objectives of a problem in order; `known` are the flows of a plan that is known.
+    """Runs the objectives of a problem in order.
+
+    `known` are the flows of a plan that is known, and `planned` the ways of one that may be.
 
     Plans that lose something of what is `kept` from the beginning are not looked for.
     """
@@ -56,6 +60,7 @@ class Stages(Lexicographic[Point, StageObjective]):
     tell: Tell[Point]
     tight: bool = True
     known: Floats | None = None
+    planned: Sequence[Planned] = ()
     kept: Kept = NOTHING_KEPT
     _made: Encoded | None = field(default=None, init=False)
 
@@ -208,6 +213,10 @@ class Stages(Lexicographic[Point, StageObjective]):
             search.scout, search.rescue = (chained, None) if self.point is None else (None, chained)
         if self.known is not None and self.point is None:
             search.scout = lambda: self.known
+        if self.planned and self.point is None:
+            flows = planned_flows(encoded, self.planned, tight=self.tight)
+            if flows is not None:
+                search.adopt(flows)
         start = None if question.first else start_in(encoded, self.point)
         if self._large(whole):
             self._begin(search, question, encoded, clock)

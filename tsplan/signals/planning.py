@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict, Unpack, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
+from tsplan.errors import Finding, InputError
 from tsplan.mission import Mission
 from tsplan.run.planner import plan as plan_team
 from tsplan.run.problem import Problem
@@ -31,6 +32,7 @@ class Options(TypedDict, total=False):
     seed: int | None
     encoding: str
     without: tuple[str, ...]
+    start: Plan | None
     on_event: Listener | None
     on_log: Hear | None
 
@@ -70,9 +72,10 @@ def plan(
     it returns True the search stops and the best plan is kept. Ctrl-C does the same. What
     `on_event` raises ends the search and is raised here. `on_log` hears what the solver says of
     each integer program, so `on_log=print` shows it. `encoding` is `tight` or `reference`;
-    `without` names methods of the tight one to switch off. The plan of a swarm mission has its
-    moves and sub-swarms, and the agents' paths too if there are at most 1,000; `assign` makes them
-    for more.
+    `without` names methods of the tight one to switch off. The search for the plan of a team
+    begins with the paths of a plan to `start` with, of this mission or of one like it. The plan of
+    a swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
+    1,000; `assign` makes them for more.
 
     Raises MissionError for a file with mistakes and for unknown names, InputError for numbers out
     of range, SolverUnavailableError for a solver that cannot be used, and SolverError when a solver
@@ -95,5 +98,9 @@ def _planned(
     mission: Mission | Problem | SignalMission | Synthesis, options: Options
 ) -> Plan | Trajectory:
     if isinstance(mission, SignalMission | Synthesis):
-        return synthesise_mission(mission, **options)
+        given: dict[str, Any] = {**options}
+        if given.pop("start", None) is not None:
+            what = "a plan to start with is one of a team, and this mission is over signals"
+            raise InputError([Finding(what, "leave 'start' out")])
+        return synthesise_mission(mission, **given)
     return plan_team(mission, **options)
