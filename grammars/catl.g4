@@ -3,7 +3,7 @@ grammar catl;
 
 import mtl;
 
-atom : count | task | limit | name ;
+atom : count | known | task | limit | name ;
 
 task : TASK '(' number ',' name ',' pairs (',' pairs)? ')' ;
 
@@ -13,7 +13,7 @@ pairs : '{' (pair (',' pair)*)? '}' ;
 
 pair : '(' name ',' number ')' ;
 
-reserved : word | SUM | MIN | MAX | TASK | LIMIT ;
+reserved : word | SUM | MIN | MAX | KNOWN | TASK | LIMIT ;
 
 TASK  : 'T' ;
 LIMIT : 'L' ;

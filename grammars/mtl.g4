@@ -1,4 +1,4 @@
-// Metric temporal logic over counts of agents: sum(A,c) >= 2, min(A) > 0, A.
+// Metric temporal logic over counts of agents: sum(A,c) >= 2, min(A) > 0, A, known(-1).
 grammar mtl;
 
 import common;
@@ -15,12 +15,15 @@ operand
 
 number : '-'? NUMBER '%'? ;
 
-atom : count | name ;
+atom : count | known | name ;
 
 count : (SUM | MIN | MAX) '(' name (',' name)? ')' ;
 
-reserved : word | SUM | MIN | MAX ;
+known : KNOWN '(' number ')' ;
 
-SUM : 'sum' ;
-MIN : 'min' ;
-MAX : 'max' ;
+reserved : word | SUM | MIN | MAX | KNOWN ;
+
+SUM   : 'sum' ;
+MIN   : 'min' ;
+MAX   : 'max' ;
+KNOWN : 'known' ;

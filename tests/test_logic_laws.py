@@ -18,6 +18,7 @@ from tsplan.logic import (
     Eventually,
     Iff,
     Implies,
+    Known,
     Limit,
     Linear,
     Not,
@@ -96,6 +97,8 @@ class Textbook:
                 found = self.constant(node.value)
             case Count() | Linear():
                 found = self.compared(node.relation, self.measured(node, time), node.bound)
+            case Known():
+                found = self.compared(">=", 0, -node.margin)
             case Not():
                 found = denied[0]
             case Whole():
@@ -198,7 +201,7 @@ def test_the_normal_form_keeps_truth_and_robustness(case):
     normal = positive(translate(formula))
     assert np.array_equal(robustness(normal, trace), robustness(formula, trace))
     assert np.array_equal(holds(normal, trace), holds(formula, trace))
-    allowed = (And, Or, Always, Eventually, Until, Release, Constant, Count, Linear)
+    allowed = (And, Or, Always, Eventually, Until, Release, Constant, Count, Known, Linear)
     for node in logic.walk(normal):
         assert isinstance(node, allowed)
         if isinstance(node, Count):

@@ -44,6 +44,7 @@ EXAMPLES = {
     logic.Release: (A.release(B, 0, 2), "mtl"),
     logic.Count: (logic.Count("min", "a", "c", "<", logic.Percent(Fraction(25, 2))), "mtl"),
     logic.Linear: (logic.linear({"x": 2, "y": -0.5}, "!=", -3), "stl"),
+    logic.Known: (logic.Known(-3), "mtl"),
     logic.Task: (logic.Task(2, "a", (("c", 1),), (("water", 2.5),)), "catl"),
     logic.Limit: (logic.limit("a", {"c": 0}), "catl"),
 }
@@ -86,6 +87,7 @@ SAMPLES = {
     logic.Until: Sample("a U[1,3] b", "a U[1,2] b", LATER),
     logic.Release: Sample("b R[0,4] a", "b R[0,4] (sum(a) >= 3)", NEED),
     logic.Count: Sample("F[0,9] sum(b,c) >= 2", "F[0,9] sum(b,c) >= 3", NEED),
+    logic.Known: Sample("known(0) && F[0,3] b", "known(-1)"),
     logic.Task: Sample("F[0,4] T(2, b, {(c, 2)})", "F[0,4] T(2, b, {(c, 3)})", NEED, "catl"),
     logic.Limit: Sample(
         "G[1,4] L(a, {(c, 1)})", "G[0,1] L(a, {(c, 1)})", frozenset({"loosen_limit"}), "catl"
@@ -94,8 +96,8 @@ SAMPLES = {
 # what operations of some modules do not know: atoms are left to the encoders of their classes, and
 # a release is rewritten for fractions
 LEFT = {
-    "reference": {logic.Count},
-    "witness": {logic.Count},
+    "reference": {logic.Count, logic.Known},
+    "witness": {logic.Count, logic.Known},
     "fraction_terms": {logic.Release},
 }
 # what tables do not hold: steps are told of operators that look ahead, and signs stand between two
@@ -249,6 +251,7 @@ def test_the_operations_are_found():
         "evaluation",
         "fraction",
         "normal_form",
+        "progression",
         "simplification",
         "symbols",
         "text",

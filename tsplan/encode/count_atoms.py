@@ -17,7 +17,7 @@ from tsplan.encode.atom_encoders import AtomEncoder, Atoms, Bound, Requirement, 
 from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.executions import ExecutionEncoder
 from tsplan.encode.flow_network import Network
-from tsplan.logic import Count, Execution, Formula, walk
+from tsplan.logic import Count, Execution, Formula, Known, walk
 from tsplan.milp.model import Bools, Floats
 from tsplan.mission import Resource
 from tsplan.ts import TransitionSystem
@@ -77,8 +77,45 @@ class CountEncoder:
         return Slack(columns, 1.0, low, low, low + self.network.agents(bound.capability))
 
 
+@dataclass(frozen=True, eq=False)
+class KnownEncoder:
+    """Reads what is known of the past by its margin, of which `level` is wanted.
+
+    It is as a bound on the agents at no state at all, of which there are none.
+    """
+
+    network: Network
+    system: TransitionSystem
+    arrays: MapArrays
+    level: int = 0
+    later: int = 0
+
+    @property
+    def grain(self) -> float:
+        """Margins are whole, but what is compared with them may be an expected number."""
+        return 0.0 if self.network.expected else 1.0
+
+    def requirement(self, atom: Known) -> Requirement:
+        """The bound an atom means."""
+        return Requirement((Bound((), None, False, self.level - atom.margin),), every=True)
+
+    def best(self, bound: Bound) -> Floats:
+        """What is known to fail cannot hold, whatever may be hoped for of the rest."""
+        margin = -float(bound.amount)
+        return np.full(self.network.horizon + 1, margin if margin >= 0 else -np.inf)
+
+    def worst(self, bound: Bound) -> Floats | None:
+        """The same; where the availability is a column it must not be more than this."""
+        return None if self.network.expected else self.best(bound)
+
+    def slack(self, bound: Bound, _step: int) -> Slack:
+        """The margin, without any column."""
+        margin = -float(bound.amount)
+        return Slack(np.empty(0, dtype=np.int64), 1.0, margin, margin, margin)
+
+
 ENCODERS: Mapping[type[Formula], Callable[..., AtomEncoder]] = MappingProxyType(
-    {Count: CountEncoder}
+    {Count: CountEncoder, Known: KnownEncoder}
 )
 """The encoder of every class of atoms."""
 

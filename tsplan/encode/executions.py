@@ -16,7 +16,7 @@ from tsplan.encode.agent_classes import MapArrays
 from tsplan.encode.atom_encoders import Executed, Requirement, Slack
 from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.flow_network import Network
-from tsplan.logic import Count, Execution, Formula, walk
+from tsplan.logic import Count, Execution, Formula, Known, walk
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission import Resource
 from tsplan.mission.resources import compartment
@@ -103,7 +103,9 @@ class ExecutionEncoder:
 def beyond(goal: Formula, agents: int) -> int:
     """More than any availability of a formula that is a number."""
     bounds = (node.bound for node in walk(goal) if isinstance(node, Count))
-    return agents + 1 + max((bound for bound in bounds if isinstance(bound, int)), default=0)
+    known = (abs(node.margin) for node in walk(goal) if isinstance(node, Known))
+    numbers = (*(bound for bound in bounds if isinstance(bound, int)), *known)
+    return agents + 1 + max(numbers, default=0)
 
 
 def execution_columns(spans: Mapping[Executed, tuple[int, int]], draft: Draft) -> Executions:

@@ -32,6 +32,7 @@ from tsplan.logic import (
     Eventually,
     Execution,
     Formula,
+    Known,
     Or,
     Release,
     Until,
@@ -66,7 +67,7 @@ def _(node: Count | Execution) -> Needed:
 
 
 @needed.register
-def _(_node: Constant | Release) -> Needed:
+def _(_node: Constant | Known | Release) -> Needed:
     return {}  # what is released need not hold for long, and nothing is said of it
 
 

@@ -14,6 +14,7 @@ from tsplan.logic.atoms import (
     Count,
     Execution,
     Function,
+    Known,
     Limit,
     Linear,
     Percent,
@@ -61,6 +62,7 @@ from tsplan.logic.traversal import fold, substitute, walk, walk_all
 
 if TYPE_CHECKING:
     from tsplan.logic.evaluation import CountTrace, SignalTrace, holds, robustness
+    from tsplan.logic.progression import progress
 
 __all__ = [
     "FALSE",
@@ -77,6 +79,7 @@ __all__ = [
     "Function",
     "Iff",
     "Implies",
+    "Known",
     "Language",
     "Limit",
     "Linear",
@@ -114,6 +117,7 @@ __all__ = [
     "parse",
     "parse_with_places",
     "positive",
+    "progress",
     "resolve_percent",
     "robustness",
     "simplify",
@@ -128,5 +132,9 @@ __all__ = [
 
 # they need NumPy
 __getattr__, __dir__ = lazily(
-    __name__, {"logic.evaluation": ("CountTrace", "SignalTrace", "holds", "robustness")}
+    __name__,
+    {
+        "logic.evaluation": ("CountTrace", "SignalTrace", "holds", "robustness"),
+        "logic.progression": ("progress",),
+    },
 )

@@ -138,6 +138,23 @@ class Linear(Formula):
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
+class Known(Formula):
+    """What is known to hold, or to fail, by a margin: how counts turned out that are past.
+
+    Its availability is `margin`, a whole number of agents, and it holds where that is not negative.
+    What is known of signals is a `Linear` without terms.
+
+    >>> print(Known(2), Known(-1))
+    known(2) known(-1)
+    """
+
+    margin: int
+
+    def __post_init__(self) -> None:
+        _whole(self.margin)
+
+
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Task(Formula):
     """Every state with the label is staffed, for each need (capability, m), by m agents or more.
 

@@ -10,7 +10,7 @@ from math import ceil, floor
 from typing import Literal, TypeAlias
 
 from tsplan.errors import Finding, FormulaError
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Percent, Relation, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Percent, Relation, Task
 from tsplan.logic.nodes import (
     FALSE,
     TRUE,
@@ -87,7 +87,16 @@ def counted(
 
 @counted.register
 def _(
-    node: Constant | Count | Linear | Execution | Not | Whole | Several | Pair | Window | Switch,
+    node: Constant | Count | Linear | Known | Execution,
+    _below: tuple[Formula, ...],
+    _interval: TaskInterval,
+) -> Formula:
+    return node
+
+
+@counted.register
+def _(
+    node: Not | Whole | Several | Pair | Window | Switch,
     below: tuple[Formula, ...],
     _interval: TaskInterval,
 ) -> Formula:

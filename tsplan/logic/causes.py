@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Task
 from tsplan.logic.nodes import Formula
 from tsplan.logic.time_horizon import Span
 
@@ -68,7 +68,7 @@ def cause(node: Formula, _judged: Judged) -> Cause:
 
 
 @cause.register
-def _(_node: nodes.Constant | Count | Linear | Execution, _judged: Judged) -> Cause:
+def _(_node: nodes.Constant | Count | Linear | Known | Execution, _judged: Judged) -> Cause:
     return Cause(())
 
 

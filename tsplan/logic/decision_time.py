@@ -47,6 +47,7 @@ def earliness(formula: Formula, trace: Trace) -> Mapping[Formula, Floats]:
         false=_negated(known),
         compare={sign: partial(_read, test, certain) for sign, test in TRUTH.items()},
         negate=_negated,
+        measures=False,
     )
     return values_of(formula, reading)
 

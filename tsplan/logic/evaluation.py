@@ -22,7 +22,7 @@ import numpy as np
 
 from tsplan.errors import nearest
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Percent, Relation, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Percent, Relation, Task
 from tsplan.logic.catl import translate
 from tsplan.logic.connectives import EXTREMES, Connectives, Means, Scaled
 from tsplan.logic.nodes import Formula
@@ -46,7 +46,8 @@ Compare = Callable[[Values, float], Values]
 class Reading:
     """What the values of a formula are: its constants and atoms, and how operators join them.
 
-    `scale` turns the margins of predicates over signals into their values.
+    `scale` turns the margins of predicates over signals into their values. `measures` says that
+    values are margins, so that what is known by one has that and not only its truth.
     """
 
     trace: Trace
@@ -56,6 +57,7 @@ class Reading:
     negate: Callable[[Values], Values]
     connectives: Connectives = EXTREMES
     scale: Callable[[Linear, Values], Values] = lambda _, margins: margins
+    measures: bool = True
 
 
 def robustness(
@@ -138,9 +140,22 @@ def _margin_reading(formula: Formula, trace: Trace, kind: Kind, bounds: Bounds |
         whole = np.ones(trace.steps)
         return Reading(trace, whole, -whole, compare, np.negative, Means(), scale)
     if kind == "traditional":
-        negate = _negated_count if counted else np.negative
-        return Reading(trace, true, -true, compare, negate)
+        return margin_reading(trace)
     return Reading(trace, true, -true, compare, _refused if counted else np.negative, Scaled(kind))
+
+
+def margin_reading(trace: Trace) -> Reading:
+    """Values are margins: traditional robustness."""
+    true = np.full(trace.steps, np.inf)
+    if isinstance(trace, CountTrace):
+        return Reading(trace, true, -true, _COUNT_MARGINS, _negated_count)
+    return Reading(trace, true, -true, _SIGNAL_MARGINS, np.negative)
+
+
+def truth_reading(trace: Trace) -> Reading:
+    """Values are truths: Booleans."""
+    true, false = np.ones(trace.steps, dtype=np.bool_), np.zeros(trace.steps, dtype=np.bool_)
+    return Reading(trace, true, false, TRUTH, np.logical_not, measures=False)
 
 
 def _refused(_values: Values) -> Values:
@@ -166,9 +181,7 @@ def holds(formula: Formula, trace: Trace) -> Values:
     >>> holds(parse("F[0,1] x >= 3", language="stl"), trace).tolist()
     [True, True, False]
     """
-    steps = trace.steps
-    true, false = np.ones(steps, dtype=np.bool_), np.zeros(steps, dtype=np.bool_)
-    return _judged(formula, Reading(trace, true, false, TRUTH, np.logical_not))
+    return _judged(formula, truth_reading(trace))
 
 
 def _judged(formula: Formula, reading: Reading) -> Values:
@@ -297,6 +310,15 @@ def _(node: Count, _below: tuple[Values, ...], reading: Reading) -> Values:
         return np.asarray(np.minimum(*sides))
     sides = reading.compare[">"](least, bound), reading.compare["<"](most, bound)
     return np.asarray(np.maximum(*sides))  # one of them
+
+
+@value.register
+def _(node: Known, _below: tuple[Values, ...], reading: Reading) -> Values:
+    if not isinstance(reading.trace, CountTrace):
+        raise ValueError(f"'{node}' is about agents, but the trace holds signals")  # noqa: TRY004  (the trace is the value)
+    if reading.measures:
+        return np.full(reading.trace.steps, float(node.margin))
+    return reading.true if node.margin >= 0 else reading.false
 
 
 @value.register

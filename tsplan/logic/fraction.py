@@ -28,7 +28,7 @@ from typing import NamedTuple, TypeAlias
 
 from tsplan.exact import exact
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Task
 from tsplan.logic.catl import TaskInterval, translate
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.nodes import Formula, disjunction
@@ -177,7 +177,7 @@ def is_even(node: Formula) -> bool:
 def _atom(node: Formula, trace: Trace) -> Shares:
     if isinstance(node, nodes.Constant):
         return (WHOLE if node.value else NOTHING,) * trace.steps
-    if not isinstance(node, Count | Linear | Execution):
+    if not isinstance(node, Count | Linear | Known | Execution):
         return share(node, (), False)
     held, spare = holds(node, trace).tolist(), robustness(node, trace).tolist()
     return tuple(
@@ -193,7 +193,9 @@ def share(node: Formula, _below: tuple[Shares, ...], _weighted: bool) -> Shares:
 
 @share.register
 def _(
-    node: nodes.Constant | Count | Linear | Execution, _below: tuple[Shares, ...], _weighted: bool
+    node: nodes.Constant | Count | Linear | Known | Execution,
+    _below: tuple[Shares, ...],
+    _weighted: bool,
 ) -> Shares:
     raise ValueError(f"'{node}' is judged on a trace")
 

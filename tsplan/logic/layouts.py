@@ -7,7 +7,7 @@ from itertools import islice
 from types import MappingProxyType
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Task
 from tsplan.logic.nodes import Formula
 from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted, sum_text
 from tsplan.logic.weight_values import Weights
@@ -82,6 +82,11 @@ def _(node: Count) -> Layout:
 @layout.register
 def _(node: Linear) -> Layout:
     return _comparison(sum_text(node.terms), node.relation, number_text(node.bound))
+
+
+@layout.register
+def _(node: Known) -> Layout:
+    return _atom(f"known({node.margin})")
 
 
 @layout.register

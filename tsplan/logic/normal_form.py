@@ -7,7 +7,17 @@ from functools import singledispatch
 from typing import NamedTuple
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import OPPOSITE, Count, Execution, Limit, Linear, Percent, Relation, Task
+from tsplan.logic.atoms import (
+    OPPOSITE,
+    Count,
+    Execution,
+    Known,
+    Limit,
+    Linear,
+    Percent,
+    Relation,
+    Task,
+)
 from tsplan.logic.nodes import DUAL, FALSE, TRUE, Formula
 from tsplan.logic.traversal import fold
 
@@ -118,6 +128,11 @@ def _(_node: nodes.Iff, below: tuple[Polarity, ...]) -> Polarity:
 def _(node: Count | Linear, _below: tuple[Polarity, ...]) -> Polarity:
     opposite = replace(node, relation=OPPOSITE[node.relation])
     return Polarity(_ordered(node), _ordered(opposite))
+
+
+@normal.register
+def _(node: Known, _below: tuple[Polarity, ...]) -> Polarity:
+    return Polarity(node, Known(-node.margin - 1))
 
 
 @normal.register

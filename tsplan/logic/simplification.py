@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from functools import singledispatch
 from typing import TypeAlias
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
+from tsplan.logic.atoms import OPPOSITE, Count, Execution, Known, Limit, Linear, Task
 from tsplan.logic.nodes import FALSE, TRUE, Formula
+from tsplan.logic.settled import settled
 from tsplan.logic.traversal import fold
 
 Below: TypeAlias = "tuple[Formula, ...]"
@@ -36,7 +38,9 @@ def simpler(node: Formula, _below: Below) -> Formula:
 
 
 @simpler.register
-def _(node: nodes.Constant | Count | Linear | Execution | Task | Limit, _below: Below) -> Formula:
+def _(
+    node: nodes.Constant | Count | Linear | Known | Execution | Task | Limit, _below: Below
+) -> Formula:
     return node
 
 
@@ -51,21 +55,21 @@ def _(node: nodes.Whole, below: Below) -> Formula:
     (child,) = below
     return (
         child
-        if isinstance(child, nodes.Constant | Count | Linear | nodes.Whole)
+        if isinstance(child, nodes.Constant | Count | Linear | Known | nodes.Whole)
         else node.over(below)
     )
 
 
 @simpler.register
 def _(node: nodes.And | nodes.Or, below: Below) -> Formula:
-    return node.over(below) if node.weights else _joined(type(node), below)
+    return node.over(below) if node.weights else joined(type(node), below)
 
 
 @simpler.register
 def _(node: nodes.Implies, below: Below) -> Formula:
     left, right = below
-    if isinstance(left, nodes.Constant) or isinstance(right, nodes.Constant):
-        return _joined(nodes.Or, (_negated(left), right))
+    if settled(left) or settled(right):
+        return joined(nodes.Or, (_negated(left), right))
     return node.over(below)
 
 
@@ -76,6 +80,9 @@ def _(node: nodes.Iff, below: Below) -> Formula:
         return right if left is TRUE else _negated(right)
     if isinstance(right, nodes.Constant):
         return left if right is TRUE else _negated(left)
+    if settled(left) and settled(right):
+        neither = joined(nodes.And, map(_negated, below))
+        return joined(nodes.Or, (joined(nodes.And, below), neither))
     return node.over(below)
 
 
@@ -102,24 +109,37 @@ def _(node: nodes.Until | nodes.Release, below: Below) -> Formula:
         return _window(some, low, high, right)
     if left is false:
         return false if low else right
-    if right is true:
-        return _window(every, 0, low - 1, left) if low else true
+    if settled(right):
+        before = _window(every, 0, low - 1, left) if low else true
+        return joined(nodes.And if until else nodes.Or, (right, before))
     return node.over(below)
+
+
+def joined(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Formula:
+    """Simplified parts under `and` without TRUE, or FALSE if one is; under `or` the other way.
+
+    Of those whose margins are known, only the one that decides the others.
+    """
+    idle, decisive = (TRUE, FALSE) if kind is nodes.And else (FALSE, TRUE)
+    each = tuple(_flat(kind, parts))
+    known = {part: margin for part in each if (margin := settled(part))}
+    if known:
+        decided = (min if kind is nodes.And else max)(known, key=known.__getitem__)
+        each = tuple(part for part in each if part is decided or part not in known)
+    kept = tuple(part for part in each if part is not idle)
+    if decisive in kept or len(kept) < 2:  # noqa: PLR2004  (a single part is itself)
+        return decisive if decisive in kept else (*kept, idle)[0]
+    return kind(kept)
 
 
 def _negated(formula: Formula) -> Formula:
     if isinstance(formula, nodes.Constant):
         return FALSE if formula is TRUE else TRUE
+    if isinstance(formula, Known):
+        return Known(-formula.margin - 1)
+    if isinstance(formula, Linear) and not formula.terms:
+        return replace(formula, relation=OPPOSITE[formula.relation])
     return formula.child if isinstance(formula, nodes.Not) else nodes.Not(formula)
-
-
-def _joined(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Formula:
-    """Parts under `and` without TRUE, or FALSE if one is; under `or` the other way round."""
-    idle, decisive = (TRUE, FALSE) if kind is nodes.And else (FALSE, TRUE)
-    kept = tuple(part for part in _flat(kind, parts) if part is not idle)
-    if decisive in kept or len(kept) < 2:  # noqa: PLR2004  (a single part is itself)
-        return decisive if decisive in kept else (*kept, idle)[0]
-    return kind(kept)
 
 
 def _flat(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Iterator[Formula]:
@@ -133,8 +153,8 @@ def _flat(kind: type[nodes.And | nodes.Or], parts: Iterable[Formula]) -> Iterato
 def _window(
     kind: type[nodes.Eventually | nodes.Always], low: int, high: int, child: Formula
 ) -> Formula:
-    """A window over a constant is the constant; a window over a like window is one window."""
-    if isinstance(child, nodes.Constant) or high == 0:
+    """A window over what is known is that; a window over a like window is one window."""
+    if settled(child) or high == 0:
         return child
     if isinstance(child, kind) and not child.weights:
         return kind(low + child.low, high + child.high, child.child)

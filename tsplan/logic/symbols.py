@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import NamedTuple
 
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Task
 from tsplan.logic.nodes import Constant, Formula, Not, Pair, Several, Switch, Whole, Window
 from tsplan.logic.traversal import walk
 
@@ -45,7 +45,7 @@ def names(node: Formula) -> Names:
 
 
 @names.register
-def _(_node: Constant | Not | Whole | Several | Pair | Window | Switch) -> Names:
+def _(_node: Constant | Known | Not | Whole | Several | Pair | Window | Switch) -> Names:
     return Names()
 
 

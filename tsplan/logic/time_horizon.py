@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import TypeAlias
 
-from tsplan.logic.atoms import Count, Execution, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Task
 from tsplan.logic.nodes import Constant, Formula, Not, Pair, Several, Switch, Whole, Window
 from tsplan.logic.traversal import fold
 
@@ -44,8 +44,13 @@ def lookahead(node: Formula) -> tuple[Span, ...]:
 
 @lookahead.register
 def _(
-    node: Constant | Count | Linear | Execution | Task | Limit | Not | Whole | Several | Pair,
+    node: Constant | Count | Linear | Known | Execution | Task | Limit,
 ) -> tuple[Span, ...]:
+    return ()
+
+
+@lookahead.register
+def _(node: Not | Whole | Several | Pair) -> tuple[Span, ...]:
     return ((0, 0),) * len(node.children)
 
 

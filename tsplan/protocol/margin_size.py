@@ -68,6 +68,7 @@ def failing(mission: Mission, formula: Formula, margin: int) -> float:
 
 _RISKS: Mapping[type[Formula], Callable[[Any, tuple[float, ...]], float]] = {
     logic.Constant: lambda *_: 0.0,
+    logic.Known: lambda *_: 0.0,
     logic.And: lambda _, below: sum(below),
     logic.Or: lambda _, below: max(below),
     logic.Eventually: lambda _, below: below[0],

@@ -19,10 +19,25 @@ STATES = 4
 PLACES = {"a": (0,), "b": (1, 2), "depot": (0, 2, 3)}
 """The states with each label in a random trace of counts."""
 
-_TROUBLE = ("a", "b1", "_x", *"FGURXTL", "F1", "sum", "min", "max", "one", "in", "TRUE", "true")
+_TROUBLE = (
+    "a",
+    "b1",
+    "_x",
+    *"FGURXTL",
+    "F1",
+    "sum",
+    "min",
+    "max",
+    "known",
+    "one",
+    "in",
+    "TRUE",
+    "true",
+)
 _ANY_NAME = st.one_of(
     st.sampled_from(_TROUBLE), st.text(alphabet='ab_1 ."\\-äF(', min_size=1, max_size=5)
 )
+_KNOWN_MARGINS = st.integers(-3, 3).map(logic.Known)
 
 
 @dataclass(frozen=True)
@@ -72,8 +87,8 @@ def atoms(language: Language, words: Vocabulary = KNOWN) -> st.SearchStrategy[Fo
     if language.endswith("stl"):
         return st.one_of(_linear(words), _linear(words), constants)
     if language == "catl":
-        return st.one_of(_tasks(words), _limits(words), _counts(words), constants)
-    return st.one_of(_counts(words), constants)
+        return st.one_of(_tasks(words), _limits(words), _counts(words), constants, _KNOWN_MARGINS)
+    return st.one_of(_counts(words), _counts(words), constants, _KNOWN_MARGINS)
 
 
 @st.composite

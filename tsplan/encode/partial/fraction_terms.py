@@ -36,6 +36,7 @@ from tsplan.logic import (
     Count,
     Eventually,
     Formula,
+    Known,
     Linear,
     Or,
     Until,
@@ -197,7 +198,7 @@ class FractionEncoder:
             self._values.enter((node, step, selection), selection or always)
 
     @_value.register
-    def _(self, node: Count | Linear | Whole, asked: Asked) -> None:
+    def _(self, node: Count | Linear | Known | Whole, asked: Asked) -> None:
         for step, selection in asked:
             self._enter_whole((node, step, selection), [_Part(node, step)])
 
@@ -348,4 +349,4 @@ def is_whole(node: Formula) -> bool:
         node = node.child
     if isinstance(node, Or) and is_even(node):
         return all(is_whole(child) for child in node.children)
-    return isinstance(node, Count | Linear | Constant | Whole)
+    return isinstance(node, Count | Linear | Known | Constant | Whole)

@@ -10,80 +10,83 @@ else:
 
 def serializedATN():
     return [
-        4,1,45,213,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
+        4,1,46,222,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
         6,2,7,7,7,2,8,7,8,2,9,7,9,2,10,7,10,2,11,7,11,2,12,7,12,2,13,7,13,
         2,14,7,14,2,15,7,15,2,16,7,16,2,17,7,17,2,18,7,18,2,19,7,19,2,20,
-        7,20,2,21,7,21,2,22,7,22,1,0,1,0,1,0,1,0,3,0,51,8,0,1,1,1,1,1,1,
-        1,1,1,1,1,1,1,1,1,1,1,1,3,1,62,8,1,1,1,1,1,1,2,1,2,1,2,1,2,1,2,1,
-        2,1,2,1,3,1,3,1,3,1,3,5,3,77,8,3,10,3,12,3,80,9,3,3,3,82,8,3,1,3,
-        1,3,1,4,1,4,1,4,1,4,1,4,1,4,1,5,1,5,1,5,1,5,1,5,1,5,3,5,98,8,5,1,
-        6,1,6,1,6,1,6,5,6,104,8,6,10,6,12,6,107,9,6,1,7,1,7,1,7,1,7,3,7,
-        113,8,7,1,8,3,8,116,8,8,1,8,1,8,3,8,120,8,8,1,9,1,9,1,9,1,9,1,9,
-        3,9,127,8,9,1,9,1,9,1,10,1,10,1,10,5,10,134,8,10,10,10,12,10,137,
-        9,10,1,10,1,10,1,11,1,11,1,11,1,11,5,11,145,8,11,10,11,12,11,148,
-        9,11,1,12,1,12,1,12,1,12,1,12,1,12,3,12,156,8,12,1,13,5,13,159,8,
-        13,10,13,12,13,162,9,13,1,13,1,13,3,13,166,8,13,1,14,1,14,1,14,1,
-        14,3,14,172,8,14,1,15,1,15,1,15,1,16,1,16,1,16,1,16,1,16,5,16,182,
-        8,16,10,16,12,16,185,9,16,1,16,1,16,3,16,189,8,16,1,17,1,17,1,17,
-        1,17,1,17,1,17,1,18,3,18,198,8,18,1,18,1,18,1,19,1,19,1,20,1,20,
-        1,21,1,21,1,21,3,21,209,8,21,1,22,1,22,1,22,1,160,0,23,0,2,4,6,8,
-        10,12,14,16,18,20,22,24,26,28,30,32,34,36,38,40,42,44,0,7,1,0,3,
-        5,1,0,23,24,3,0,11,12,21,22,26,27,1,0,26,27,1,0,13,18,1,0,19,20,
-        1,0,21,27,222,0,50,1,0,0,0,2,52,1,0,0,0,4,65,1,0,0,0,6,72,1,0,0,
-        0,8,85,1,0,0,0,10,97,1,0,0,0,12,99,1,0,0,0,14,112,1,0,0,0,16,115,
-        1,0,0,0,18,121,1,0,0,0,20,130,1,0,0,0,22,140,1,0,0,0,24,155,1,0,
-        0,0,26,160,1,0,0,0,28,171,1,0,0,0,30,173,1,0,0,0,32,188,1,0,0,0,
-        34,190,1,0,0,0,36,197,1,0,0,0,38,201,1,0,0,0,40,203,1,0,0,0,42,208,
-        1,0,0,0,44,210,1,0,0,0,46,51,3,18,9,0,47,51,3,2,1,0,48,51,3,4,2,
-        0,49,51,3,42,21,0,50,46,1,0,0,0,50,47,1,0,0,0,50,48,1,0,0,0,50,49,
-        1,0,0,0,51,1,1,0,0,0,52,53,5,1,0,0,53,54,5,28,0,0,54,55,3,16,8,0,
-        55,56,5,35,0,0,56,57,3,42,21,0,57,58,5,35,0,0,58,61,3,6,3,0,59,60,
-        5,35,0,0,60,62,3,6,3,0,61,59,1,0,0,0,61,62,1,0,0,0,62,63,1,0,0,0,
-        63,64,5,29,0,0,64,3,1,0,0,0,65,66,5,2,0,0,66,67,5,28,0,0,67,68,3,
-        42,21,0,68,69,5,35,0,0,69,70,3,6,3,0,70,71,5,29,0,0,71,5,1,0,0,0,
-        72,81,5,38,0,0,73,78,3,8,4,0,74,75,5,35,0,0,75,77,3,8,4,0,76,74,
-        1,0,0,0,77,80,1,0,0,0,78,76,1,0,0,0,78,79,1,0,0,0,79,82,1,0,0,0,
-        80,78,1,0,0,0,81,73,1,0,0,0,81,82,1,0,0,0,82,83,1,0,0,0,83,84,5,
-        39,0,0,84,7,1,0,0,0,85,86,5,28,0,0,86,87,3,42,21,0,87,88,5,35,0,
-        0,88,89,3,16,8,0,89,90,5,29,0,0,90,9,1,0,0,0,91,98,3,44,22,0,92,
-        98,5,3,0,0,93,98,5,4,0,0,94,98,5,5,0,0,95,98,5,1,0,0,96,98,5,2,0,
-        0,97,91,1,0,0,0,97,92,1,0,0,0,97,93,1,0,0,0,97,94,1,0,0,0,97,95,
-        1,0,0,0,97,96,1,0,0,0,98,11,1,0,0,0,99,105,3,14,7,0,100,101,3,38,
-        19,0,101,102,3,14,7,0,102,104,1,0,0,0,103,100,1,0,0,0,104,107,1,
-        0,0,0,105,103,1,0,0,0,105,106,1,0,0,0,106,13,1,0,0,0,107,105,1,0,
-        0,0,108,113,3,40,20,0,109,113,3,16,8,0,110,113,3,0,0,0,111,113,3,
-        32,16,0,112,108,1,0,0,0,112,109,1,0,0,0,112,110,1,0,0,0,112,111,
-        1,0,0,0,113,15,1,0,0,0,114,116,5,31,0,0,115,114,1,0,0,0,115,116,
-        1,0,0,0,116,117,1,0,0,0,117,119,5,40,0,0,118,120,5,34,0,0,119,118,
-        1,0,0,0,119,120,1,0,0,0,120,17,1,0,0,0,121,122,7,0,0,0,122,123,5,
-        28,0,0,123,126,3,42,21,0,124,125,5,35,0,0,125,127,3,42,21,0,126,
-        124,1,0,0,0,126,127,1,0,0,0,127,128,1,0,0,0,128,129,5,29,0,0,129,
-        19,1,0,0,0,130,135,3,22,11,0,131,132,5,35,0,0,132,134,3,22,11,0,
-        133,131,1,0,0,0,134,137,1,0,0,0,135,133,1,0,0,0,135,136,1,0,0,0,
-        136,138,1,0,0,0,137,135,1,0,0,0,138,139,5,0,0,1,139,21,1,0,0,0,140,
-        146,3,26,13,0,141,142,3,24,12,0,142,143,3,26,13,0,143,145,1,0,0,
-        0,144,141,1,0,0,0,145,148,1,0,0,0,146,144,1,0,0,0,146,147,1,0,0,
-        0,147,23,1,0,0,0,148,146,1,0,0,0,149,156,5,6,0,0,150,156,5,7,0,0,
-        151,156,5,9,0,0,152,156,5,10,0,0,153,154,7,1,0,0,154,156,3,34,17,
-        0,155,149,1,0,0,0,155,150,1,0,0,0,155,151,1,0,0,0,155,152,1,0,0,
-        0,155,153,1,0,0,0,156,25,1,0,0,0,157,159,3,28,14,0,158,157,1,0,0,
-        0,159,162,1,0,0,0,160,161,1,0,0,0,160,158,1,0,0,0,161,165,1,0,0,
-        0,162,160,1,0,0,0,163,166,3,12,6,0,164,166,3,30,15,0,165,163,1,0,
-        0,0,165,164,1,0,0,0,166,27,1,0,0,0,167,172,5,8,0,0,168,172,5,25,
-        0,0,169,170,7,2,0,0,170,172,3,34,17,0,171,167,1,0,0,0,171,168,1,
-        0,0,0,171,169,1,0,0,0,172,29,1,0,0,0,173,174,7,3,0,0,174,175,3,32,
-        16,0,175,31,1,0,0,0,176,189,5,45,0,0,177,178,5,28,0,0,178,183,3,
-        22,11,0,179,180,5,35,0,0,180,182,3,22,11,0,181,179,1,0,0,0,182,185,
-        1,0,0,0,183,181,1,0,0,0,183,184,1,0,0,0,184,186,1,0,0,0,185,183,
-        1,0,0,0,186,187,5,29,0,0,187,189,1,0,0,0,188,176,1,0,0,0,188,177,
-        1,0,0,0,189,33,1,0,0,0,190,191,5,36,0,0,191,192,3,36,18,0,192,193,
-        5,35,0,0,193,194,3,36,18,0,194,195,5,37,0,0,195,35,1,0,0,0,196,198,
-        5,31,0,0,197,196,1,0,0,0,197,198,1,0,0,0,198,199,1,0,0,0,199,200,
-        5,40,0,0,200,37,1,0,0,0,201,202,7,4,0,0,202,39,1,0,0,0,203,204,7,
-        5,0,0,204,41,1,0,0,0,205,209,5,41,0,0,206,209,5,42,0,0,207,209,3,
-        10,5,0,208,205,1,0,0,0,208,206,1,0,0,0,208,207,1,0,0,0,209,43,1,
-        0,0,0,210,211,7,6,0,0,211,45,1,0,0,0,20,50,61,78,81,97,105,112,115,
-        119,126,135,146,155,160,165,171,183,188,197,208
+        7,20,2,21,7,21,2,22,7,22,2,23,7,23,1,0,1,0,1,0,1,0,1,0,3,0,54,8,
+        0,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,3,1,65,8,1,1,1,1,1,1,2,1,2,
+        1,2,1,2,1,2,1,2,1,2,1,3,1,3,1,3,1,3,5,3,80,8,3,10,3,12,3,83,9,3,
+        3,3,85,8,3,1,3,1,3,1,4,1,4,1,4,1,4,1,4,1,4,1,5,1,5,1,5,1,5,1,5,1,
+        5,1,5,3,5,102,8,5,1,6,1,6,1,6,1,6,5,6,108,8,6,10,6,12,6,111,9,6,
+        1,7,1,7,1,7,1,7,3,7,117,8,7,1,8,3,8,120,8,8,1,8,1,8,3,8,124,8,8,
+        1,9,1,9,1,9,1,9,1,9,3,9,131,8,9,1,9,1,9,1,10,1,10,1,10,1,10,1,10,
+        1,11,1,11,1,11,5,11,143,8,11,10,11,12,11,146,9,11,1,11,1,11,1,12,
+        1,12,1,12,1,12,5,12,154,8,12,10,12,12,12,157,9,12,1,13,1,13,1,13,
+        1,13,1,13,1,13,3,13,165,8,13,1,14,5,14,168,8,14,10,14,12,14,171,
+        9,14,1,14,1,14,3,14,175,8,14,1,15,1,15,1,15,1,15,3,15,181,8,15,1,
+        16,1,16,1,16,1,17,1,17,1,17,1,17,1,17,5,17,191,8,17,10,17,12,17,
+        194,9,17,1,17,1,17,3,17,198,8,17,1,18,1,18,1,18,1,18,1,18,1,18,1,
+        19,3,19,207,8,19,1,19,1,19,1,20,1,20,1,21,1,21,1,22,1,22,1,22,3,
+        22,218,8,22,1,23,1,23,1,23,1,169,0,24,0,2,4,6,8,10,12,14,16,18,20,
+        22,24,26,28,30,32,34,36,38,40,42,44,46,0,7,1,0,3,5,1,0,24,25,3,0,
+        12,13,22,23,27,28,1,0,27,28,1,0,14,19,1,0,20,21,1,0,22,28,232,0,
+        53,1,0,0,0,2,55,1,0,0,0,4,68,1,0,0,0,6,75,1,0,0,0,8,88,1,0,0,0,10,
+        101,1,0,0,0,12,103,1,0,0,0,14,116,1,0,0,0,16,119,1,0,0,0,18,125,
+        1,0,0,0,20,134,1,0,0,0,22,139,1,0,0,0,24,149,1,0,0,0,26,164,1,0,
+        0,0,28,169,1,0,0,0,30,180,1,0,0,0,32,182,1,0,0,0,34,197,1,0,0,0,
+        36,199,1,0,0,0,38,206,1,0,0,0,40,210,1,0,0,0,42,212,1,0,0,0,44,217,
+        1,0,0,0,46,219,1,0,0,0,48,54,3,18,9,0,49,54,3,20,10,0,50,54,3,2,
+        1,0,51,54,3,4,2,0,52,54,3,44,22,0,53,48,1,0,0,0,53,49,1,0,0,0,53,
+        50,1,0,0,0,53,51,1,0,0,0,53,52,1,0,0,0,54,1,1,0,0,0,55,56,5,1,0,
+        0,56,57,5,29,0,0,57,58,3,16,8,0,58,59,5,36,0,0,59,60,3,44,22,0,60,
+        61,5,36,0,0,61,64,3,6,3,0,62,63,5,36,0,0,63,65,3,6,3,0,64,62,1,0,
+        0,0,64,65,1,0,0,0,65,66,1,0,0,0,66,67,5,30,0,0,67,3,1,0,0,0,68,69,
+        5,2,0,0,69,70,5,29,0,0,70,71,3,44,22,0,71,72,5,36,0,0,72,73,3,6,
+        3,0,73,74,5,30,0,0,74,5,1,0,0,0,75,84,5,39,0,0,76,81,3,8,4,0,77,
+        78,5,36,0,0,78,80,3,8,4,0,79,77,1,0,0,0,80,83,1,0,0,0,81,79,1,0,
+        0,0,81,82,1,0,0,0,82,85,1,0,0,0,83,81,1,0,0,0,84,76,1,0,0,0,84,85,
+        1,0,0,0,85,86,1,0,0,0,86,87,5,40,0,0,87,7,1,0,0,0,88,89,5,29,0,0,
+        89,90,3,44,22,0,90,91,5,36,0,0,91,92,3,16,8,0,92,93,5,30,0,0,93,
+        9,1,0,0,0,94,102,3,46,23,0,95,102,5,3,0,0,96,102,5,4,0,0,97,102,
+        5,5,0,0,98,102,5,6,0,0,99,102,5,1,0,0,100,102,5,2,0,0,101,94,1,0,
+        0,0,101,95,1,0,0,0,101,96,1,0,0,0,101,97,1,0,0,0,101,98,1,0,0,0,
+        101,99,1,0,0,0,101,100,1,0,0,0,102,11,1,0,0,0,103,109,3,14,7,0,104,
+        105,3,40,20,0,105,106,3,14,7,0,106,108,1,0,0,0,107,104,1,0,0,0,108,
+        111,1,0,0,0,109,107,1,0,0,0,109,110,1,0,0,0,110,13,1,0,0,0,111,109,
+        1,0,0,0,112,117,3,42,21,0,113,117,3,16,8,0,114,117,3,0,0,0,115,117,
+        3,34,17,0,116,112,1,0,0,0,116,113,1,0,0,0,116,114,1,0,0,0,116,115,
+        1,0,0,0,117,15,1,0,0,0,118,120,5,32,0,0,119,118,1,0,0,0,119,120,
+        1,0,0,0,120,121,1,0,0,0,121,123,5,41,0,0,122,124,5,35,0,0,123,122,
+        1,0,0,0,123,124,1,0,0,0,124,17,1,0,0,0,125,126,7,0,0,0,126,127,5,
+        29,0,0,127,130,3,44,22,0,128,129,5,36,0,0,129,131,3,44,22,0,130,
+        128,1,0,0,0,130,131,1,0,0,0,131,132,1,0,0,0,132,133,5,30,0,0,133,
+        19,1,0,0,0,134,135,5,6,0,0,135,136,5,29,0,0,136,137,3,16,8,0,137,
+        138,5,30,0,0,138,21,1,0,0,0,139,144,3,24,12,0,140,141,5,36,0,0,141,
+        143,3,24,12,0,142,140,1,0,0,0,143,146,1,0,0,0,144,142,1,0,0,0,144,
+        145,1,0,0,0,145,147,1,0,0,0,146,144,1,0,0,0,147,148,5,0,0,1,148,
+        23,1,0,0,0,149,155,3,28,14,0,150,151,3,26,13,0,151,152,3,28,14,0,
+        152,154,1,0,0,0,153,150,1,0,0,0,154,157,1,0,0,0,155,153,1,0,0,0,
+        155,156,1,0,0,0,156,25,1,0,0,0,157,155,1,0,0,0,158,165,5,7,0,0,159,
+        165,5,8,0,0,160,165,5,10,0,0,161,165,5,11,0,0,162,163,7,1,0,0,163,
+        165,3,36,18,0,164,158,1,0,0,0,164,159,1,0,0,0,164,160,1,0,0,0,164,
+        161,1,0,0,0,164,162,1,0,0,0,165,27,1,0,0,0,166,168,3,30,15,0,167,
+        166,1,0,0,0,168,171,1,0,0,0,169,170,1,0,0,0,169,167,1,0,0,0,170,
+        174,1,0,0,0,171,169,1,0,0,0,172,175,3,12,6,0,173,175,3,32,16,0,174,
+        172,1,0,0,0,174,173,1,0,0,0,175,29,1,0,0,0,176,181,5,9,0,0,177,181,
+        5,26,0,0,178,179,7,2,0,0,179,181,3,36,18,0,180,176,1,0,0,0,180,177,
+        1,0,0,0,180,178,1,0,0,0,181,31,1,0,0,0,182,183,7,3,0,0,183,184,3,
+        34,17,0,184,33,1,0,0,0,185,198,5,46,0,0,186,187,5,29,0,0,187,192,
+        3,24,12,0,188,189,5,36,0,0,189,191,3,24,12,0,190,188,1,0,0,0,191,
+        194,1,0,0,0,192,190,1,0,0,0,192,193,1,0,0,0,193,195,1,0,0,0,194,
+        192,1,0,0,0,195,196,5,30,0,0,196,198,1,0,0,0,197,185,1,0,0,0,197,
+        186,1,0,0,0,198,35,1,0,0,0,199,200,5,37,0,0,200,201,3,38,19,0,201,
+        202,5,36,0,0,202,203,3,38,19,0,203,204,5,38,0,0,204,37,1,0,0,0,205,
+        207,5,32,0,0,206,205,1,0,0,0,206,207,1,0,0,0,207,208,1,0,0,0,208,
+        209,5,41,0,0,209,39,1,0,0,0,210,211,7,4,0,0,211,41,1,0,0,0,212,213,
+        7,5,0,0,213,43,1,0,0,0,214,218,5,42,0,0,215,218,5,43,0,0,216,218,
+        3,10,5,0,217,214,1,0,0,0,217,215,1,0,0,0,217,216,1,0,0,0,218,45,
+        1,0,0,0,219,220,7,6,0,0,220,47,1,0,0,0,20,53,64,81,84,101,109,116,
+        119,123,130,144,155,164,169,174,180,192,197,206,217
     ]
 
 class catlParser ( Parser ):
@@ -97,7 +100,7 @@ class catlParser ( Parser ):
     sharedContextCache = PredictionContextCache()
 
     literalNames = [ "<INVALID>", "'T'", "'L'", "'sum'", "'min'", "'max'", 
-                     "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
+                     "'known'", "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
                      "<INVALID>", "'<>'", "'[]'", "'>='", "'<='", "'>'", 
                      "'<'", "<INVALID>", "'!='", "<INVALID>", "<INVALID>", 
                      "'F'", "'G'", "'U'", "'R'", "'X'", "'one'", "'all'", 
@@ -105,11 +108,11 @@ class catlParser ( Parser ):
                      "'['", "']'", "'{'", "'}'" ]
 
     symbolicNames = [ "<INVALID>", "TASK", "LIMIT", "SUM", "MIN", "MAX", 
-                      "AND", "OR", "NOT", "IMPLIES", "IFF", "DIAMOND", "BOX", 
-                      "GE", "LE", "GT", "LT", "EQ", "NE", "TRUE", "FALSE", 
-                      "EVENTUALLY", "ALWAYS", "UNTIL", "RELEASE", "NEXT", 
-                      "ONE", "ALL", "OPEN", "CLOSE", "PLUS", "MINUS", "STAR", 
-                      "SLASH", "PERCENT", "COMMA", "LBRACKET", "RBRACKET", 
+                      "KNOWN", "AND", "OR", "NOT", "IMPLIES", "IFF", "DIAMOND", 
+                      "BOX", "GE", "LE", "GT", "LT", "EQ", "NE", "TRUE", 
+                      "FALSE", "EVENTUALLY", "ALWAYS", "UNTIL", "RELEASE", 
+                      "NEXT", "ONE", "ALL", "OPEN", "CLOSE", "PLUS", "MINUS", 
+                      "STAR", "SLASH", "PERCENT", "COMMA", "LBRACKET", "RBRACKET", 
                       "LBRACE", "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", 
                       "STRAY", "GROUP" ]
 
@@ -123,25 +126,26 @@ class catlParser ( Parser ):
     RULE_operand = 7
     RULE_number = 8
     RULE_count = 9
-    RULE_formula = 10
-    RULE_level = 11
-    RULE_connective = 12
-    RULE_unary = 13
-    RULE_prefix = 14
-    RULE_joined = 15
-    RULE_parts = 16
-    RULE_interval = 17
-    RULE_bound = 18
-    RULE_relation = 19
-    RULE_constant = 20
-    RULE_name = 21
-    RULE_word = 22
+    RULE_known = 10
+    RULE_formula = 11
+    RULE_level = 12
+    RULE_connective = 13
+    RULE_unary = 14
+    RULE_prefix = 15
+    RULE_joined = 16
+    RULE_parts = 17
+    RULE_interval = 18
+    RULE_bound = 19
+    RULE_relation = 20
+    RULE_constant = 21
+    RULE_name = 22
+    RULE_word = 23
 
     ruleNames =  [ "atom", "task", "limit", "pairs", "pair", "reserved", 
-                   "comparison", "operand", "number", "count", "formula", 
-                   "level", "connective", "unary", "prefix", "joined", "parts", 
-                   "interval", "bound", "relation", "constant", "name", 
-                   "word" ]
+                   "comparison", "operand", "number", "count", "known", 
+                   "formula", "level", "connective", "unary", "prefix", 
+                   "joined", "parts", "interval", "bound", "relation", "constant", 
+                   "name", "word" ]
 
     EOF = Token.EOF
     TASK=1
@@ -149,46 +153,47 @@ class catlParser ( Parser ):
     SUM=3
     MIN=4
     MAX=5
-    AND=6
-    OR=7
-    NOT=8
-    IMPLIES=9
-    IFF=10
-    DIAMOND=11
-    BOX=12
-    GE=13
-    LE=14
-    GT=15
-    LT=16
-    EQ=17
-    NE=18
-    TRUE=19
-    FALSE=20
-    EVENTUALLY=21
-    ALWAYS=22
-    UNTIL=23
-    RELEASE=24
-    NEXT=25
-    ONE=26
-    ALL=27
-    OPEN=28
-    CLOSE=29
-    PLUS=30
-    MINUS=31
-    STAR=32
-    SLASH=33
-    PERCENT=34
-    COMMA=35
-    LBRACKET=36
-    RBRACKET=37
-    LBRACE=38
-    RBRACE=39
-    NUMBER=40
-    NAME=41
-    STRING=42
-    SPACE=43
-    STRAY=44
-    GROUP=45
+    KNOWN=6
+    AND=7
+    OR=8
+    NOT=9
+    IMPLIES=10
+    IFF=11
+    DIAMOND=12
+    BOX=13
+    GE=14
+    LE=15
+    GT=16
+    LT=17
+    EQ=18
+    NE=19
+    TRUE=20
+    FALSE=21
+    EVENTUALLY=22
+    ALWAYS=23
+    UNTIL=24
+    RELEASE=25
+    NEXT=26
+    ONE=27
+    ALL=28
+    OPEN=29
+    CLOSE=30
+    PLUS=31
+    MINUS=32
+    STAR=33
+    SLASH=34
+    PERCENT=35
+    COMMA=36
+    LBRACKET=37
+    RBRACKET=38
+    LBRACE=39
+    RBRACE=40
+    NUMBER=41
+    NAME=42
+    STRING=43
+    SPACE=44
+    STRAY=45
+    GROUP=46
 
     def __init__(self, input:TokenStream, output:TextIO = sys.stdout):
         super().__init__(input, output)
@@ -208,6 +213,10 @@ class catlParser ( Parser ):
 
         def count(self):
             return self.getTypedRuleContext(catlParser.CountContext,0)
+
+
+        def known(self):
+            return self.getTypedRuleContext(catlParser.KnownContext,0)
 
 
         def task(self):
@@ -233,30 +242,36 @@ class catlParser ( Parser ):
         localctx = catlParser.AtomContext(self, self._ctx, self.state)
         self.enterRule(localctx, 0, self.RULE_atom)
         try:
-            self.state = 50
+            self.state = 53
             self._errHandler.sync(self)
             la_ = self._interp.adaptivePredict(self._input,0,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 46
+                self.state = 48
                 self.count()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 47
-                self.task()
+                self.state = 49
+                self.known()
                 pass
 
             elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 48
-                self.limit()
+                self.state = 50
+                self.task()
                 pass
 
             elif la_ == 4:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 49
+                self.state = 51
+                self.limit()
+                pass
+
+            elif la_ == 5:
+                self.enterOuterAlt(localctx, 5)
+                self.state = 52
                 self.name()
                 pass
 
@@ -320,31 +335,31 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 52
-            self.match(catlParser.TASK)
-            self.state = 53
-            self.match(catlParser.OPEN)
-            self.state = 54
-            self.number()
             self.state = 55
-            self.match(catlParser.COMMA)
+            self.match(catlParser.TASK)
             self.state = 56
-            self.name()
+            self.match(catlParser.OPEN)
             self.state = 57
-            self.match(catlParser.COMMA)
+            self.number()
             self.state = 58
-            self.pairs()
+            self.match(catlParser.COMMA)
+            self.state = 59
+            self.name()
+            self.state = 60
+            self.match(catlParser.COMMA)
             self.state = 61
+            self.pairs()
+            self.state = 64
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==35:
-                self.state = 59
+            if _la==36:
+                self.state = 62
                 self.match(catlParser.COMMA)
-                self.state = 60
+                self.state = 63
                 self.pairs()
 
 
-            self.state = 63
+            self.state = 66
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -394,17 +409,17 @@ class catlParser ( Parser ):
         self.enterRule(localctx, 4, self.RULE_limit)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 65
-            self.match(catlParser.LIMIT)
-            self.state = 66
-            self.match(catlParser.OPEN)
-            self.state = 67
-            self.name()
             self.state = 68
-            self.match(catlParser.COMMA)
+            self.match(catlParser.LIMIT)
             self.state = 69
-            self.pairs()
+            self.match(catlParser.OPEN)
             self.state = 70
+            self.name()
+            self.state = 71
+            self.match(catlParser.COMMA)
+            self.state = 72
+            self.pairs()
+            self.state = 73
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -454,29 +469,29 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 72
+            self.state = 75
             self.match(catlParser.LBRACE)
-            self.state = 81
+            self.state = 84
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==28:
-                self.state = 73
+            if _la==29:
+                self.state = 76
                 self.pair()
-                self.state = 78
+                self.state = 81
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==35:
-                    self.state = 74
+                while _la==36:
+                    self.state = 77
                     self.match(catlParser.COMMA)
-                    self.state = 75
+                    self.state = 78
                     self.pair()
-                    self.state = 80
+                    self.state = 83
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
 
 
-            self.state = 83
+            self.state = 86
             self.match(catlParser.RBRACE)
         except RecognitionException as re:
             localctx.exception = re
@@ -523,15 +538,15 @@ class catlParser ( Parser ):
         self.enterRule(localctx, 8, self.RULE_pair)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 85
-            self.match(catlParser.OPEN)
-            self.state = 86
-            self.name()
-            self.state = 87
-            self.match(catlParser.COMMA)
             self.state = 88
-            self.number()
+            self.match(catlParser.OPEN)
             self.state = 89
+            self.name()
+            self.state = 90
+            self.match(catlParser.COMMA)
+            self.state = 91
+            self.number()
+            self.state = 92
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -562,6 +577,9 @@ class catlParser ( Parser ):
         def MAX(self):
             return self.getToken(catlParser.MAX, 0)
 
+        def KNOWN(self):
+            return self.getToken(catlParser.KNOWN, 0)
+
         def TASK(self):
             return self.getToken(catlParser.TASK, 0)
 
@@ -579,37 +597,42 @@ class catlParser ( Parser ):
         localctx = catlParser.ReservedContext(self, self._ctx, self.state)
         self.enterRule(localctx, 10, self.RULE_reserved)
         try:
-            self.state = 97
+            self.state = 101
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [21, 22, 23, 24, 25, 26, 27]:
+            if token in [22, 23, 24, 25, 26, 27, 28]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 91
+                self.state = 94
                 self.word()
                 pass
             elif token in [3]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 92
+                self.state = 95
                 self.match(catlParser.SUM)
                 pass
             elif token in [4]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 93
+                self.state = 96
                 self.match(catlParser.MIN)
                 pass
             elif token in [5]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 94
+                self.state = 97
                 self.match(catlParser.MAX)
                 pass
-            elif token in [1]:
+            elif token in [6]:
                 self.enterOuterAlt(localctx, 5)
-                self.state = 95
+                self.state = 98
+                self.match(catlParser.KNOWN)
+                pass
+            elif token in [1]:
+                self.enterOuterAlt(localctx, 6)
+                self.state = 99
                 self.match(catlParser.TASK)
                 pass
             elif token in [2]:
-                self.enterOuterAlt(localctx, 6)
-                self.state = 96
+                self.enterOuterAlt(localctx, 7)
+                self.state = 100
                 self.match(catlParser.LIMIT)
                 pass
             else:
@@ -658,17 +681,17 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 99
+            self.state = 103
             self.operand()
-            self.state = 105
+            self.state = 109
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 516096) != 0):
-                self.state = 100
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 1032192) != 0):
+                self.state = 104
                 self.relation()
-                self.state = 101
+                self.state = 105
                 self.operand()
-                self.state = 107
+                self.state = 111
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -715,27 +738,27 @@ class catlParser ( Parser ):
         localctx = catlParser.OperandContext(self, self._ctx, self.state)
         self.enterRule(localctx, 14, self.RULE_operand)
         try:
-            self.state = 112
+            self.state = 116
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [19, 20]:
+            if token in [20, 21]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 108
+                self.state = 112
                 self.constant()
                 pass
-            elif token in [31, 40]:
+            elif token in [32, 41]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 109
+                self.state = 113
                 self.number()
                 pass
-            elif token in [1, 2, 3, 4, 5, 21, 22, 23, 24, 25, 26, 27, 41, 42]:
+            elif token in [1, 2, 3, 4, 5, 6, 22, 23, 24, 25, 26, 27, 28, 42, 43]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 110
+                self.state = 114
                 self.atom()
                 pass
-            elif token in [28, 45]:
+            elif token in [29, 46]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 111
+                self.state = 115
                 self.parts()
                 pass
             else:
@@ -779,21 +802,21 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 115
-            self._errHandler.sync(self)
-            _la = self._input.LA(1)
-            if _la==31:
-                self.state = 114
-                self.match(catlParser.MINUS)
-
-
-            self.state = 117
-            self.match(catlParser.NUMBER)
             self.state = 119
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==34:
+            if _la==32:
                 self.state = 118
+                self.match(catlParser.MINUS)
+
+
+            self.state = 121
+            self.match(catlParser.NUMBER)
+            self.state = 123
+            self._errHandler.sync(self)
+            _la = self._input.LA(1)
+            if _la==35:
+                self.state = 122
                 self.match(catlParser.PERCENT)
 
 
@@ -851,28 +874,77 @@ class catlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 121
+            self.state = 125
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 56) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
                 self.consume()
-            self.state = 122
-            self.match(catlParser.OPEN)
-            self.state = 123
-            self.name()
             self.state = 126
+            self.match(catlParser.OPEN)
+            self.state = 127
+            self.name()
+            self.state = 130
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==35:
-                self.state = 124
+            if _la==36:
+                self.state = 128
                 self.match(catlParser.COMMA)
-                self.state = 125
+                self.state = 129
                 self.name()
 
 
-            self.state = 128
+            self.state = 132
+            self.match(catlParser.CLOSE)
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class KnownContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def KNOWN(self):
+            return self.getToken(catlParser.KNOWN, 0)
+
+        def OPEN(self):
+            return self.getToken(catlParser.OPEN, 0)
+
+        def number(self):
+            return self.getTypedRuleContext(catlParser.NumberContext,0)
+
+
+        def CLOSE(self):
+            return self.getToken(catlParser.CLOSE, 0)
+
+        def getRuleIndex(self):
+            return catlParser.RULE_known
+
+
+
+
+    def known(self):
+
+        localctx = catlParser.KnownContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 20, self.RULE_known)
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 134
+            self.match(catlParser.KNOWN)
+            self.state = 135
+            self.match(catlParser.OPEN)
+            self.state = 136
+            self.number()
+            self.state = 137
             self.match(catlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -915,25 +987,25 @@ class catlParser ( Parser ):
     def formula(self):
 
         localctx = catlParser.FormulaContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 20, self.RULE_formula)
+        self.enterRule(localctx, 22, self.RULE_formula)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 130
+            self.state = 139
             self.level()
-            self.state = 135
+            self.state = 144
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==35:
-                self.state = 131
+            while _la==36:
+                self.state = 140
                 self.match(catlParser.COMMA)
-                self.state = 132
+                self.state = 141
                 self.level()
-                self.state = 137
+                self.state = 146
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 138
+            self.state = 147
             self.match(catlParser.EOF)
         except RecognitionException as re:
             localctx.exception = re
@@ -974,21 +1046,21 @@ class catlParser ( Parser ):
     def level(self):
 
         localctx = catlParser.LevelContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 22, self.RULE_level)
+        self.enterRule(localctx, 24, self.RULE_level)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 140
+            self.state = 149
             self.unary()
-            self.state = 146
+            self.state = 155
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 25167552) != 0):
-                self.state = 141
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 50335104) != 0):
+                self.state = 150
                 self.connective()
-                self.state = 142
+                self.state = 151
                 self.unary()
-                self.state = 148
+                self.state = 157
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -1039,42 +1111,42 @@ class catlParser ( Parser ):
     def connective(self):
 
         localctx = catlParser.ConnectiveContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 24, self.RULE_connective)
+        self.enterRule(localctx, 26, self.RULE_connective)
         self._la = 0 # Token type
         try:
-            self.state = 155
+            self.state = 164
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [6]:
+            if token in [7]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 149
+                self.state = 158
                 self.match(catlParser.AND)
                 pass
-            elif token in [7]:
+            elif token in [8]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 150
+                self.state = 159
                 self.match(catlParser.OR)
                 pass
-            elif token in [9]:
+            elif token in [10]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 151
+                self.state = 160
                 self.match(catlParser.IMPLIES)
                 pass
-            elif token in [10]:
+            elif token in [11]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 152
+                self.state = 161
                 self.match(catlParser.IFF)
                 pass
-            elif token in [23, 24]:
+            elif token in [24, 25]:
                 self.enterOuterAlt(localctx, 5)
-                self.state = 153
+                self.state = 162
                 _la = self._input.LA(1)
-                if not(_la==23 or _la==24):
+                if not(_la==24 or _la==25):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 154
+                self.state = 163
                 self.interval()
                 pass
             else:
@@ -1120,30 +1192,30 @@ class catlParser ( Parser ):
     def unary(self):
 
         localctx = catlParser.UnaryContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 26, self.RULE_unary)
+        self.enterRule(localctx, 28, self.RULE_unary)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 160
+            self.state = 169
             self._errHandler.sync(self)
             _alt = self._interp.adaptivePredict(self._input,13,self._ctx)
             while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
                 if _alt==1+1:
-                    self.state = 157
+                    self.state = 166
                     self.prefix() 
-                self.state = 162
+                self.state = 171
                 self._errHandler.sync(self)
                 _alt = self._interp.adaptivePredict(self._input,13,self._ctx)
 
-            self.state = 165
+            self.state = 174
             self._errHandler.sync(self)
             la_ = self._interp.adaptivePredict(self._input,14,self._ctx)
             if la_ == 1:
-                self.state = 163
+                self.state = 172
                 self.comparison()
                 pass
 
             elif la_ == 2:
-                self.state = 164
+                self.state = 173
                 self.joined()
                 pass
 
@@ -1201,32 +1273,32 @@ class catlParser ( Parser ):
     def prefix(self):
 
         localctx = catlParser.PrefixContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 28, self.RULE_prefix)
+        self.enterRule(localctx, 30, self.RULE_prefix)
         self._la = 0 # Token type
         try:
-            self.state = 171
+            self.state = 180
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [8]:
+            if token in [9]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 167
+                self.state = 176
                 self.match(catlParser.NOT)
                 pass
-            elif token in [25]:
+            elif token in [26]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 168
+                self.state = 177
                 self.match(catlParser.NEXT)
                 pass
-            elif token in [11, 12, 21, 22, 26, 27]:
+            elif token in [12, 13, 22, 23, 27, 28]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 169
+                self.state = 178
                 _la = self._input.LA(1)
-                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 207624192) != 0)):
+                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 415248384) != 0)):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 170
+                self.state = 179
                 self.interval()
                 pass
             else:
@@ -1267,18 +1339,18 @@ class catlParser ( Parser ):
     def joined(self):
 
         localctx = catlParser.JoinedContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 30, self.RULE_joined)
+        self.enterRule(localctx, 32, self.RULE_joined)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 173
+            self.state = 182
             _la = self._input.LA(1)
-            if not(_la==26 or _la==27):
+            if not(_la==27 or _la==28):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
                 self.consume()
-            self.state = 174
+            self.state = 183
             self.parts()
         except RecognitionException as re:
             localctx.exception = re
@@ -1327,36 +1399,36 @@ class catlParser ( Parser ):
     def parts(self):
 
         localctx = catlParser.PartsContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 32, self.RULE_parts)
+        self.enterRule(localctx, 34, self.RULE_parts)
         self._la = 0 # Token type
         try:
-            self.state = 188
+            self.state = 197
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [45]:
+            if token in [46]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 176
+                self.state = 185
                 self.match(catlParser.GROUP)
                 pass
-            elif token in [28]:
+            elif token in [29]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 177
+                self.state = 186
                 self.match(catlParser.OPEN)
-                self.state = 178
+                self.state = 187
                 self.level()
-                self.state = 183
+                self.state = 192
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==35:
-                    self.state = 179
+                while _la==36:
+                    self.state = 188
                     self.match(catlParser.COMMA)
-                    self.state = 180
+                    self.state = 189
                     self.level()
-                    self.state = 185
+                    self.state = 194
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 186
+                self.state = 195
                 self.match(catlParser.CLOSE)
                 pass
             else:
@@ -1403,18 +1475,18 @@ class catlParser ( Parser ):
     def interval(self):
 
         localctx = catlParser.IntervalContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 34, self.RULE_interval)
+        self.enterRule(localctx, 36, self.RULE_interval)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 190
+            self.state = 199
             self.match(catlParser.LBRACKET)
-            self.state = 191
+            self.state = 200
             self.bound()
-            self.state = 192
+            self.state = 201
             self.match(catlParser.COMMA)
-            self.state = 193
+            self.state = 202
             self.bound()
-            self.state = 194
+            self.state = 203
             self.match(catlParser.RBRACKET)
         except RecognitionException as re:
             localctx.exception = re
@@ -1447,19 +1519,19 @@ class catlParser ( Parser ):
     def bound(self):
 
         localctx = catlParser.BoundContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 36, self.RULE_bound)
+        self.enterRule(localctx, 38, self.RULE_bound)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 197
+            self.state = 206
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==31:
-                self.state = 196
+            if _la==32:
+                self.state = 205
                 self.match(catlParser.MINUS)
 
 
-            self.state = 199
+            self.state = 208
             self.match(catlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -1504,13 +1576,13 @@ class catlParser ( Parser ):
     def relation(self):
 
         localctx = catlParser.RelationContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 38, self.RULE_relation)
+        self.enterRule(localctx, 40, self.RULE_relation)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 201
+            self.state = 210
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 516096) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 1032192) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
@@ -1546,13 +1618,13 @@ class catlParser ( Parser ):
     def constant(self):
 
         localctx = catlParser.ConstantContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 40, self.RULE_constant)
+        self.enterRule(localctx, 42, self.RULE_constant)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 203
+            self.state = 212
             _la = self._input.LA(1)
-            if not(_la==19 or _la==20):
+            if not(_la==20 or _la==21):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
@@ -1592,24 +1664,24 @@ class catlParser ( Parser ):
     def name(self):
 
         localctx = catlParser.NameContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 42, self.RULE_name)
+        self.enterRule(localctx, 44, self.RULE_name)
         try:
-            self.state = 208
+            self.state = 217
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [41]:
+            if token in [42]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 205
+                self.state = 214
                 self.match(catlParser.NAME)
                 pass
-            elif token in [42]:
+            elif token in [43]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 206
+                self.state = 215
                 self.match(catlParser.STRING)
                 pass
-            elif token in [1, 2, 3, 4, 5, 21, 22, 23, 24, 25, 26, 27]:
+            elif token in [1, 2, 3, 4, 5, 6, 22, 23, 24, 25, 26, 27, 28]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 207
+                self.state = 216
                 self.reserved()
                 pass
             else:
@@ -1661,13 +1733,13 @@ class catlParser ( Parser ):
     def word(self):
 
         localctx = catlParser.WordContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 44, self.RULE_word)
+        self.enterRule(localctx, 46, self.RULE_word)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 210
+            self.state = 219
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 266338304) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 532676608) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)

@@ -10,78 +10,82 @@ else:
 
 def serializedATN():
     return [
-        4,1,44,205,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
+        4,1,45,214,2,0,7,0,2,1,7,1,2,2,7,2,2,3,7,3,2,4,7,4,2,5,7,5,2,6,7,
         6,2,7,7,7,2,8,7,8,2,9,7,9,2,10,7,10,2,11,7,11,2,12,7,12,2,13,7,13,
         2,14,7,14,2,15,7,15,2,16,7,16,2,17,7,17,2,18,7,18,2,19,7,19,2,20,
-        7,20,1,0,1,0,3,0,45,8,0,1,0,1,0,1,0,1,0,1,0,3,0,52,8,0,3,0,54,8,
-        0,1,1,1,1,1,1,1,1,1,1,3,1,61,8,1,1,1,1,1,3,1,65,8,1,1,2,1,2,3,2,
-        69,8,2,1,2,1,2,1,2,3,2,74,8,2,1,3,1,3,1,3,1,3,1,3,1,3,1,3,1,3,1,
-        3,5,3,85,8,3,10,3,12,3,88,9,3,1,3,1,3,3,3,92,8,3,1,4,3,4,95,8,4,
-        1,4,1,4,1,5,1,5,1,5,1,5,5,5,103,8,5,10,5,12,5,106,9,5,1,6,1,6,1,
-        6,1,6,3,6,112,8,6,1,7,3,7,115,8,7,1,7,1,7,3,7,119,8,7,1,8,1,8,3,
-        8,123,8,8,1,9,1,9,1,9,1,9,1,9,3,9,130,8,9,1,9,1,9,1,10,1,10,1,10,
-        1,10,3,10,138,8,10,1,11,1,11,1,11,5,11,143,8,11,10,11,12,11,146,
-        9,11,1,11,1,11,1,12,1,12,1,12,1,12,5,12,154,8,12,10,12,12,12,157,
-        9,12,1,13,5,13,160,8,13,10,13,12,13,163,9,13,1,13,1,13,3,13,167,
-        8,13,1,14,1,14,1,14,1,14,1,14,5,14,174,8,14,10,14,12,14,177,9,14,
-        1,14,1,14,3,14,181,8,14,1,15,1,15,1,15,1,15,1,15,1,15,1,16,3,16,
-        190,8,16,1,16,1,16,1,17,1,17,1,18,1,18,1,19,1,19,1,19,3,19,201,8,
-        19,1,20,1,20,1,20,1,161,0,21,0,2,4,6,8,10,12,14,16,18,20,22,24,26,
-        28,30,32,34,36,38,40,0,8,1,0,5,6,1,0,22,23,2,0,10,11,20,21,1,0,25,
-        26,1,0,2,4,1,0,12,17,1,0,18,19,1,0,20,26,218,0,53,1,0,0,0,2,64,1,
-        0,0,0,4,73,1,0,0,0,6,91,1,0,0,0,8,94,1,0,0,0,10,98,1,0,0,0,12,111,
-        1,0,0,0,14,114,1,0,0,0,16,122,1,0,0,0,18,124,1,0,0,0,20,137,1,0,
-        0,0,22,139,1,0,0,0,24,149,1,0,0,0,26,161,1,0,0,0,28,180,1,0,0,0,
-        30,182,1,0,0,0,32,189,1,0,0,0,34,193,1,0,0,0,36,195,1,0,0,0,38,200,
-        1,0,0,0,40,202,1,0,0,0,42,44,7,0,0,0,43,45,3,6,3,0,44,43,1,0,0,0,
-        44,45,1,0,0,0,45,54,1,0,0,0,46,54,5,8,0,0,47,54,5,9,0,0,48,49,7,
-        1,0,0,49,51,3,30,15,0,50,52,3,6,3,0,51,50,1,0,0,0,51,52,1,0,0,0,
-        52,54,1,0,0,0,53,42,1,0,0,0,53,46,1,0,0,0,53,47,1,0,0,0,53,48,1,
-        0,0,0,54,1,1,0,0,0,55,65,5,7,0,0,56,65,5,24,0,0,57,58,7,2,0,0,58,
-        60,3,30,15,0,59,61,3,6,3,0,60,59,1,0,0,0,60,61,1,0,0,0,61,65,1,0,
-        0,0,62,63,7,3,0,0,63,65,3,30,15,0,64,55,1,0,0,0,64,56,1,0,0,0,64,
-        57,1,0,0,0,64,62,1,0,0,0,65,3,1,0,0,0,66,68,7,0,0,0,67,69,3,6,3,
-        0,68,67,1,0,0,0,68,69,1,0,0,0,69,70,1,0,0,0,70,74,3,28,14,0,71,72,
-        7,3,0,0,72,74,3,28,14,0,73,66,1,0,0,0,73,71,1,0,0,0,74,5,1,0,0,0,
-        75,76,5,1,0,0,76,92,3,38,19,0,77,78,5,1,0,0,78,92,3,8,4,0,79,80,
-        5,1,0,0,80,81,5,35,0,0,81,86,3,8,4,0,82,83,5,34,0,0,83,85,3,8,4,
-        0,84,82,1,0,0,0,85,88,1,0,0,0,86,84,1,0,0,0,86,87,1,0,0,0,87,89,
-        1,0,0,0,88,86,1,0,0,0,89,90,5,36,0,0,90,92,1,0,0,0,91,75,1,0,0,0,
-        91,77,1,0,0,0,91,79,1,0,0,0,92,7,1,0,0,0,93,95,5,30,0,0,94,93,1,
-        0,0,0,94,95,1,0,0,0,95,96,1,0,0,0,96,97,5,39,0,0,97,9,1,0,0,0,98,
-        104,3,12,6,0,99,100,3,34,17,0,100,101,3,12,6,0,101,103,1,0,0,0,102,
-        99,1,0,0,0,103,106,1,0,0,0,104,102,1,0,0,0,104,105,1,0,0,0,105,11,
-        1,0,0,0,106,104,1,0,0,0,107,112,3,36,18,0,108,112,3,14,7,0,109,112,
-        3,16,8,0,110,112,3,28,14,0,111,107,1,0,0,0,111,108,1,0,0,0,111,109,
-        1,0,0,0,111,110,1,0,0,0,112,13,1,0,0,0,113,115,5,30,0,0,114,113,
-        1,0,0,0,114,115,1,0,0,0,115,116,1,0,0,0,116,118,5,39,0,0,117,119,
-        5,33,0,0,118,117,1,0,0,0,118,119,1,0,0,0,119,15,1,0,0,0,120,123,
-        3,18,9,0,121,123,3,38,19,0,122,120,1,0,0,0,122,121,1,0,0,0,123,17,
-        1,0,0,0,124,125,7,4,0,0,125,126,5,27,0,0,126,129,3,38,19,0,127,128,
-        5,34,0,0,128,130,3,38,19,0,129,127,1,0,0,0,129,130,1,0,0,0,130,131,
-        1,0,0,0,131,132,5,28,0,0,132,19,1,0,0,0,133,138,3,40,20,0,134,138,
-        5,2,0,0,135,138,5,3,0,0,136,138,5,4,0,0,137,133,1,0,0,0,137,134,
-        1,0,0,0,137,135,1,0,0,0,137,136,1,0,0,0,138,21,1,0,0,0,139,144,3,
-        24,12,0,140,141,5,34,0,0,141,143,3,24,12,0,142,140,1,0,0,0,143,146,
-        1,0,0,0,144,142,1,0,0,0,144,145,1,0,0,0,145,147,1,0,0,0,146,144,
-        1,0,0,0,147,148,5,0,0,1,148,23,1,0,0,0,149,155,3,26,13,0,150,151,
-        3,0,0,0,151,152,3,26,13,0,152,154,1,0,0,0,153,150,1,0,0,0,154,157,
-        1,0,0,0,155,153,1,0,0,0,155,156,1,0,0,0,156,25,1,0,0,0,157,155,1,
-        0,0,0,158,160,3,2,1,0,159,158,1,0,0,0,160,163,1,0,0,0,161,162,1,
-        0,0,0,161,159,1,0,0,0,162,166,1,0,0,0,163,161,1,0,0,0,164,167,3,
-        10,5,0,165,167,3,4,2,0,166,164,1,0,0,0,166,165,1,0,0,0,167,27,1,
-        0,0,0,168,181,5,44,0,0,169,170,5,27,0,0,170,175,3,24,12,0,171,172,
-        5,34,0,0,172,174,3,24,12,0,173,171,1,0,0,0,174,177,1,0,0,0,175,173,
-        1,0,0,0,175,176,1,0,0,0,176,178,1,0,0,0,177,175,1,0,0,0,178,179,
-        5,28,0,0,179,181,1,0,0,0,180,168,1,0,0,0,180,169,1,0,0,0,181,29,
-        1,0,0,0,182,183,5,35,0,0,183,184,3,32,16,0,184,185,5,34,0,0,185,
-        186,3,32,16,0,186,187,5,36,0,0,187,31,1,0,0,0,188,190,5,30,0,0,189,
-        188,1,0,0,0,189,190,1,0,0,0,190,191,1,0,0,0,191,192,5,39,0,0,192,
-        33,1,0,0,0,193,194,7,5,0,0,194,35,1,0,0,0,195,196,7,6,0,0,196,37,
-        1,0,0,0,197,201,5,40,0,0,198,201,5,41,0,0,199,201,3,20,10,0,200,
-        197,1,0,0,0,200,198,1,0,0,0,200,199,1,0,0,0,201,39,1,0,0,0,202,203,
-        7,7,0,0,203,41,1,0,0,0,25,44,51,53,60,64,68,73,86,91,94,104,111,
-        114,118,122,129,137,144,155,161,166,175,180,189,200
+        7,20,2,21,7,21,1,0,1,0,3,0,47,8,0,1,0,1,0,1,0,1,0,1,0,3,0,54,8,0,
+        3,0,56,8,0,1,1,1,1,1,1,1,1,1,1,3,1,63,8,1,1,1,1,1,3,1,67,8,1,1,2,
+        1,2,3,2,71,8,2,1,2,1,2,1,2,3,2,76,8,2,1,3,1,3,1,3,1,3,1,3,1,3,1,
+        3,1,3,1,3,5,3,87,8,3,10,3,12,3,90,9,3,1,3,1,3,3,3,94,8,3,1,4,3,4,
+        97,8,4,1,4,1,4,1,5,1,5,1,5,1,5,5,5,105,8,5,10,5,12,5,108,9,5,1,6,
+        1,6,1,6,1,6,3,6,114,8,6,1,7,3,7,117,8,7,1,7,1,7,3,7,121,8,7,1,8,
+        1,8,1,8,3,8,126,8,8,1,9,1,9,1,9,1,9,1,9,3,9,133,8,9,1,9,1,9,1,10,
+        1,10,1,10,1,10,1,10,1,11,1,11,1,11,1,11,1,11,3,11,147,8,11,1,12,
+        1,12,1,12,5,12,152,8,12,10,12,12,12,155,9,12,1,12,1,12,1,13,1,13,
+        1,13,1,13,5,13,163,8,13,10,13,12,13,166,9,13,1,14,5,14,169,8,14,
+        10,14,12,14,172,9,14,1,14,1,14,3,14,176,8,14,1,15,1,15,1,15,1,15,
+        1,15,5,15,183,8,15,10,15,12,15,186,9,15,1,15,1,15,3,15,190,8,15,
+        1,16,1,16,1,16,1,16,1,16,1,16,1,17,3,17,199,8,17,1,17,1,17,1,18,
+        1,18,1,19,1,19,1,20,1,20,1,20,3,20,210,8,20,1,21,1,21,1,21,1,170,
+        0,22,0,2,4,6,8,10,12,14,16,18,20,22,24,26,28,30,32,34,36,38,40,42,
+        0,8,1,0,6,7,1,0,23,24,2,0,11,12,21,22,1,0,26,27,1,0,2,4,1,0,13,18,
+        1,0,19,20,1,0,21,27,228,0,55,1,0,0,0,2,66,1,0,0,0,4,75,1,0,0,0,6,
+        93,1,0,0,0,8,96,1,0,0,0,10,100,1,0,0,0,12,113,1,0,0,0,14,116,1,0,
+        0,0,16,125,1,0,0,0,18,127,1,0,0,0,20,136,1,0,0,0,22,146,1,0,0,0,
+        24,148,1,0,0,0,26,158,1,0,0,0,28,170,1,0,0,0,30,189,1,0,0,0,32,191,
+        1,0,0,0,34,198,1,0,0,0,36,202,1,0,0,0,38,204,1,0,0,0,40,209,1,0,
+        0,0,42,211,1,0,0,0,44,46,7,0,0,0,45,47,3,6,3,0,46,45,1,0,0,0,46,
+        47,1,0,0,0,47,56,1,0,0,0,48,56,5,9,0,0,49,56,5,10,0,0,50,51,7,1,
+        0,0,51,53,3,32,16,0,52,54,3,6,3,0,53,52,1,0,0,0,53,54,1,0,0,0,54,
+        56,1,0,0,0,55,44,1,0,0,0,55,48,1,0,0,0,55,49,1,0,0,0,55,50,1,0,0,
+        0,56,1,1,0,0,0,57,67,5,8,0,0,58,67,5,25,0,0,59,60,7,2,0,0,60,62,
+        3,32,16,0,61,63,3,6,3,0,62,61,1,0,0,0,62,63,1,0,0,0,63,67,1,0,0,
+        0,64,65,7,3,0,0,65,67,3,32,16,0,66,57,1,0,0,0,66,58,1,0,0,0,66,59,
+        1,0,0,0,66,64,1,0,0,0,67,3,1,0,0,0,68,70,7,0,0,0,69,71,3,6,3,0,70,
+        69,1,0,0,0,70,71,1,0,0,0,71,72,1,0,0,0,72,76,3,30,15,0,73,74,7,3,
+        0,0,74,76,3,30,15,0,75,68,1,0,0,0,75,73,1,0,0,0,76,5,1,0,0,0,77,
+        78,5,1,0,0,78,94,3,40,20,0,79,80,5,1,0,0,80,94,3,8,4,0,81,82,5,1,
+        0,0,82,83,5,36,0,0,83,88,3,8,4,0,84,85,5,35,0,0,85,87,3,8,4,0,86,
+        84,1,0,0,0,87,90,1,0,0,0,88,86,1,0,0,0,88,89,1,0,0,0,89,91,1,0,0,
+        0,90,88,1,0,0,0,91,92,5,37,0,0,92,94,1,0,0,0,93,77,1,0,0,0,93,79,
+        1,0,0,0,93,81,1,0,0,0,94,7,1,0,0,0,95,97,5,31,0,0,96,95,1,0,0,0,
+        96,97,1,0,0,0,97,98,1,0,0,0,98,99,5,40,0,0,99,9,1,0,0,0,100,106,
+        3,12,6,0,101,102,3,36,18,0,102,103,3,12,6,0,103,105,1,0,0,0,104,
+        101,1,0,0,0,105,108,1,0,0,0,106,104,1,0,0,0,106,107,1,0,0,0,107,
+        11,1,0,0,0,108,106,1,0,0,0,109,114,3,38,19,0,110,114,3,14,7,0,111,
+        114,3,16,8,0,112,114,3,30,15,0,113,109,1,0,0,0,113,110,1,0,0,0,113,
+        111,1,0,0,0,113,112,1,0,0,0,114,13,1,0,0,0,115,117,5,31,0,0,116,
+        115,1,0,0,0,116,117,1,0,0,0,117,118,1,0,0,0,118,120,5,40,0,0,119,
+        121,5,34,0,0,120,119,1,0,0,0,120,121,1,0,0,0,121,15,1,0,0,0,122,
+        126,3,18,9,0,123,126,3,20,10,0,124,126,3,40,20,0,125,122,1,0,0,0,
+        125,123,1,0,0,0,125,124,1,0,0,0,126,17,1,0,0,0,127,128,7,4,0,0,128,
+        129,5,28,0,0,129,132,3,40,20,0,130,131,5,35,0,0,131,133,3,40,20,
+        0,132,130,1,0,0,0,132,133,1,0,0,0,133,134,1,0,0,0,134,135,5,29,0,
+        0,135,19,1,0,0,0,136,137,5,5,0,0,137,138,5,28,0,0,138,139,3,14,7,
+        0,139,140,5,29,0,0,140,21,1,0,0,0,141,147,3,42,21,0,142,147,5,2,
+        0,0,143,147,5,3,0,0,144,147,5,4,0,0,145,147,5,5,0,0,146,141,1,0,
+        0,0,146,142,1,0,0,0,146,143,1,0,0,0,146,144,1,0,0,0,146,145,1,0,
+        0,0,147,23,1,0,0,0,148,153,3,26,13,0,149,150,5,35,0,0,150,152,3,
+        26,13,0,151,149,1,0,0,0,152,155,1,0,0,0,153,151,1,0,0,0,153,154,
+        1,0,0,0,154,156,1,0,0,0,155,153,1,0,0,0,156,157,5,0,0,1,157,25,1,
+        0,0,0,158,164,3,28,14,0,159,160,3,0,0,0,160,161,3,28,14,0,161,163,
+        1,0,0,0,162,159,1,0,0,0,163,166,1,0,0,0,164,162,1,0,0,0,164,165,
+        1,0,0,0,165,27,1,0,0,0,166,164,1,0,0,0,167,169,3,2,1,0,168,167,1,
+        0,0,0,169,172,1,0,0,0,170,171,1,0,0,0,170,168,1,0,0,0,171,175,1,
+        0,0,0,172,170,1,0,0,0,173,176,3,10,5,0,174,176,3,4,2,0,175,173,1,
+        0,0,0,175,174,1,0,0,0,176,29,1,0,0,0,177,190,5,45,0,0,178,179,5,
+        28,0,0,179,184,3,26,13,0,180,181,5,35,0,0,181,183,3,26,13,0,182,
+        180,1,0,0,0,183,186,1,0,0,0,184,182,1,0,0,0,184,185,1,0,0,0,185,
+        187,1,0,0,0,186,184,1,0,0,0,187,188,5,29,0,0,188,190,1,0,0,0,189,
+        177,1,0,0,0,189,178,1,0,0,0,190,31,1,0,0,0,191,192,5,36,0,0,192,
+        193,3,34,17,0,193,194,5,35,0,0,194,195,3,34,17,0,195,196,5,37,0,
+        0,196,33,1,0,0,0,197,199,5,31,0,0,198,197,1,0,0,0,198,199,1,0,0,
+        0,199,200,1,0,0,0,200,201,5,40,0,0,201,35,1,0,0,0,202,203,7,5,0,
+        0,203,37,1,0,0,0,204,205,7,6,0,0,205,39,1,0,0,0,206,210,5,41,0,0,
+        207,210,5,42,0,0,208,210,3,22,11,0,209,206,1,0,0,0,209,207,1,0,0,
+        0,209,208,1,0,0,0,210,41,1,0,0,0,211,212,7,7,0,0,212,43,1,0,0,0,
+        25,46,53,55,62,66,70,75,88,93,96,106,113,116,120,125,132,146,153,
+        164,170,175,184,189,198,209
     ]
 
 class wmtlParser ( Parser ):
@@ -94,22 +98,22 @@ class wmtlParser ( Parser ):
 
     sharedContextCache = PredictionContextCache()
 
-    literalNames = [ "<INVALID>", "'^'", "'sum'", "'min'", "'max'", "<INVALID>", 
+    literalNames = [ "<INVALID>", "'^'", "'sum'", "'min'", "'max'", "'known'", 
                      "<INVALID>", "<INVALID>", "<INVALID>", "<INVALID>", 
-                     "'<>'", "'[]'", "'>='", "'<='", "'>'", "'<'", "<INVALID>", 
-                     "'!='", "<INVALID>", "<INVALID>", "'F'", "'G'", "'U'", 
-                     "'R'", "'X'", "'one'", "'all'", "'('", "')'", "'+'", 
-                     "'-'", "'*'", "'/'", "'%'", "','", "'['", "']'", "'{'", 
-                     "'}'" ]
+                     "<INVALID>", "'<>'", "'[]'", "'>='", "'<='", "'>'", 
+                     "'<'", "<INVALID>", "'!='", "<INVALID>", "<INVALID>", 
+                     "'F'", "'G'", "'U'", "'R'", "'X'", "'one'", "'all'", 
+                     "'('", "')'", "'+'", "'-'", "'*'", "'/'", "'%'", "','", 
+                     "'['", "']'", "'{'", "'}'" ]
 
-    symbolicNames = [ "<INVALID>", "HAT", "SUM", "MIN", "MAX", "AND", "OR", 
-                      "NOT", "IMPLIES", "IFF", "DIAMOND", "BOX", "GE", "LE", 
-                      "GT", "LT", "EQ", "NE", "TRUE", "FALSE", "EVENTUALLY", 
-                      "ALWAYS", "UNTIL", "RELEASE", "NEXT", "ONE", "ALL", 
-                      "OPEN", "CLOSE", "PLUS", "MINUS", "STAR", "SLASH", 
-                      "PERCENT", "COMMA", "LBRACKET", "RBRACKET", "LBRACE", 
-                      "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", "STRAY", 
-                      "GROUP" ]
+    symbolicNames = [ "<INVALID>", "HAT", "SUM", "MIN", "MAX", "KNOWN", 
+                      "AND", "OR", "NOT", "IMPLIES", "IFF", "DIAMOND", "BOX", 
+                      "GE", "LE", "GT", "LT", "EQ", "NE", "TRUE", "FALSE", 
+                      "EVENTUALLY", "ALWAYS", "UNTIL", "RELEASE", "NEXT", 
+                      "ONE", "ALL", "OPEN", "CLOSE", "PLUS", "MINUS", "STAR", 
+                      "SLASH", "PERCENT", "COMMA", "LBRACKET", "RBRACKET", 
+                      "LBRACE", "RBRACE", "NUMBER", "NAME", "STRING", "SPACE", 
+                      "STRAY", "GROUP" ]
 
     RULE_connective = 0
     RULE_prefix = 1
@@ -121,68 +125,70 @@ class wmtlParser ( Parser ):
     RULE_number = 7
     RULE_atom = 8
     RULE_count = 9
-    RULE_reserved = 10
-    RULE_formula = 11
-    RULE_level = 12
-    RULE_unary = 13
-    RULE_parts = 14
-    RULE_interval = 15
-    RULE_bound = 16
-    RULE_relation = 17
-    RULE_constant = 18
-    RULE_name = 19
-    RULE_word = 20
+    RULE_known = 10
+    RULE_reserved = 11
+    RULE_formula = 12
+    RULE_level = 13
+    RULE_unary = 14
+    RULE_parts = 15
+    RULE_interval = 16
+    RULE_bound = 17
+    RULE_relation = 18
+    RULE_constant = 19
+    RULE_name = 20
+    RULE_word = 21
 
     ruleNames =  [ "connective", "prefix", "joined", "weight", "value", 
-                   "comparison", "operand", "number", "atom", "count", "reserved", 
-                   "formula", "level", "unary", "parts", "interval", "bound", 
-                   "relation", "constant", "name", "word" ]
+                   "comparison", "operand", "number", "atom", "count", "known", 
+                   "reserved", "formula", "level", "unary", "parts", "interval", 
+                   "bound", "relation", "constant", "name", "word" ]
 
     EOF = Token.EOF
     HAT=1
     SUM=2
     MIN=3
     MAX=4
-    AND=5
-    OR=6
-    NOT=7
-    IMPLIES=8
-    IFF=9
-    DIAMOND=10
-    BOX=11
-    GE=12
-    LE=13
-    GT=14
-    LT=15
-    EQ=16
-    NE=17
-    TRUE=18
-    FALSE=19
-    EVENTUALLY=20
-    ALWAYS=21
-    UNTIL=22
-    RELEASE=23
-    NEXT=24
-    ONE=25
-    ALL=26
-    OPEN=27
-    CLOSE=28
-    PLUS=29
-    MINUS=30
-    STAR=31
-    SLASH=32
-    PERCENT=33
-    COMMA=34
-    LBRACKET=35
-    RBRACKET=36
-    LBRACE=37
-    RBRACE=38
-    NUMBER=39
-    NAME=40
-    STRING=41
-    SPACE=42
-    STRAY=43
-    GROUP=44
+    KNOWN=5
+    AND=6
+    OR=7
+    NOT=8
+    IMPLIES=9
+    IFF=10
+    DIAMOND=11
+    BOX=12
+    GE=13
+    LE=14
+    GT=15
+    LT=16
+    EQ=17
+    NE=18
+    TRUE=19
+    FALSE=20
+    EVENTUALLY=21
+    ALWAYS=22
+    UNTIL=23
+    RELEASE=24
+    NEXT=25
+    ONE=26
+    ALL=27
+    OPEN=28
+    CLOSE=29
+    PLUS=30
+    MINUS=31
+    STAR=32
+    SLASH=33
+    PERCENT=34
+    COMMA=35
+    LBRACKET=36
+    RBRACKET=37
+    LBRACE=38
+    RBRACE=39
+    NUMBER=40
+    NAME=41
+    STRING=42
+    SPACE=43
+    STRAY=44
+    GROUP=45
 
     def __init__(self, input:TokenStream, output:TextIO = sys.stdout):
         super().__init__(input, output)
@@ -238,53 +244,53 @@ class wmtlParser ( Parser ):
         self.enterRule(localctx, 0, self.RULE_connective)
         self._la = 0 # Token type
         try:
-            self.state = 53
+            self.state = 55
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [5, 6]:
+            if token in [6, 7]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 42
+                self.state = 44
                 _la = self._input.LA(1)
-                if not(_la==5 or _la==6):
+                if not(_la==6 or _la==7):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 44
+                self.state = 46
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 43
+                    self.state = 45
                     self.weight()
 
 
                 pass
-            elif token in [8]:
+            elif token in [9]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 46
+                self.state = 48
                 self.match(wmtlParser.IMPLIES)
                 pass
-            elif token in [9]:
+            elif token in [10]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 47
+                self.state = 49
                 self.match(wmtlParser.IFF)
                 pass
-            elif token in [22, 23]:
+            elif token in [23, 24]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 48
+                self.state = 50
                 _la = self._input.LA(1)
-                if not(_la==22 or _la==23):
+                if not(_la==23 or _la==24):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 49
-                self.interval()
                 self.state = 51
+                self.interval()
+                self.state = 53
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 50
+                    self.state = 52
                     self.weight()
 
 
@@ -352,49 +358,49 @@ class wmtlParser ( Parser ):
         self.enterRule(localctx, 2, self.RULE_prefix)
         self._la = 0 # Token type
         try:
-            self.state = 64
+            self.state = 66
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [7]:
+            if token in [8]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 55
+                self.state = 57
                 self.match(wmtlParser.NOT)
                 pass
-            elif token in [24]:
+            elif token in [25]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 56
+                self.state = 58
                 self.match(wmtlParser.NEXT)
                 pass
-            elif token in [10, 11, 20, 21]:
+            elif token in [11, 12, 21, 22]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 57
+                self.state = 59
                 _la = self._input.LA(1)
-                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 3148800) != 0)):
+                if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 6297600) != 0)):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 58
-                self.interval()
                 self.state = 60
+                self.interval()
+                self.state = 62
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 59
+                    self.state = 61
                     self.weight()
 
 
                 pass
-            elif token in [25, 26]:
+            elif token in [26, 27]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 62
+                self.state = 64
                 _la = self._input.LA(1)
-                if not(_la==25 or _la==26):
+                if not(_la==26 or _la==27):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 63
+                self.state = 65
                 self.interval()
                 pass
             else:
@@ -448,39 +454,39 @@ class wmtlParser ( Parser ):
         self.enterRule(localctx, 4, self.RULE_joined)
         self._la = 0 # Token type
         try:
-            self.state = 73
+            self.state = 75
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [5, 6]:
+            if token in [6, 7]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 66
+                self.state = 68
                 _la = self._input.LA(1)
-                if not(_la==5 or _la==6):
+                if not(_la==6 or _la==7):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 68
+                self.state = 70
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
                 if _la==1:
-                    self.state = 67
+                    self.state = 69
                     self.weight()
 
 
-                self.state = 70
+                self.state = 72
                 self.parts()
                 pass
-            elif token in [25, 26]:
+            elif token in [26, 27]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 71
+                self.state = 73
                 _la = self._input.LA(1)
-                if not(_la==25 or _la==26):
+                if not(_la==26 or _la==27):
                     self._errHandler.recoverInline(self)
                 else:
                     self._errHandler.reportMatch(self)
                     self.consume()
-                self.state = 72
+                self.state = 74
                 self.parts()
                 pass
             else:
@@ -540,46 +546,46 @@ class wmtlParser ( Parser ):
         self.enterRule(localctx, 6, self.RULE_weight)
         self._la = 0 # Token type
         try:
-            self.state = 91
+            self.state = 93
             self._errHandler.sync(self)
             la_ = self._interp.adaptivePredict(self._input,8,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 75
+                self.state = 77
                 self.match(wmtlParser.HAT)
-                self.state = 76
+                self.state = 78
                 self.name()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 77
+                self.state = 79
                 self.match(wmtlParser.HAT)
-                self.state = 78
+                self.state = 80
                 self.value()
                 pass
 
             elif la_ == 3:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 79
-                self.match(wmtlParser.HAT)
-                self.state = 80
-                self.match(wmtlParser.LBRACKET)
                 self.state = 81
+                self.match(wmtlParser.HAT)
+                self.state = 82
+                self.match(wmtlParser.LBRACKET)
+                self.state = 83
                 self.value()
-                self.state = 86
+                self.state = 88
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==34:
-                    self.state = 82
+                while _la==35:
+                    self.state = 84
                     self.match(wmtlParser.COMMA)
-                    self.state = 83
+                    self.state = 85
                     self.value()
-                    self.state = 88
+                    self.state = 90
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 89
+                self.state = 91
                 self.match(wmtlParser.RBRACKET)
                 pass
 
@@ -619,15 +625,15 @@ class wmtlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 94
+            self.state = 96
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==30:
-                self.state = 93
+            if _la==31:
+                self.state = 95
                 self.match(wmtlParser.MINUS)
 
 
-            self.state = 96
+            self.state = 98
             self.match(wmtlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -672,17 +678,17 @@ class wmtlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 98
+            self.state = 100
             self.operand()
-            self.state = 104
+            self.state = 106
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0):
-                self.state = 99
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 516096) != 0):
+                self.state = 101
                 self.relation()
-                self.state = 100
+                self.state = 102
                 self.operand()
-                self.state = 106
+                self.state = 108
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -729,27 +735,27 @@ class wmtlParser ( Parser ):
         localctx = wmtlParser.OperandContext(self, self._ctx, self.state)
         self.enterRule(localctx, 12, self.RULE_operand)
         try:
-            self.state = 111
+            self.state = 113
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [18, 19]:
+            if token in [19, 20]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 107
+                self.state = 109
                 self.constant()
                 pass
-            elif token in [30, 39]:
+            elif token in [31, 40]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 108
+                self.state = 110
                 self.number()
                 pass
-            elif token in [2, 3, 4, 20, 21, 22, 23, 24, 25, 26, 40, 41]:
+            elif token in [2, 3, 4, 5, 21, 22, 23, 24, 25, 26, 27, 41, 42]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 109
+                self.state = 111
                 self.atom()
                 pass
-            elif token in [27, 44]:
+            elif token in [28, 45]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 110
+                self.state = 112
                 self.parts()
                 pass
             else:
@@ -793,21 +799,21 @@ class wmtlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 114
+            self.state = 116
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==30:
-                self.state = 113
+            if _la==31:
+                self.state = 115
                 self.match(wmtlParser.MINUS)
 
 
-            self.state = 116
-            self.match(wmtlParser.NUMBER)
             self.state = 118
+            self.match(wmtlParser.NUMBER)
+            self.state = 120
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==33:
-                self.state = 117
+            if _la==34:
+                self.state = 119
                 self.match(wmtlParser.PERCENT)
 
 
@@ -831,6 +837,10 @@ class wmtlParser ( Parser ):
             return self.getTypedRuleContext(wmtlParser.CountContext,0)
 
 
+        def known(self):
+            return self.getTypedRuleContext(wmtlParser.KnownContext,0)
+
+
         def name(self):
             return self.getTypedRuleContext(wmtlParser.NameContext,0)
 
@@ -846,18 +856,24 @@ class wmtlParser ( Parser ):
         localctx = wmtlParser.AtomContext(self, self._ctx, self.state)
         self.enterRule(localctx, 16, self.RULE_atom)
         try:
-            self.state = 122
+            self.state = 125
             self._errHandler.sync(self)
             la_ = self._interp.adaptivePredict(self._input,14,self._ctx)
             if la_ == 1:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 120
+                self.state = 122
                 self.count()
                 pass
 
             elif la_ == 2:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 121
+                self.state = 123
+                self.known()
+                pass
+
+            elif la_ == 3:
+                self.enterOuterAlt(localctx, 3)
+                self.state = 124
                 self.name()
                 pass
 
@@ -916,28 +932,77 @@ class wmtlParser ( Parser ):
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 124
+            self.state = 127
             _la = self._input.LA(1)
             if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 28) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
                 self.consume()
-            self.state = 125
+            self.state = 128
             self.match(wmtlParser.OPEN)
-            self.state = 126
-            self.name()
             self.state = 129
+            self.name()
+            self.state = 132
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==34:
-                self.state = 127
+            if _la==35:
+                self.state = 130
                 self.match(wmtlParser.COMMA)
-                self.state = 128
+                self.state = 131
                 self.name()
 
 
-            self.state = 131
+            self.state = 134
+            self.match(wmtlParser.CLOSE)
+        except RecognitionException as re:
+            localctx.exception = re
+            self._errHandler.reportError(self, re)
+            self._errHandler.recover(self, re)
+        finally:
+            self.exitRule()
+        return localctx
+
+
+    class KnownContext(ParserRuleContext):
+        __slots__ = 'parser'
+
+        def __init__(self, parser, parent:ParserRuleContext=None, invokingState:int=-1):
+            super().__init__(parent, invokingState)
+            self.parser = parser
+
+        def KNOWN(self):
+            return self.getToken(wmtlParser.KNOWN, 0)
+
+        def OPEN(self):
+            return self.getToken(wmtlParser.OPEN, 0)
+
+        def number(self):
+            return self.getTypedRuleContext(wmtlParser.NumberContext,0)
+
+
+        def CLOSE(self):
+            return self.getToken(wmtlParser.CLOSE, 0)
+
+        def getRuleIndex(self):
+            return wmtlParser.RULE_known
+
+
+
+
+    def known(self):
+
+        localctx = wmtlParser.KnownContext(self, self._ctx, self.state)
+        self.enterRule(localctx, 20, self.RULE_known)
+        try:
+            self.enterOuterAlt(localctx, 1)
+            self.state = 136
+            self.match(wmtlParser.KNOWN)
+            self.state = 137
+            self.match(wmtlParser.OPEN)
+            self.state = 138
+            self.number()
+            self.state = 139
             self.match(wmtlParser.CLOSE)
         except RecognitionException as re:
             localctx.exception = re
@@ -968,6 +1033,9 @@ class wmtlParser ( Parser ):
         def MAX(self):
             return self.getToken(wmtlParser.MAX, 0)
 
+        def KNOWN(self):
+            return self.getToken(wmtlParser.KNOWN, 0)
+
         def getRuleIndex(self):
             return wmtlParser.RULE_reserved
 
@@ -977,30 +1045,35 @@ class wmtlParser ( Parser ):
     def reserved(self):
 
         localctx = wmtlParser.ReservedContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 20, self.RULE_reserved)
+        self.enterRule(localctx, 22, self.RULE_reserved)
         try:
-            self.state = 137
+            self.state = 146
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [20, 21, 22, 23, 24, 25, 26]:
+            if token in [21, 22, 23, 24, 25, 26, 27]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 133
+                self.state = 141
                 self.word()
                 pass
             elif token in [2]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 134
+                self.state = 142
                 self.match(wmtlParser.SUM)
                 pass
             elif token in [3]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 135
+                self.state = 143
                 self.match(wmtlParser.MIN)
                 pass
             elif token in [4]:
                 self.enterOuterAlt(localctx, 4)
-                self.state = 136
+                self.state = 144
                 self.match(wmtlParser.MAX)
+                pass
+            elif token in [5]:
+                self.enterOuterAlt(localctx, 5)
+                self.state = 145
+                self.match(wmtlParser.KNOWN)
                 pass
             else:
                 raise NoViableAltException(self)
@@ -1046,25 +1119,25 @@ class wmtlParser ( Parser ):
     def formula(self):
 
         localctx = wmtlParser.FormulaContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 22, self.RULE_formula)
+        self.enterRule(localctx, 24, self.RULE_formula)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 139
+            self.state = 148
             self.level()
-            self.state = 144
+            self.state = 153
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while _la==34:
-                self.state = 140
+            while _la==35:
+                self.state = 149
                 self.match(wmtlParser.COMMA)
-                self.state = 141
+                self.state = 150
                 self.level()
-                self.state = 146
+                self.state = 155
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
-            self.state = 147
+            self.state = 156
             self.match(wmtlParser.EOF)
         except RecognitionException as re:
             localctx.exception = re
@@ -1105,21 +1178,21 @@ class wmtlParser ( Parser ):
     def level(self):
 
         localctx = wmtlParser.LevelContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 24, self.RULE_level)
+        self.enterRule(localctx, 26, self.RULE_level)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 149
+            self.state = 158
             self.unary()
-            self.state = 155
+            self.state = 164
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 12583776) != 0):
-                self.state = 150
+            while (((_la) & ~0x3f) == 0 and ((1 << _la) & 25167552) != 0):
+                self.state = 159
                 self.connective()
-                self.state = 151
+                self.state = 160
                 self.unary()
-                self.state = 157
+                self.state = 166
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
 
@@ -1163,30 +1236,30 @@ class wmtlParser ( Parser ):
     def unary(self):
 
         localctx = wmtlParser.UnaryContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 26, self.RULE_unary)
+        self.enterRule(localctx, 28, self.RULE_unary)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 161
+            self.state = 170
             self._errHandler.sync(self)
             _alt = self._interp.adaptivePredict(self._input,19,self._ctx)
             while _alt!=1 and _alt!=ATN.INVALID_ALT_NUMBER:
                 if _alt==1+1:
-                    self.state = 158
+                    self.state = 167
                     self.prefix() 
-                self.state = 163
+                self.state = 172
                 self._errHandler.sync(self)
                 _alt = self._interp.adaptivePredict(self._input,19,self._ctx)
 
-            self.state = 166
+            self.state = 175
             self._errHandler.sync(self)
             la_ = self._interp.adaptivePredict(self._input,20,self._ctx)
             if la_ == 1:
-                self.state = 164
+                self.state = 173
                 self.comparison()
                 pass
 
             elif la_ == 2:
-                self.state = 165
+                self.state = 174
                 self.joined()
                 pass
 
@@ -1238,36 +1311,36 @@ class wmtlParser ( Parser ):
     def parts(self):
 
         localctx = wmtlParser.PartsContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 28, self.RULE_parts)
+        self.enterRule(localctx, 30, self.RULE_parts)
         self._la = 0 # Token type
         try:
-            self.state = 180
+            self.state = 189
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [44]:
+            if token in [45]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 168
+                self.state = 177
                 self.match(wmtlParser.GROUP)
                 pass
-            elif token in [27]:
+            elif token in [28]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 169
+                self.state = 178
                 self.match(wmtlParser.OPEN)
-                self.state = 170
+                self.state = 179
                 self.level()
-                self.state = 175
+                self.state = 184
                 self._errHandler.sync(self)
                 _la = self._input.LA(1)
-                while _la==34:
-                    self.state = 171
+                while _la==35:
+                    self.state = 180
                     self.match(wmtlParser.COMMA)
-                    self.state = 172
+                    self.state = 181
                     self.level()
-                    self.state = 177
+                    self.state = 186
                     self._errHandler.sync(self)
                     _la = self._input.LA(1)
 
-                self.state = 178
+                self.state = 187
                 self.match(wmtlParser.CLOSE)
                 pass
             else:
@@ -1314,18 +1387,18 @@ class wmtlParser ( Parser ):
     def interval(self):
 
         localctx = wmtlParser.IntervalContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 30, self.RULE_interval)
+        self.enterRule(localctx, 32, self.RULE_interval)
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 182
+            self.state = 191
             self.match(wmtlParser.LBRACKET)
-            self.state = 183
+            self.state = 192
             self.bound()
-            self.state = 184
+            self.state = 193
             self.match(wmtlParser.COMMA)
-            self.state = 185
+            self.state = 194
             self.bound()
-            self.state = 186
+            self.state = 195
             self.match(wmtlParser.RBRACKET)
         except RecognitionException as re:
             localctx.exception = re
@@ -1358,19 +1431,19 @@ class wmtlParser ( Parser ):
     def bound(self):
 
         localctx = wmtlParser.BoundContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 32, self.RULE_bound)
+        self.enterRule(localctx, 34, self.RULE_bound)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 189
+            self.state = 198
             self._errHandler.sync(self)
             _la = self._input.LA(1)
-            if _la==30:
-                self.state = 188
+            if _la==31:
+                self.state = 197
                 self.match(wmtlParser.MINUS)
 
 
-            self.state = 191
+            self.state = 200
             self.match(wmtlParser.NUMBER)
         except RecognitionException as re:
             localctx.exception = re
@@ -1415,13 +1488,13 @@ class wmtlParser ( Parser ):
     def relation(self):
 
         localctx = wmtlParser.RelationContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 34, self.RULE_relation)
+        self.enterRule(localctx, 36, self.RULE_relation)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 193
+            self.state = 202
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 258048) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 516096) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
@@ -1457,13 +1530,13 @@ class wmtlParser ( Parser ):
     def constant(self):
 
         localctx = wmtlParser.ConstantContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 36, self.RULE_constant)
+        self.enterRule(localctx, 38, self.RULE_constant)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 195
+            self.state = 204
             _la = self._input.LA(1)
-            if not(_la==18 or _la==19):
+            if not(_la==19 or _la==20):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)
@@ -1503,24 +1576,24 @@ class wmtlParser ( Parser ):
     def name(self):
 
         localctx = wmtlParser.NameContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 38, self.RULE_name)
+        self.enterRule(localctx, 40, self.RULE_name)
         try:
-            self.state = 200
+            self.state = 209
             self._errHandler.sync(self)
             token = self._input.LA(1)
-            if token in [40]:
+            if token in [41]:
                 self.enterOuterAlt(localctx, 1)
-                self.state = 197
+                self.state = 206
                 self.match(wmtlParser.NAME)
                 pass
-            elif token in [41]:
+            elif token in [42]:
                 self.enterOuterAlt(localctx, 2)
-                self.state = 198
+                self.state = 207
                 self.match(wmtlParser.STRING)
                 pass
-            elif token in [2, 3, 4, 20, 21, 22, 23, 24, 25, 26]:
+            elif token in [2, 3, 4, 5, 21, 22, 23, 24, 25, 26, 27]:
                 self.enterOuterAlt(localctx, 3)
-                self.state = 199
+                self.state = 208
                 self.reserved()
                 pass
             else:
@@ -1572,13 +1645,13 @@ class wmtlParser ( Parser ):
     def word(self):
 
         localctx = wmtlParser.WordContext(self, self._ctx, self.state)
-        self.enterRule(localctx, 40, self.RULE_word)
+        self.enterRule(localctx, 42, self.RULE_word)
         self._la = 0 # Token type
         try:
             self.enterOuterAlt(localctx, 1)
-            self.state = 202
+            self.state = 211
             _la = self._input.LA(1)
-            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 133169152) != 0)):
+            if not((((_la) & ~0x3f) == 0 and ((1 << _la) & 266338304) != 0)):
                 self._errHandler.recoverInline(self)
             else:
                 self._errHandler.reportMatch(self)

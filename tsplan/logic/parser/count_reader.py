@@ -8,7 +8,17 @@ from fractions import Fraction
 from typing import Any, TypeAlias, cast
 
 from tsplan.limits import LARGEST
-from tsplan.logic.atoms import MIRRORED, Count, Function, Limit, Percent, Relation, Task, at_least
+from tsplan.logic.atoms import (
+    MIRRORED,
+    Count,
+    Function,
+    Known,
+    Limit,
+    Percent,
+    Relation,
+    Task,
+    at_least,
+)
 from tsplan.logic.parser.numerals import exact, whole
 from tsplan.logic.parser.reading import reach
 from tsplan.logic.parser.tree_reader import Reader
@@ -107,7 +117,7 @@ class CountReader(Reader):
         return Number(text, exact(text.rstrip("%")), text.endswith("%"), reach(part))
 
     def read_atom(self, part: Any) -> Any:
-        """Read a count, a task, a limit or a label."""
+        """Read a count, what is known, a task, a limit or a label."""
         if not part.name():
             return self.read(part.children[0])
         label = self.read(part.name())
@@ -123,6 +133,18 @@ class CountReader(Reader):
         parts = dict(zip((LABEL, ("capability",)), map(reach, part.name()), strict=False))
         capability = names[1] if len(names) > 1 else None
         return Measure(cast("Function", part.start.text), names[0], capability, parts)
+
+    def read_known(self, part: Any) -> Written | None:
+        """Read the margin by which something is known to hold or to fail."""
+        number = self.read(part.number())
+        if number is None:
+            return None
+        margin = None if number.percent else whole(number.value)
+        if margin is None:
+            remedy = "write by how many agents it holds, or with a minus how many are missing"
+            self.complain(part.number(), f"{number.text} is not a whole number of agents", remedy)
+            return None
+        return Written(Known(margin), reach(part), parts={("margin",): reach(part.number())})
 
     def read_task(self, part: Any) -> Written | None:
         """Read a duration, a label, what is needed and, if written, what is spent."""

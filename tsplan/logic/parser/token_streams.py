@@ -50,7 +50,7 @@ class Streams:
         self._lexer = lexer
         self._types = parser
         self._weighted = weighted
-        listing = ("SUM", "MIN", "MAX", "TASK", "LIMIT", "LBRACE", "IN", "OUT", "CLEAR")
+        listing = ("SUM", "MIN", "MAX", "KNOWN", "TASK", "LIMIT", "LBRACE", "IN", "OUT", "CLEAR")
         self._listing = {getattr(parser, name) for name in listing if hasattr(parser, name)}
         self.findings: list[Finding] = []
         self.strays: set[int] = set()

@@ -1,0 +1,101 @@
+"""Formulas with parts that are known by their margins are planned for exactly."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+
+import tsplan
+from tests.joint_plans import small_enough
+from tests.seeds import seed_blocks
+from tests.slippery import grid_mission
+from tests.test_brute_force import PLAIN, REFERENCE, TIGHT, compare
+from tests.test_encode_agree import answer
+from tests.test_partial_brute_force import (
+    compare_satisfaction,
+    swarms_in_part,
+    team_in_part,
+    team_weighing,
+)
+from tsplan import Mission
+from tsplan.logic import Count, Formula, Known, fold
+from tsplan.testing import random_mission, random_swarm_mission
+
+NEAR = "G[9,9] (sum(goal) >= 1)"
+
+
+def with_known(mission: Mission, seed: int) -> Mission:
+    """The mission with known margins beside or in place of some of its atoms."""
+    drawn = random.Random(seed)
+
+    def known(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        made = node.over(below)
+        if not isinstance(node, Count) or drawn.random() < 0.3:
+            return made
+        margin = Known(drawn.choice([-2, -1, 0, 0, 1, 2]))
+        return drawn.choice(
+            [margin | made, margin & made, margin, made & Known(abs(margin.margin))]
+        )
+
+    formula = fold(mission.formula, known)
+    return replace(mission, formula=formula, text=str(formula))
+
+
+def small_team(seed: int) -> Mission:
+    made = random_mission(seed, states=4, most_agents=3, steps=5, mixed=seed % 3 == 0)
+    if "availability" not in made.objective:
+        made = replace(made, objective=("availability", *made.objective))
+    return with_known(made, seed)
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(12), range(12, 1000), 6))
+def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds):
+    for mission in filter(small_enough, map(small_team, seeds)):
+        compare(mission, TIGHT, REFERENCE, PLAIN)
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(4), range(4, 200), 4))
+def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds):
+    for seed in seeds:
+        mission = with_known(random_swarm_mission(seed, fits=small_enough), seed)
+        compare(mission, TIGHT, REFERENCE)
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(2), range(2, 200), 1))
+def test_both_encodings_agree_on_larger_missions(seeds):
+    for seed in seeds:
+        mission = with_known(random_mission(seed), seed)
+        assert answer(tsplan.plan(mission)) == answer(tsplan.plan(mission, encoding="reference"))
+
+
+def test_as_much_holds_as_can_where_formulas_may_hold_in_part():
+    found = Counter(
+        compare_satisfaction(with_known(made, seed))
+        for seed in range(3)
+        for made in (team_in_part(seed), swarms_in_part(seed), team_weighing(seed))
+    )
+    assert min(found["part"], found["whole"]) >= 2, found
+
+
+@pytest.mark.parametrize("encoding", ["tight", "reference"])
+@pytest.mark.parametrize(
+    ("formula", "availability"),
+    [
+        (f"{NEAR}", 1.7430748),
+        (f"known(0) && {NEAR}", 0),
+        (f"known(1) && {NEAR}", 1),
+        (f"known(3) && {NEAR}", 1.7430748),
+        (f"known(1) || {NEAR}", 1.7430748),
+        (f"known(3) || {NEAR}", 3),
+        ("known(-1) || F[7,9] (sum(goal) >= 1 && known(1))", 1),
+        ("known(2)", 2),
+        (f"known(-1) && {NEAR}", None),
+    ],
+)
+def test_expected_numbers_have_no_more_to_spare_than_is_known(encoding, formula, availability):
+    plan = tsplan.plan(grid_mission(4, 3, formula), encoding=encoding)
+    assert plan.verified == (availability is not None)
+    assert plan.availability == pytest.approx(availability, abs=1e-6)
