@@ -21,7 +21,7 @@ from tsplan import Mission
 from tsplan.logic import Task, walk
 from tsplan.logic.evaluation import robustness
 from tsplan.logic.traces import CountTrace
-from tsplan.mission import Resource
+from tsplan.mission import Resource, UnderWay
 from tsplan.mission.vocabulary import Booking
 from tsplan.ts import Edge, State, TransitionSystem
 
@@ -250,7 +250,7 @@ class Depot:
         self.staffed = plan.trace().counts
 
     def outcomes(self) -> set[Done]:
-        now = {Now(self.begin(), frozenset(), Done(frozenset(), 0.0, inf))}
+        now = {Now(self.begin(), self.brought(), Done(frozenset(), 0.0, inf))}
         for step in range(self.mission.horizon + 1):
             there = {self.arrived(here, step) for here in now}
             now = {after for here in there for after in self.executions(here, step)}
@@ -262,6 +262,22 @@ class Depot:
         return tuple(
             tuple(round(dict(item.at).get(state, 0) / self.unit) for state in self.states)
             for item in self.mission.resources
+        )
+
+    def brought(self) -> frozenset[tuple[int, int, int, int, int]]:
+        """What agents bring that start under way."""
+        number = {item.name: r for r, item in enumerate(self.mission.resources)}
+        return frozenset(
+            (
+                start.arrives,
+                number[name],
+                self.states.index(start.target),
+                round(amount / self.unit),
+                robot,
+            )
+            for robot, agent in enumerate(self.mission.agents)
+            if isinstance(start := agent.start, UnderWay)
+            for name, amount in start.carrying
         )
 
     def needs(self, task: Task, name: str) -> int:

@@ -84,8 +84,8 @@ class Ledger:
             left[haul.resource, haul.source, haul.left] += haul.amount
             come[haul.resource, haul.target, haul.come] += haul.amount
         for resource in self.resources:
-            for state, amount in resource.at:
-                come[resource.name, state, 0] += exact(amount)
+            for state, step, amount in resource.sources:
+                come[resource.name, state, step] += exact(amount)
             for use in self.uses if resource.consumed else ():
                 spent[resource.name, use.state, use.first] += use.needs(resource.name)
         return come, left, spent

@@ -130,12 +130,15 @@ def earliest(resource: Resource, network: Network, arrays: MapArrays, amount: fl
     With an `amount`, some that was brought where less than that lies from the start.
     """
     lying = {arrays.number[state]: there for state, there in resource.at if there}
+    sources = [(n, 0) for n in lying]
+    sources += [(arrays.number[state], step) for state, step, _ in resource.brought]
     able = tuple(carriers(resource, network))
     never = network.horizon + 1
 
-    def brought(sources: Iterable[int]) -> Ints:
+    def brought(sources: Iterable[tuple[int, int]]) -> Ints:
         found = np.full(len(arrays.names), never)
-        found[list(sources)] = 0
+        for state, step in sources:
+            found[state] = min(found[state], step)
         settled = False
         while not settled:
             before = found.copy()
@@ -147,10 +150,10 @@ def earliest(resource: Resource, network: Network, arrays: MapArrays, amount: fl
             settled = bool((found == before).all())
         return np.asarray(np.minimum(found, never))
 
-    found = brought(lying)
+    found = brought(sources)
     for state, there in lying.items() if amount else ():
         if there < amount:
-            found[state] = brought(other for other in lying if other != state)[state]
+            found[state] = brought(other for other in sources if other != (state, 0))[state]
     return found
 
 

@@ -204,7 +204,7 @@ class _Still:
         arrays = self._encoded.setting.arrays
         count = len(arrays.names)
         lying, used, lent = np.zeros((3, count))
-        for name, amount in resource.at:
+        for name, _, amount in resource.sources:
             lying[arrays.number[name]] += amount
         for bound, steps in self._bounds:
             if isinstance(bound, Executed):

@@ -178,7 +178,7 @@ class _StockRows:
         first = earliest(resource, self._network, self._arrays)
         last = latest(wanted, resource, self._network, self._arrays)
         if self._straight:
-            begun = [self._arrays.number[state] for state, amount in resource.at if amount]
+            begun = [self._arrays.number[state] for state, _, amount in resource.sources if amount]
             last[np.setdiff1d(np.arange(len(last)), [*wanted, *begun])] = -1
         spans = np.maximum(last - first + 1, 0)
         columns = self._draft.columns(int(spans.sum()), upper=float(resource.total))
@@ -253,10 +253,10 @@ class _StockRows:
                 steps, columns = self._able(bound, stock)
                 terms.append((row[bound.state] + steps, columns, amount))
         begun = np.zeros(total)
-        for name, amount in resource.at:
+        for name, step, amount in resource.sources:
             state = self._arrays.number[name]
-            if amount and stock.has(state, 0):
-                begun[row[state]] = amount
+            if amount and stock.has(state, step):
+                begun[row[state] + step] += amount
         self._draft.sums(*terms, lower=begun, upper=begun, kind="stock")
 
     def _able(self, bound: Executed, stock: Stock) -> tuple[Ints, Ints]:

@@ -66,7 +66,12 @@ def _ends_of_loads(setting: Setting) -> Bools:
     mission, arrays = setting.mission, setting.arrays
     ends = np.zeros(len(arrays.names), dtype=np.bool_)
     ends[
-        [arrays.number[name] for item in mission.resources for name, there in item.at if there]
+        [
+            arrays.number[name]
+            for item in mission.resources
+            for name, _, there in item.sources
+            if there
+        ]
     ] = True
     for node in walk(setting.goal):
         if isinstance(node, Execution):

@@ -31,7 +31,7 @@ from tsplan.mission.name_resolution import (
     with_named_states,
 )
 from tsplan.mission.resources import Resource
-from tsplan.mission.team import Agent, Rank
+from tsplan.mission.team import Agent, Rank, with_brought
 from tsplan.mission.team_values import TeamValues, team_members
 from tsplan.mission.values import parts_from_values
 from tsplan.mission.vocabulary import (
@@ -84,6 +84,7 @@ class Mission(MissionParts):
         object.__setattr__(self, "name", nfc(self.name))
         object.__setattr__(self, "text", nfc(self.text or str(self.formula)))
         object.__setattr__(self, "team", (*robots, *swarms))
+        object.__setattr__(self, "resources", with_brought(self.resources, self.team))
         object.__setattr__(self, "system", with_named_states(self.system, formulas))
         modular = with_named_configurations(self.modular, team, self.system, formulas)
         object.__setattr__(self, "modular", modular)

@@ -25,7 +25,7 @@ from tsplan.mission.magnitudes import number_faults
 from tsplan.mission.mission_parts import MissionParts, Preference
 from tsplan.mission.objectives import OBJECTIVES, objectives_for
 from tsplan.mission.resource_checks import Carrying, resource_faults, spending_faults
-from tsplan.mission.team import SwarmRules
+from tsplan.mission.team import SwarmRules, with_brought
 from tsplan.mission.team_checks import entries_of, map_faults, team_faults
 
 
@@ -92,7 +92,8 @@ def _formula_faults(
 
 def _carrying(mission: MissionParts) -> Carrying:
     entries = carriers(_entries(mission), mission.modular)
-    return Carrying(mission.resources, entries, mission.system, mission.books)
+    resources = with_brought(mission.resources, mission.team)
+    return Carrying(resources, entries, mission.system, mission.books)
 
 
 def _booked(mission: MissionParts) -> Booked:

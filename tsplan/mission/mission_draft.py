@@ -61,6 +61,7 @@ from tsplan.mission.team import (
     SwarmBounds,
     SwarmRules,
     UnderWay,
+    with_brought,
 )
 from tsplan.mission.team_checks import map_faults, team_faults
 from tsplan.mission.vocabulary import ORDERS, WHO, Order, default_language
@@ -329,7 +330,10 @@ class _Draft(Filing):
 
     def _carrying(self, file: MissionFile) -> Carrying:
         entries = None if self.entries is None else carriers(self.entries, self.rules)
-        return Carrying(self.resources, entries, self.system, file.booking != "shared")
+        known = self.resources
+        if known is not None:
+            known = with_brought(known, self.team or ())
+        return Carrying(known, entries, self.system, file.booking != "shared")
 
     def _booked(self, file: MissionFile) -> Booked:
         return Booked(

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from tsplan import logic
-from tsplan.errors import Nearest
+from tsplan.errors import Nearest, nearest
 from tsplan.exact import exact
 from tsplan.limits import LARGEST, Range
 from tsplan.logic import Formula
@@ -59,6 +59,15 @@ def resource_faults(
             yield Fault(("objective", number), what, "add 'resources: [...]' or remove it")
     for place, group in carrying.entries or ():
         yield from _carried(group.carries, resources, (*place, "carries"))
+        for start, _ in group.coming:
+            path = (*place, "at", start.label)
+            for name, _ in start.carrying:
+                if name not in names:
+                    what, remedy = f"there is no resource '{name}'", nearest(name, names)
+                    yield Fault(path, what, remedy or "add 'resources: [...]' to the mission")
+            held = [item for item in resources if item.name in dict(start.carrying)]
+            brought = tuple((item.name, dict(start.carrying)[item.name]) for item in held)
+            yield from _wrong_amounts(brought, held, path)
 
 
 def _carried(carries: object, resources: Sequence[Resource], place: Place) -> Iterator[Fault]:
@@ -148,7 +157,7 @@ def _uncarried(node: logic.Task, carrying: Carrying) -> Iterator[Fault]:
     resources, entries, system = carrying.resources, carrying.entries, carrying.system
     if resources is None or entries is None or system is None:
         return
-    known = {item.name: dict(item.at) for item in resources}
+    known = {item.name: _known_at(item) for item in resources}
     for number, (name, amount) in enumerate(node.resources):
         lying = known.get(name)
         sites = system.labels.get(node.label, (node.label,))
@@ -158,6 +167,14 @@ def _uncarried(node: logic.Task, carrying: Carrying) -> Iterator[Fault]:
             remedy = f"the task can never be executed; give a class 'carries: {{{name}: 1}}'"
             way: Way = ("resources", number, 0)
             yield Fault(FORMULA, what, remedy, serious=False, node=node, way=way)
+
+
+def _known_at(resource: Resource) -> dict[str, float]:
+    """What lies or is brought where, sooner or later."""
+    found: dict[str, float] = {}
+    for state, _, amount in resource.sources:
+        found[state] = found.get(state, 0.0) + amount
+    return found
 
 
 def _nobody(name: str, entries: Sequence[Carrier]) -> bool:

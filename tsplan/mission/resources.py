@@ -9,7 +9,7 @@ gone afterwards, or in use until its interval ends.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from math import floor
 from typing import TypeAlias
@@ -29,7 +29,8 @@ Carries: TypeAlias = "Amounts | float"
 class Resource:
     """Something that lies at states, is carried by robots and needed by tasks.
 
-    `at` has the amounts at step 0 by state. One that is `indivisible` comes in whole pieces; one
+    `at` has the amounts at step 0 by state, and `brought` what agents that start under way bring:
+    a state, a step and an amount; a mission takes these from its team. One that is `indivisible` comes in whole pieces; one
     that is not `consumed` is a tool: used, not used up.
     """
 
@@ -37,6 +38,7 @@ class Resource:
     at: Amounts
     indivisible: bool = False
     consumed: bool = True
+    brought: tuple[tuple[str, int, float], ...] = field(default=(), repr=False)
 
     def __post_init__(self) -> None:
         """Bring names into the form in which they are compared; name every state once."""
@@ -63,7 +65,12 @@ class Resource:
     @property
     def total(self) -> Fraction:
         """How much of it there is, exactly."""
-        return sum((exact(amount) for _, amount in self.at), Fraction(0))
+        return sum((exact(amount) for _, _, amount in self.sources), Fraction(0))
+
+    @property
+    def sources(self) -> tuple[tuple[str, int, float], ...]:
+        """Where, from which step on and how much of it there is before anybody moves any."""
+        return (*((state, 0, amount) for state, amount in self.at), *self.brought)
 
 
 def merged(pairs: Iterable[tuple[str, float]]) -> Amounts:

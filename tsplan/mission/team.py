@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import ceil
 from numbers import Integral
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar
 
-from tsplan.mission.resources import Carries, merged
+from tsplan.exact import exact
+from tsplan.limits import is_number
+from tsplan.mission.resources import Carries, Resource, merged
 from tsplan.name_runs import Run
 from tsplan.words import nfc
 
@@ -161,6 +163,23 @@ def _summed(starts: Iterable[tuple[_Start, Any]]) -> tuple[tuple[_Start, Any], .
     for start, count in pairs:
         total[start] += count
     return tuple(total.items())
+
+
+def with_brought(resources: Iterable[Resource], team: Iterable[Group]) -> tuple[Resource, ...]:
+    """The resources with what agents of a team that start under way bring of each."""
+    ways = [each for group in team for each in group.coming]
+    return tuple(
+        replace(
+            item,
+            brought=tuple(
+                (start.target, start.arrives, float(exact(amount) * count))
+                for start, count in ways
+                for name, amount in start.carrying
+                if name == item.name and amount and is_number(amount) and type(count) is int
+            ),
+        )
+        for item in resources
+    )
 
 
 def _whole(value: Any) -> Any:

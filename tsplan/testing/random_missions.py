@@ -192,7 +192,8 @@ def _on_the_way(random: Random, mission: Mission, group: Group) -> Group:
         some = random.choice([0, 1, count, count])
         for _ in range(some):
             arrives = random.choice([1, 1, 1, 1, 2, 2, 3, mission.horizon + 1])
-            start = UnderWay(*random.choice(ways), arrives)
+            load = tuple((item.name, 1.0) for item in mission.resources if random.random() < 0.4)
+            start = UnderWay(*random.choice(ways), arrives, load)
             begun.append((start, 1))
         begun += [(state, count - some)] if some < count else []
     swarm = mission.group_bounds(group.class_name) is not None
