@@ -72,7 +72,7 @@ def _read_bodies(reading: _Reading) -> None:
     mission = reading.mission
     modules = [rank for rank in mission.ranks if mission.team[rank.group].configuration]
     groups = {name: mission.team[rank.group] for rank in modules for name in rank.names.names()}
-    begins = {name: rank.start for rank in modules for name in rank.names.names()}
+    begins = {name: rank.place for rank in modules for name in rank.names.names()}
     for each in reading.plan.structures:
         problems = list(_unfit(each, mission, groups))
         if not problems and each.first == 0:

@@ -33,7 +33,9 @@ def strangers(mission: Mission, plan: Plan) -> Iterator[str]:
                 yield f"{told(Names((part,)))} is not in the team"
                 continue
             there[rank].append(part)
-            yield from (f"{told(Names((part,)))} {words}" for words in _unlike(path, rank, plan.horizon))
+            yield from (
+                f"{told(Names((part,)))} {words}" for words in _unlike(path, rank, plan.horizon)
+            )
     for mine in there.values():
         mine.sort()
         yield from (f"{told(Names((part,)))} is there twice" for part in _repeated(mine))

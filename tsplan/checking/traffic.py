@@ -101,7 +101,7 @@ class Traffic:
             for swarm in self.swarms
             for group in subswarms(
                 swarm.class_name,
-                dict((*mine[swarm.class_name].starts, *mine[swarm.class_name].coming)),
+                dict(mine[swarm.class_name].all_starts),
                 swarm.moves,
                 {segment.edge.pair: segment.left - segment.entered for segment in swarm.segments},
                 self.horizon,

@@ -16,7 +16,8 @@ from tsplan.document.files import read_text
 from tsplan.document.validation import validated
 from tsplan.errors import Finding, FormulaError, InputError
 from tsplan.logic.traces import SignalTrace
-from tsplan.mission.mission_schema import Name, WeightEntry
+from tsplan.mission.entry_fields import Name
+from tsplan.mission.mission_schema import WeightEntry
 from tsplan.words import nfc
 
 if TYPE_CHECKING:

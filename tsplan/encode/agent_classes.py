@@ -207,7 +207,9 @@ def agent_classes(
         )
         classes[key] = AgentClass(graph, (index,), swarm)
     ways = {pair: place for place, pair in enumerate(system.edges)}
-    return tuple(replace(item, graph=_with_begun(item.graph, arrays, ways)) for item in classes.values())
+    return tuple(
+        replace(item, graph=_with_begun(item.graph, arrays, ways)) for item in classes.values()
+    )
 
 
 def _with_begun(
@@ -231,7 +233,9 @@ def _with_begun(
         "risk": free,
         "group": np.array([arrays.group[edge] if edge >= 0 else -1 for edge in edges], np.int64),
     }
-    joined = {name: np.concatenate([getattr(graph, name), more[name]]) for name in more}
+    joined: dict[str, Any] = {
+        name: np.concatenate([getattr(graph, name), more[name]]) for name in more
+    }
     return replace(graph, coming=np.array(mine, dtype=np.int64), **joined)
 
 

@@ -116,7 +116,7 @@ class ClassGraph:
     @property
     def still(self) -> Bools:
         """Which edges are waits of any kind: agents neither move nor are they on their way."""
-        return (self.travel == 0) & ~self.begun
+        return np.equal(self.travel, 0) & ~self.begun
 
     @property
     def landed(self) -> Ints:

@@ -143,7 +143,7 @@ class Mission(MissionParts):
         made: dict[str, int] = {}
         ranks: list[Rank] = []
         for place, group in enumerate(self.team):
-            for start, count in (*group.starts, *group.coming):
+            for start, count in group.all_starts:
                 before = made.get(group.class_name, 0)
                 made[group.class_name] = before + count
                 names = Run(f"{group.class_name}-", before + 1, before + count)

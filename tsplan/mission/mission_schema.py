@@ -11,7 +11,6 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
-    StringConstraints,
     WithJsonSchema,
 )
 
@@ -31,15 +30,8 @@ from tsplan.limits import (
     MOST_WEIGHT,
     Range,
 )
-from tsplan.mission.start_entries import (
-    Amount,
-    Count,
-    Name,
-    NameText,
-    Part,
-    Starts,
-    name_text,
-)
+from tsplan.mission.entry_fields import CLOSED, Amount, Count, Name, NameText, name_text
+from tsplan.mission.start_entries import Starts
 from tsplan.mission.vocabulary import (
     BOOKINGS,
     FORMAT,
@@ -125,6 +117,12 @@ _Margin = Annotated[int, Field(ge=0, le=MOST_ROBOTS)] | _Share
 
 
 Load = Annotated[Any, BeforeValidator(_load), Written(Amount | dict[Name, Amount])]
+
+
+class Part(BaseModel):
+    """A mapping with known keys and nothing else, whose values are what they are written as."""
+
+    model_config = CLOSED
 
 
 class ResourceEntry(Part):

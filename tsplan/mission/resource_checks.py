@@ -18,7 +18,7 @@ from tsplan.mission.configuration_checks import Carrier
 from tsplan.mission.findings import FORMULA, Fault, Place
 from tsplan.mission.objectives import OBJECTIVES
 from tsplan.mission.resources import Amounts, Resource
-from tsplan.mission.team import SwarmRules
+from tsplan.mission.team import Group, SwarmRules
 from tsplan.ts import TransitionSystem
 
 _AMOUNT = Range(0, LARGEST)
@@ -59,15 +59,21 @@ def resource_faults(
             yield Fault(("objective", number), what, "add 'resources: [...]' or remove it")
     for place, group in carrying.entries or ():
         yield from _carried(group.carries, resources, (*place, "carries"))
-        for start, _ in group.coming:
-            path = (*place, "at", start.label)
-            for name, _ in start.carrying:
-                if name not in names:
-                    what, remedy = f"there is no resource '{name}'", nearest(name, names)
-                    yield Fault(path, what, remedy or "add 'resources: [...]' to the mission")
-            held = [item for item in resources if item.name in dict(start.carrying)]
-            brought = tuple((item.name, dict(start.carrying)[item.name]) for item in held)
-            yield from _wrong_amounts(brought, held, path)
+        if isinstance(group, Group):
+            yield from _begun_with(group, resources, place)
+
+
+def _begun_with(group: Group, resources: Sequence[Resource], place: Place) -> Iterator[Fault]:
+    """Unknown names and wrong amounts of what robots carry that start under way."""
+    known = {item.name: item for item in resources}
+    for start, _ in group.coming:
+        path = (*place, "at", start.label)
+        for name, amount in start.carrying:
+            if name in known:
+                yield from _wrong_amounts(((name, amount),), [known[name]], path)
+            else:
+                remedy = nearest(name, known) if known else "add 'resources: [...]' to the mission"
+                yield Fault(path, f"there is no resource '{name}'", remedy)
 
 
 def _carried(carries: object, resources: Sequence[Resource], place: Place) -> Iterator[Fault]:

@@ -30,8 +30,8 @@ class Resource:
     """Something that lies at states, is carried by robots and needed by tasks.
 
     `at` has the amounts at step 0 by state, and `brought` what agents that start under way bring:
-    a state, a step and an amount; a mission takes these from its team. One that is `indivisible` comes in whole pieces; one
-    that is not `consumed` is a tool: used, not used up.
+    a state, a step and an amount; a mission takes these from its team. One that is `indivisible`
+    comes in whole pieces; one that is not `consumed` is a tool: used, not used up.
     """
 
     name: str

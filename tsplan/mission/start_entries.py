@@ -12,12 +12,9 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import (
     BaseModel,
-    BeforeValidator,
-    ConfigDict,
     Field,
     GetCoreSchemaHandler,
     GetPydanticSchema,
-    StringConstraints,
 )
 from pydantic_core.core_schema import (
     CoreSchema,
@@ -27,38 +24,19 @@ from pydantic_core.core_schema import (
     no_info_wrap_validator_function,
 )
 
-from tsplan.document.fields import Number, complaint, shown
+from tsplan.document.fields import complaint, shown
 from tsplan.document.written import Written
-from tsplan.limits import LARGEST, MOST_STEPS
+from tsplan.limits import MOST_STEPS
 from tsplan.mission.amount_entries import amounts_entry
+from tsplan.mission.entry_fields import CLOSED, Amount, Count, Name, is_name
 from tsplan.mission.findings import Place
 from tsplan.mission.team import Group, UnderWay
 
 
-def name_text(value: Any) -> Any:
-    """A name may look like a whole number in YAML."""
-    return str(value) if _is_name(value) else value
-
-
-def _is_name(value: Any) -> bool:
-    return isinstance(value, str | int) and not isinstance(value, bool)
-
-
-NameText = Annotated[str, BeforeValidator(name_text), StringConstraints(min_length=1)]
-Name = Annotated[NameText, Written(Annotated[str, Field(min_length=1)] | int)]
-Count = Annotated[int, Field(strict=True, ge=1, le=LARGEST)]
-_Amount = Field(ge=0, le=LARGEST)
-Amount = Annotated[Number, _Amount, Written(Annotated[float, _Amount])]
-
-
-class Part(BaseModel):
-    """A mapping with known keys and nothing else, whose values are what they are written as."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
-
-
-class UnderWayEntry(Part):
+class UnderWayEntry(BaseModel):
     """Robots that start on an edge, and when they come to its end."""
+
+    model_config = CLOSED
 
     origin: Name = Field(alias="from")
     target: Name = Field(alias="to")
@@ -81,9 +59,7 @@ def _is_edge(value: Any) -> bool:
     return isinstance(value, dict) and {"from", "to"} <= value.keys()
 
 
-def _only(
-    asked: Callable[[Any], bool], kind: Any, handler: GetCoreSchemaHandler
-) -> CoreSchema:
+def _only(asked: Callable[[Any], bool], kind: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
     """What is asked for is read as a kind, and everything else left as it is."""
 
     def read(value: Any, inner: Callable[[Any], Any]) -> Any:
@@ -93,7 +69,7 @@ def _only(
 
 
 def _known(value: Any) -> Any:
-    if not _is_name(value) and not isinstance(value, dict):
+    if not is_name(value) and not isinstance(value, dict):
         remedy = "write a state, states with numbers, or {from: ..., to: ..., arrives: 3}"
         raise complaint(f"{shown(value)} is no start", remedy)
     return value
@@ -102,7 +78,7 @@ def _known(value: Any) -> Any:
 def _start(_: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
     """How one start is read; a union of kinds would name them in the places of findings."""
     counts = _only(lambda v: isinstance(v, dict) and not _is_edge(v), dict[Name, Count], handler)
-    kinds = [_only(_is_edge, UnderWayEntry, handler), counts, _only(_is_name, Name, handler)]
+    kinds = [_only(_is_edge, UnderWayEntry, handler), counts, _only(is_name, Name, handler)]
     return no_info_before_validator_function(_known, chain_schema(kinds))
 
 
@@ -142,7 +118,7 @@ def start_path(given: Any, start: str | int) -> Place:
             if f"{entry['from']} to {entry['to']} at {entry.get('arrives')}" == start:
                 return (number,)
         elif isinstance(entry, dict):
-            if start in map(str, entry):
+            if str(start) in map(str, entry):
                 return number, start
         elif str(entry) == start:
             return (number,)

@@ -97,8 +97,9 @@ class Rank(NamedTuple):
 class Group:
     """Robots of one class with the same capabilities: how many of them start at which state.
 
-    `coming` are those that start under way. `carries` is what each of them carries at most: so much of each resource, or so much of all
-    together. Modules of modular robots start in structures of a `configuration`.
+    `coming` are those that start under way. `carries` is what each of them carries at most: so much
+    of each resource, or so much of all together. Modules of modular robots start in structures of a
+    `configuration`.
     """
 
     class_name: str
@@ -120,9 +121,14 @@ class Group:
             object.__setattr__(self, "configuration", nfc(self.configuration))
 
     @property
+    def all_starts(self) -> tuple[tuple[str | UnderWay, int], ...]:
+        """Where they start, at states and under way, and how many."""
+        return (*self.starts, *self.coming)
+
+    @property
     def count(self) -> int:
         """How many robots the group has."""
-        return sum(count for _, count in (*self.starts, *self.coming))
+        return sum(count for _, count in self.all_starts)
 
     @classmethod
     def of(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import TypeAlias
 
 from tsplan.errors import Nearest, nearest
 from tsplan.limits import MOST_ROBOTS, MOST_STEPS, Range
@@ -90,8 +90,8 @@ _STEP = Range(1, MOST_STEPS, whole=True)
 def _start_faults(entries: Sequence[Entry], system: TransitionSystem) -> Iterator[Fault]:
     """Start states that are none, that a class may not be at, or where more start than fit."""
     closest = Nearest(system.states)
-    starting: Counter[str] = Counter()
-    last: dict[Any, Place] = {}
+    starting: Counter[_Where] = Counter()
+    last: dict[_Where, Place] = {}
     for place, group in entries:
         for name, count in group.starts:
             path = (*place, "at", name)
@@ -105,33 +105,34 @@ def _start_faults(entries: Sequence[Entry], system: TransitionSystem) -> Iterato
                 yield Fault(
                     path, what, f"start elsewhere or give the class the capability {missing}"
                 )
-    for name, count in starting.items():
-        capacity = system.states[name].capacity if name in system.states else None
-        if capacity is not None and count > capacity:
-            what = f"{count} robots start at '{name}', which holds {capacity}"
-            remedy = "start some of them elsewhere or raise the state's capacity"
-            yield Fault(last[name], what, remedy)
-    coming: Counter[tuple[str, str]] = Counter()
     for place, group in entries:
         for start, count in group.coming:
-            coming[start.origin, start.target] += count
-            last[start.origin, start.target] = (*place, "at", start.label)
-    for capacity, pairs in system.capacity_groups:
-        inside: list[Any] = [pair for pair in pairs if coming[pair]]
-        count = sum(coming[pair] for pair in inside)
+            way = start.origin, start.target
+            starting[way] += count
+            last[way] = (*place, "at", start.label)
+    for members, capacity, words, which in _bounded(system):
+        inside = [where for where in members if starting[where]]
+        count = sum(starting[where] for where in inside)
         if count > capacity:
-            ends = " to ".join(f"'{name}'" for name in inside[-1])
-            what = f"{count} robots start on the edge from {ends}, which holds {capacity}"
-            remedy = "start some of them elsewhere or raise the edge's capacity"
+            what = f"{count} robots start {words}, which holds {capacity}"
+            remedy = f"start some of them elsewhere or raise the {which}'s capacity"
             yield Fault(last[inside[-1]], what, remedy)
+
+
+_Where: TypeAlias = "str | tuple[str, str]"
+"""A state, or an edge by its ends."""
+
+
+def _bounded(system: TransitionSystem) -> Iterator[tuple[list[_Where], int, str, str]]:
+    """Places that hold so many robots together, in words, and what kind of place that is."""
+    for name, state in system.states.items():
+        if state.capacity is not None:
+            yield [name], state.capacity, f"at '{name}'", "state"
+    for capacity, pairs in system.capacity_groups:
+        source, target = pairs[0]
+        yield [*pairs], capacity, f"on the edge from '{source}' to '{target}'", "edge"
     for zone, parts in system.zone_parts.items():
-        inside = [name for name in parts.states if starting[name]]
-        inside += [pair for pair in parts.edges if coming[pair]]
-        count = sum(starting[name] + coming[name] for name in inside)
-        if count > system.zones[zone]:
-            what = f"{count} robots start in the zone '{zone}', which holds {system.zones[zone]}"
-            remedy = "start some of them elsewhere or raise the zone's capacity"
-            yield Fault(last[inside[-1]], what, remedy)
+        yield [*parts.states, *parts.edges], system.zones[zone], f"in the zone '{zone}'", "zone"
 
 
 def _class_faults(entries: Sequence[Entry]) -> Iterator[Fault]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Self, TypeAlias
@@ -20,7 +20,8 @@ class SubSwarm(Record):
     """Agents of one swarm that are at one place at every step `first`..`last`, both included.
 
     The place is a `state`, or an `edge` (its two ends) that all of them entered at step
-    `first - 1`, or before step 0. `parents` and `children` are the ids of the sub-swarms they come from and become.
+    `first - 1`, or before step 0. `parents` and `children` are the ids of the sub-swarms they come
+    from and become.
     """
 
     id: Word

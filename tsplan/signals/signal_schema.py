@@ -10,10 +10,10 @@ from pydantic import BeforeValidator, ConfigDict, Field
 from tsplan.document.fields import complaint, shown
 from tsplan.document.written import Written
 from tsplan.limits import MOST_COST, MOST_STEPS, MOST_WEIGHT, is_number
+from tsplan.mission.entry_fields import Name
 from tsplan.mission.mission_schema import (
     ONE_FORMULA,
     FormulaEntry,
-    Name,
     Part,
     SoftFormula,
     Solver,

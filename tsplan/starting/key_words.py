@@ -14,7 +14,7 @@ _FORMULAS: Mapping[str, str] = {
 }
 _SWARM: Mapping[str, str] = {
     "size": "how many agents it has",
-    "at": "where they begin: a state, or a number of them for each of several",
+    "at": "where they begin: a state or an edge, or a number of them for each of several",
     "max_subswarms": "in how many groups it may be at once",
     "min_subswarm": "the fewest agents of a group",
     "capabilities": "what its agents can do, by names that formulas use",
@@ -56,10 +56,17 @@ KEY_WORDS: Mapping[str, Mapping[str, str]] = {
     "Member": {
         "class": "what robots of this kind are called",
         "count": "how many they are, if `at` does not say so",
-        "at": "where they begin: a state, or a number of them for each of several",
+        "at": "where they begin: a state or an edge, or a number of them for each of several",
         "capabilities": "what they can do, by names that formulas use",
         "carries": "how much of each resource one carries, or a number for any mix",
         "configuration": "which structure each of these modules is part of at first",
+    },
+    "UnderWayEntry": {
+        "from": "the state that they left before step 0",
+        "to": "the state that they are on their way to",
+        "arrives": "the step at which they are there, from 1 on",
+        "count": "how many they are",
+        "carrying": "how much of each resource each of them brings",
     },
     "Swarm": _SWARM,
     "NamedSwarm": {"name": "what formulas call it, as a capability", **_SWARM},

@@ -9,7 +9,8 @@ from pydantic import Field
 from tsplan.document.written import Written
 from tsplan.limits import MOST_SEED
 from tsplan.milp.solver_choice import SolverChoice
-from tsplan.mission.mission_schema import Count, Name, Part, Solver, Title
+from tsplan.mission.entry_fields import Count, Name
+from tsplan.mission.mission_schema import Part, Solver, Title
 
 FORMAT = "tsplan-sweep/1"
 
