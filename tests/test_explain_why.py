@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from tsplan import Mission
-from tsplan.checking.count_traces import count_trace
 from tsplan.errors import PlanError
 from tsplan.explanation.why.requirements import requirements, runs
 from tsplan.explanation.why.staffing import Presence
@@ -20,6 +19,7 @@ from tsplan.logic.nodes import Always, And, Eventually, Iff, Implies, Not, Or, R
 from tsplan.logic.obligations import JUDGED, obligations
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
+from tsplan.plans.count_traces import count_trace
 from tsplan.plans.outcomes import MissionRef
 from tsplan.plans.plan import Plan
 from tsplan.plans.presence import state_counts

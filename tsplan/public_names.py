@@ -52,6 +52,7 @@ GROUPS: Mapping[str, Mapping[str, tuple[str, ...]]] = MappingProxyType(
             "protocol.disturbances": ("simulate_controlled", "simulate_disturbed"),
             "protocol.margin_size": ("margin_for",),
             "protocol.simulation": ("simulate",),
+            "replanning.replanner": ("replan", "rest_mission"),
             "run.events": ("Event",),
             "run.problem": ("Problem",),
             "signals.controller": ("Controller",),

@@ -28,6 +28,7 @@ from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.lateness import late
 from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
+from tsplan.checking.replanned_check import left_over, on_whole_trace
 from tsplan.checking.satisfaction_check import completed, false_claims
 from tsplan.checking.supplied import unsupplied
 from tsplan.checking.team_check import strangers, told
@@ -52,6 +53,8 @@ def check(mission: Mission, plan: Plan) -> Report:
     """
     if not plan.has_paths:
         return Report(findings_of([f"a plan of status {plan.status} has no paths to check"]), ())
+    if plan.replanned:
+        return _replanned(mission, plan)
     traffic, problems = _judged(mission, plan)
     if traffic is None:
         return Report(findings_of(problems), ())
@@ -60,6 +63,21 @@ def check(mission: Mission, plan: Plan) -> Report:
     facts = () if problems else facts_of(plan, traffic, values)
     told = {name: float(value) for name, value in values.items()}
     return Report(findings_of(problems), facts, traffic.availability, told)
+
+
+def _replanned(mission: Mission, plan: Plan) -> Report:
+    """The report on a plan that was replanned, by what comes after that."""
+    left = left_over(mission, plan)
+    if left.rest is None:
+        return Report(findings_of(left.problems), ())
+    report = check(left.rest.mission, left.plan)
+    step = left.rest.step
+    if not report.ok or report.availability is None:
+        return report
+    problems = list(on_whole_trace(left.rest, plan, mission, report.availability))
+    told = f"what happened before step {step} is taken as the plan tells it"
+    facts = () if problems else (told, *report.facts)
+    return replace(report, findings=findings_of(problems), facts=facts)
 
 
 def certify(mission: Mission, plan: Plan) -> Plan:
@@ -71,6 +89,9 @@ def certify(mission: Mission, plan: Plan) -> Plan:
     """
     if not plan.has_paths:
         return plan
+    if plan.replanned:
+        refuse([finding.message for finding in _replanned(mission, plan).findings])
+        return replace(plan, verified=True)
     traffic, problems = _judged(mission, plan)
     if traffic is not None:
         values = measured(traffic)
@@ -82,6 +103,11 @@ def certify(mission: Mission, plan: Plan) -> Plan:
 
 def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
     """Every objective's value, by name, computed from a plan that fits the map."""
+    if plan.replanned:
+        left = left_over(mission, plan)
+        refuse(left.problems)
+        if left.rest is not None:
+            mission, plan = left.rest.mission, left.plan
     read = read_traffic if mission.expected is None else read_policies
     traffic, problems = read(mission, plan)
     if traffic is None:

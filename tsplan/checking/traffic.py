@@ -14,7 +14,6 @@ from itertools import chain
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.class_traffic import ClassTraffic
-from tsplan.checking.count_traces import count_trace
 from tsplan.checking.lateness import Late, late, late_swarm
 from tsplan.checking.ledger import Ledger, read_ledger
 from tsplan.checking.path_segments import Segment, read_path, together, unwelcome, usable_edge
@@ -24,6 +23,7 @@ from tsplan.checking.team_check import told
 from tsplan.logic import Formula, capabilities
 from tsplan.logic.evaluation import robustness
 from tsplan.logic.traces import CountTrace
+from tsplan.plans.count_traces import count_trace
 from tsplan.plans.moves import Move
 from tsplan.plans.presence import Presence, of_bundles, state_counts
 from tsplan.plans.subswarms import SubSwarm, subswarms

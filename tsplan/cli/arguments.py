@@ -45,7 +45,7 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    every = (_plan, _sweep, _explain, _check, _simulate, _parse, _robustness)
+    every = (_plan, _replan, _sweep, _explain, _check, _simulate, _parse, _robustness)
     shown = (_show, _view, _animate, _export, _lint, _map)
     for command in (*every, *shown):
         command(commands)
@@ -73,17 +73,7 @@ def _command(
 def _plan(commands: Commands) -> None:
     words = "plan a mission and print the verified plan"
     add = _command(commands, "plan", words, "mission", epilog=_CODES)
-    add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
-    add("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
-    add("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
-    add(
-        "--anytime",
-        action=argparse.BooleanOptionalAction,
-        default=True,
-        help="go on improving until the limit or proof (default), or end with the first plan",
-    )
-    add("--threads", type=_threads, metavar="N", help="threads of the solver")
-    add("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
+    _solving(add)
     add(
         "--encoding",
         choices=("tight", "reference"),
@@ -109,6 +99,52 @@ def _plan(commands: Commands) -> None:
         help="print on stderr what the solver says of each integer program",
     )
     add("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _replan(commands: Commands) -> None:
+    words = "plan again from a step of a plan on, as things are there"
+    add = _command(commands, "replan", words, "mission", "plan", epilog=_CODES)
+    add("--at", type=_whole, metavar="STEP", help="the step from which on it is planned again")
+    many = {"action": "append", "default": [], "help": ""}
+    told = {
+        "lost": ("AGENTS", "agents that are gone for good, with commas between them"),
+        "moved": ("AGENT=PLACE", "it is at a state, or on an edge as in scout-1=q1-q2@9"),
+        "late": ("AGENT=STEPS", "it arrives, or has arrived, so many steps late"),
+        "closed": ("PLACE", "nobody may enter a state, or an edge as in q1-q2 (until @STEP)"),
+        "opened": ("EDGE=STEPS", "an edge, both ways, is there or takes as long, as in q1-q2=3"),
+        "demand": ("FORMULA", "has to hold, judged at that step"),
+        "withdraw": ("PART", "part of the mission's formula that has not to hold any more"),
+        "deadline": ("PART=STEP", "the last step of the window of a part, counted as there"),
+    }
+    for name, (value, what) in told.items():
+        kind = _names if name == "lost" else str
+        action = "extend" if name == "lost" else "append"
+        how = {**many, "action": action, "help": f"{what}; may be repeated"}
+        add(f"--{name}", type=kind, metavar=value, **how)
+    add("--world", type=Path, metavar="FILE", help="the same and more from a file (YAML)")
+    names = "objectives in place of the mission's, with commas between them, as stability,travel"
+    add("--objective", type=_names, metavar="NAMES", help=names)
+    add("--rest", type=Path, metavar="FILE", help="write the mission that is left (YAML)")
+    _solving(add)
+    add("-o", "--output", type=Path, metavar="FILE", help="write the whole plan as JSON")
+    add("--json", action="store_true", help="print the JSON alone")
+    add("--quiet", action="store_true", help="no progress and no summary")
+    add("--agents", action="store_true", help="an entry for every agent, however many")
+
+
+def _solving(add: Callable[..., object]) -> None:
+    """What is chosen of the solver."""
+    add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
+    add("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
+    add("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
+    add(
+        "--anytime",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="go on improving until the limit or proof (default), or end with the first plan",
+    )
+    add("--threads", type=_threads, metavar="N", help="threads of the solver")
+    add("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
 
 
 def _sweep(commands: Commands) -> None:

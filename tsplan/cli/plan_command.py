@@ -27,13 +27,14 @@ if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.signals.result_check import Result
 
-_CODES = {
+CODES = {
     Status.OPTIMAL: Exit.DONE,
     Status.FEASIBLE: Exit.DONE,
     Status.INFEASIBLE: Exit.INFEASIBLE,
     Status.NO_PLAN_FOUND: Exit.NO_PLAN,
     Status.ERROR: Exit.FAILED,
 }
+"""How a command ends that plans, by what is known then."""
 
 
 def run(options: argparse.Namespace) -> Exit:
@@ -53,10 +54,12 @@ def run(options: argparse.Namespace) -> Exit:
             plan = assign(cast("Mission", mission), plan, seed=options.seed)
         if options.output is not None:
             unwritten = attempted(lambda: save_plan(_written(plan, options), options.output))
-    _show(plan, options)
+    show(plan, options)
+    if plan.status is Status.INFEASIBLE and not options.quiet:
+        remark(f"to see why, and what would help: tsplan explain {options.mission}")
     if unwritten is not None:
         raise unwritten
-    return _CODES[plan.status]
+    return CODES[plan.status]
 
 
 def _start(options: argparse.Namespace) -> Plan | None:
@@ -74,7 +77,8 @@ def _written(plan: Result, options: argparse.Namespace) -> Written:
     return EachAgent(plan) if options.agents and isinstance(plan, Plan) else plan
 
 
-def _show(plan: Result, options: argparse.Namespace) -> None:
+def show(plan: Result, options: argparse.Namespace) -> None:
+    """Print a result as JSON or in words, unless nothing is to be said."""
     if options.json:
         say_json(_written(plan, options).to_json())
     elif not options.quiet:
@@ -82,5 +86,3 @@ def _show(plan: Result, options: argparse.Namespace) -> None:
 
         parts = summary(plan) if isinstance(plan, Plan) else trajectory_lines(plan)
         print_parts(parts, console(WIDTH))
-    if plan.status is Status.INFEASIBLE and not options.quiet:
-        remark(f"to see why, and what would help: tsplan explain {options.mission}")

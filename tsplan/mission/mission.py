@@ -100,7 +100,11 @@ class Mission(MissionParts):
 
         A percentage is one of all agents that its atom counts.
         """
-        return self._resolved(self.translated(self.formula))
+        return self.counting(self.formula)
+
+    def counting(self, formula: Formula) -> Formula:
+        """A formula of the mission over numbers of agents, as `counted` is its own."""
+        return self._resolved(self.translated(formula))
 
     def translated(self, formula: Formula) -> Formula:
         """A formula of the mission without tasks, which are executed where agents are booked."""

@@ -49,6 +49,7 @@ from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
 from tsplan.plans.structures import Rebuilt, Structure, of_structures
 from tsplan.plans.subswarms import SubSwarm
 from tsplan.plans.supplies import Cargo, ExecutedTask, StockHistory
+from tsplan.plans.worlds import World
 from tsplan.stopping import StoppedBy
 from tsplan.words import known
 
@@ -81,6 +82,9 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
     and the `stocks` that follow from both; where agents are booked it has executions, too.
     Where moves are uncertain there are `policies`, and no agents: numbers are expected ones.
 
+    A plan that was `replanned` says what the world was found to be each time. Until the last of
+    these steps its paths are what really happened, and its objectives are those of what came after.
+
     `str` is the summary that the command line prints. A plan that was made here knows its mission,
     which those read from files have to be given: `load_plan(path).with_mission(mission)`.
 
@@ -106,6 +110,7 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
     cargo: Annotated[Sequence[Cargo], READ_CARGO] = field(default=(), metadata=OPTIONAL)
     stocks: tuple[StockHistory, ...] = field(default=(), metadata=OPTIONAL)
     policies: tuple[Policy, ...] = field(default=(), metadata=OPTIONAL)
+    replanned: tuple[World, ...] = field(default=(), metadata=OPTIONAL)
     solver: SolverUse = field(default_factory=SolverUse)
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)

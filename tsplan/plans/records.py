@@ -24,7 +24,13 @@ if TYPE_CHECKING:
     from _typeshed import DataclassInstance
     from pydantic import ModelWrapValidatorHandler
 
-_NAMES = {"class_name": "class", "first": "from", "last": "to"}
+_NAMES = {
+    "class_name": "class",
+    "first": "from",
+    "last": "to",
+    "source": "from",
+    "target": "to",
+}
 _FRACTION = re.compile(r"[0-9]{1,4000}(/[0-9]{0,3999}[1-9][0-9]{0,3999})?")
 _EXACT = ("exact", "preference")  # written as text
 _WHOLE = 1e16  # from here on a float is shorter with its exponent
@@ -143,15 +149,22 @@ def plain(value: Any) -> Any:
     """
     if isinstance(value, Record):
         return {key: plain(item) for key, item in value.data().items()}
+    if isinstance(value, dict):
+        return {key: plain(item) for key, item in value.items()}
     if isinstance(value, frozenset):
         return sorted(value)
     if isinstance(value, tuple | list):
         return [plain(item) for item in value]
     if isinstance(value, Fraction):
         return plain(float(value))
-    if isinstance(value, float) and value.is_integer() and abs(value) < _WHOLE:
+    return _plain_number(value) if isinstance(value, float) else value
+
+
+def _plain_number(value: float) -> float | None:
+    """A number without a point where it is whole; null where it is infinite."""
+    if value.is_integer() and abs(value) < _WHOLE:
         return int(value)
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+    return value if math.isfinite(value) else None
 
 
 def as_json(value: Any) -> str:

@@ -21,7 +21,6 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from tsplan.checking.class_traffic import ClassTraffic
-from tsplan.checking.count_traces import count_trace
 from tsplan.checking.plan_check import check
 from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.display import Told
@@ -29,6 +28,7 @@ from tsplan.errors import Finding, PlanError
 from tsplan.logic import capabilities, holds
 from tsplan.mission import Mission
 from tsplan.parameters import refuse_options
+from tsplan.plans.count_traces import count_trace
 from tsplan.plans.plan import Plan
 from tsplan.plans.policies import expected_counts
 from tsplan.plans.presence import state_counts

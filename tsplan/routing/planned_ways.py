@@ -130,7 +130,7 @@ class _Following:
         """Where a path goes, when it leaves for there and when it arrives."""
         for before, after in zip(path.stays, path.stays[1:], strict=False):
             yield self.state.get(after[2], -1), before[1], after[0]
-        if path.heading is not None and path.stays[-1][1] < self.horizon:
+        if path.heading is not None and path.stays and path.stays[-1][1] < self.horizon:
             yield self.state.get(path.heading, -1), path.stays[-1][1], None
 
     def _waiting(self, where: int, step: int, until: int) -> Entries:

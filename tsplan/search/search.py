@@ -115,6 +115,8 @@ class Search:
 
     def adopt(self, flows: Floats) -> Floats | None:
         """Keep and return the best point of this model with the given flows, if there is one."""
+        if self._encoded.refuted:  # whatever its rows say
+            return None
         values = self._rounding.carrying(self._model, flows, self._known.values)
         if values is not None:
             self._known.accept(values, self._model)

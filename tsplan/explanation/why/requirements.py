@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias, cast
 import numpy as np
 import numpy.typing as npt
 
-from tsplan.checking.count_traces import count_trace
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.checking.traffic import read_traffic
 from tsplan.logic.atoms import Count, Linear
@@ -26,6 +25,7 @@ from tsplan.logic.simplification import simplify
 from tsplan.logic.symbols import capabilities
 from tsplan.logic.time_horizon import Span
 from tsplan.logic.traces import SignalTrace
+from tsplan.plans.count_traces import count_trace
 from tsplan.plans.supplies import execution_tables
 
 if TYPE_CHECKING:

@@ -1,0 +1,193 @@
+"""Planning again: against all continuations of tiny plans, and in what is said of it."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from math import inf
+
+import numpy as np
+import pytest
+
+import tsplan
+from tests.joint_plans import SENSE, joint_plans, small_enough
+from tests.seeds import seed_blocks
+from tsplan import Mission, Plan
+from tsplan.logic import TRUE
+from tsplan.logic.evaluation import CountTrace, robustness
+from tsplan.mission import Group, UnderWay
+from tsplan.replanning.replanner import replan
+from tsplan.testing import random_mission
+
+
+class Past:
+    """What really happened until a step; nothing here knows `tsplan.history`."""
+
+    def __init__(self, mission: Mission, plan: Plan, step: int) -> None:
+        self.mission, self.step = mission, step
+        self.states = {
+            agent.id: [agent.state_at(at) for at in range(plan.horizon + 1)]
+            for agent in plan.agents
+        }
+        self.places = {agent.id: self._place(agent) for agent in plan.agents}
+        self.said: dict[str, object] = {}
+
+    def _place(self, agent: tsplan.AgentPlan) -> str | UnderWay:
+        here = agent.state_at(self.step)
+        if here is not None:
+            return here
+        before = max((stay for stay in agent.stays if stay[0] <= self.step), default=None)
+        after = [stay for stay in agent.stays if stay[0] > self.step]
+        target = after[0][2] if after else agent.heading
+        if before is None:
+            (start,) = [each.start for each in self.mission.agents if each.id == agent.id]
+            return UnderWay(start.origin, target, start.arrives - self.step)
+        edge = self.mission.system.edges[before[2], target]
+        lasts = edge.duration_for(agent.class_name)
+        return UnderWay(before[2], target, before[1] + lasts - self.step)
+
+    def lose(self, name: str) -> None:
+        self.said.setdefault("lost", []).append(name)
+        del self.places[name]
+
+    def move(self, name: str, state: str) -> None:
+        self.said.setdefault("moved", {})[name] = state
+        self.places[name] = state
+
+    def delay(self, plan: Plan, name: str, steps: int) -> bool:
+        place, stays = self.places[name], plan.agent[name].stays
+        if isinstance(place, UnderWay):
+            self.places[name] = replace(place, arrives=place.arrives + steps)
+        else:
+            before, here = [*[stay for stay in stays if stay[0] <= self.step][-2:], None][:2]
+            if here is None:
+                return False
+            for at in range(here[0], min(here[0] + steps, self.step + 1)):
+                self.states[name][at] = None
+            if here[0] + steps > self.step:
+                self.places[name] = UnderWay(before[2], place, here[0] + steps - self.step)
+        self.said.setdefault("late", {})[name] = steps
+        return True
+
+    def counts(self, capability: str | None, step: int) -> np.ndarray:
+        found = np.zeros(len(self.mission.system.states))
+        for agent in self.mission.agents:
+            state = self.states[agent.id][step]
+            if state is not None and capability in (None, *agent.capabilities):
+                found[list(self.mission.system.states).index(state)] += 1
+        return found
+
+    def continued(self, system: tsplan.TransitionSystem) -> Mission:
+        """A mission of those that are left, in which anything may be done."""
+        of = {agent.id: agent for agent in self.mission.agents}
+        team = [
+            Group.of(of[name].class_name, {place: 1}, of[name].capabilities)
+            for name, place in self.places.items()
+        ]
+        horizon = self.mission.horizon - self.step
+        return replace(
+            self.mission,
+            system=system,
+            team=tuple(team),
+            formula=TRUE,
+            text="",
+            horizon=horizon,
+            delay=0,
+        )
+
+
+def best_continuation(past: Past, system: tsplan.TransitionSystem, formula: tsplan.Formula):
+    """The best values of all ways to go on, signed to be minimised."""
+    mission, found = past.mission, None
+    for joint in joint_plans(past.continued(system)):
+        later = joint.trace(0)
+        whole = {
+            name: np.concatenate(
+                [
+                    np.array([past.counts(name, at) for at in range(past.step)]).T.reshape(
+                        len(mission.system.states), past.step
+                    ),
+                    later.counts.get(name, np.zeros_like(later.counts[None])),
+                ],
+                axis=1,
+            )
+            for name in (None, *mission.capabilities)
+        }
+        slack = float(robustness(mission.counting(formula), CountTrace(whole, later.labels))[0])
+        if slack < 0:
+            continue
+        worth = {"availability": lambda: slack, "makespan": lambda: _last(joint, past.step)}  # noqa: B023
+        value = tuple(
+            float(SENSE[name] * worth.get(name, lambda: joint.worth(name))())  # noqa: B023
+            for name in mission.objective
+        )
+        found = value if found is None else min(found, value)
+    return found
+
+
+def _last(joint, step: int) -> int:
+    last = joint.worth("makespan")
+    return last + step if last else 0
+
+
+def small(seed: int) -> Mission:
+    return random_mission(seed, states=4, most_agents=3, steps=5)
+
+
+def disturbed(mission: Mission, plan: Plan, seed: int) -> tuple[Past, tsplan.TransitionSystem]:
+    draw = random.Random(seed)
+    past = Past(mission, plan, draw.randint(0, min(4, mission.horizon)))
+    names = [agent.id for agent in plan.agents]
+    kind = draw.choice(["nothing", "lost", "moved", "late", "late", "closed", "slow"])
+    if kind == "lost" and len(names) > 1 and past.step:
+        past.lose(draw.choice(names))
+    if kind == "moved" and past.step:
+        name = draw.choice(names)
+        able = plan.agent[name].capabilities
+        fitting = [s.name for s in mission.system.states.values() if s.needs <= able]
+        past.move(name, draw.choice(fitting))
+    if kind == "late" and past.step:
+        for name in draw.sample(names, len(names)):
+            if past.delay(plan, name, draw.randint(1, 3)):
+                break
+    edges = dict(mission.system.edges)
+    rides = [pair for pair, edge in edges.items() if not edge.is_wait]
+    if kind == "closed" and rides:
+        gone = draw.choice(rides)
+        del edges[gone]
+        past.said["closed"] = [gone]
+    if kind == "slow" and rides:
+        pair = draw.choice(rides)
+        edges[pair] = replace(edges[pair], duration=3)
+        past.said["opened"] = [{"from": pair[0], "to": pair[1], "duration": 3}]
+    return past, mission.system.rebuilt(mission.system.states.values(), edges.values())
+
+
+def comparable(mission: Mission) -> bool:
+    return not (mission.delay or "delay" in mission.objective or mission.partial or mission.prefer)
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(80), range(80, 4000), 20))
+def test_what_is_planned_again_is_the_best_of_all_continuations(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission = small(seed)
+        if not comparable(mission):
+            continue
+        plan = tsplan.plan(mission)
+        if not plan.has_paths:
+            continue
+        past, system = disturbed(mission, plan, seed)
+        if not small_enough(past.continued(system)):
+            continue
+        expected = best_continuation(past, system, mission.formula)
+        made = replan(mission, plan, past.step, **past.said)
+        if expected is None:
+            assert made.status == "infeasible", seed
+            continue
+        assert (made.status, made.verified) == ("optimal", True), seed
+        found = [
+            (item.name, SENSE[item.name] * (inf if item.value is None else item.value), item.bound)
+            for item in made.objective
+        ]
+        assert tuple(value for _, value, _ in found) == pytest.approx(expected, abs=1e-6), seed
+        assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, seed

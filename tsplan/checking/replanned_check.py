@@ -1,0 +1,87 @@
+"""Plans that were made while they were carried out: what comes after the last time is judged.
+
+What has happened before is taken as it is told, but for who took part. The rest is judged as the
+plan of the mission that was left, and the formula once more on the whole trace.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+from tsplan.checking.claimed_values import shown
+from tsplan.errors import InputError
+from tsplan.history.joined_plan import rest_of_plan
+from tsplan.history.past_paths import newcomers
+from tsplan.history.path_traces import path_trace
+from tsplan.logic.evaluation import robustness
+from tsplan.name_runs import RunMap
+from tsplan.plans.bundles import Agents
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from tsplan.history.rest_mission import Rest
+    from tsplan.mission import Mission
+    from tsplan.plans.bundles import Bundle
+    from tsplan.plans.plan import Plan
+
+
+class Left(NamedTuple):
+    """What was left of a mission, and the plan for it; `problems` are those of what came before."""
+
+    rest: Rest | None
+    plan: Plan
+    problems: list[str]
+
+
+def left_over(mission: Mission, plan: Plan) -> Left:
+    """What was left when a plan was replanned last, as far as the plan lets that be told."""
+    steps = [world.step for world in plan.replanned]
+    problems = [
+        f"the plan was replanned at step {later} after it was at step {step}"
+        for step, later in pairwise(steps)
+        if later < step
+    ]
+    problems += _strangers(mission, plan)
+    if problems:
+        return Left(None, plan, problems)
+    try:
+        rest, cut = rest_of_plan(mission, plan)
+    except InputError as error:
+        return Left(None, plan, [finding.message for finding in error.findings])
+    if plan.horizon != rest.horizon:
+        ends = f"the plan ends at step {plan.horizon} and the mission at step {rest.horizon}"
+        return Left(None, plan, [ends])
+    return Left(rest, cut, problems)
+
+
+def on_whole_trace(rest: Rest, plan: Plan, mission: Mission, availability: float) -> Iterator[str]:
+    """Whether the formula has that availability on what has happened and what is planned."""
+    formula = mission.counting(rest.formula)
+    trace = path_trace(rest.mission.system, formula, Agents.of(plan.agents), plan.horizon)
+    whole = float(robustness(formula, trace)[0])
+    if whole != availability:
+        yield (
+            f"the formula has availability {shown(whole)} on the whole trace, and what is left of "
+            f"it has {shown(availability)}"
+        )
+
+
+def _first(path: Bundle) -> tuple[int, str] | None:
+    """When and where somebody is first seen."""
+    return (path.stays[0][0], path.stays[0][2]) if path.stays else None
+
+
+def _strangers(mission: Mission, plan: Plan) -> Iterator[str]:
+    """Agents that are neither the mission's nor have joined, and those that begin elsewhere."""
+    joined = newcomers(mission, plan.replanned)
+    known = RunMap([(rank.names, (0, rank.start)) for rank in mission.ranks])
+    for names, group, step in joined:
+        known.give(names, (step, group.at))
+    for names, path in Agents.of(plan.agents).stretches:
+        for part, begin in known.parts(names):
+            if begin is None:
+                yield f"agent {part.name()} is not in the team"
+            elif isinstance(begin[1], str) and _first(path) != begin:
+                yield f"agent {part.name()} does not begin at {begin[1]} at step {begin[0]}"

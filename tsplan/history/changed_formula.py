@@ -1,0 +1,85 @@
+"""The formula as it is after parts of it were withdrawn, demanded or given other deadlines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tsplan.errors import Finding, FormulaError, PlanError, nearest
+from tsplan.logic import And, Formula, Window, conjunction, parse_with_places
+from tsplan.logic.nodes import Eventually, Switch
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.plans.worlds import World
+
+
+def parts_of(formula: Formula) -> tuple[Formula, ...]:
+    """The formulas that a formula joins by `&&`, and those that they join.
+
+    >>> from tsplan.logic import parse
+    >>> [str(part) for part in parts_of(parse("a && (b && F[0,1] c)"))]
+    ['a', 'b', 'F[0,1] c']
+    """
+    if isinstance(formula, And) and formula.weights is None:
+        return tuple(part for child in formula.children for part in parts_of(child))
+    return (formula,)
+
+
+def changed_formula(mission: Mission, worlds: Iterable[World]) -> Formula:
+    """What has to hold of the whole trace, judged at step 0, after what some worlds say.
+
+    Raises PlanError for parts that the mission does not have, and texts that are no formulas.
+    """
+    parts = list(parts_of(mission.formula))
+    for world in worlds:
+        parts = _changed(mission, parts, world)
+    return conjunction(parts)
+
+
+def _changed(mission: Mission, parts: list[Formula], world: World) -> list[Formula]:
+    findings: list[Finding] = []
+
+    def read(text: str) -> Formula | None:
+        try:
+            return parse_with_places(text, mission.language, weights=mission.weights)[0]
+        except FormulaError as error:
+            findings.extend(
+                replace(item, message=f"{item.message} ({text})") for item in error.findings
+            )
+            return None
+
+    def place(text: str) -> int | None:
+        formula = read(text)
+        if formula is None or formula in parts:
+            return None if formula is None else parts.index(formula)
+        remedy = nearest(text, [str(part) for part in parts])
+        findings.append(Finding(f"the mission has no part '{text}'", remedy))
+        return None
+
+    gone = {place(text) for text in world.withdrawn}
+    later: dict[int, Formula] = {}
+    for text, last in world.deadlines.items():
+        number = place(text)
+        if number is not None:
+            later[number] = _with_deadline(parts[number], last, findings)
+    new = [read(text) for text in world.demanded]
+    if findings:
+        raise PlanError(findings)
+    kept = [later.get(n, part) for n, part in enumerate(parts) if n not in gone]
+    step = world.step
+    asked = [Eventually(step, step, part) if step else part for part in new if part is not None]
+    return kept + asked
+
+
+def _with_deadline(part: Formula, last: int, findings: list[Finding]) -> Formula:
+    if not isinstance(part, Window | Switch) or part.weights is not None:
+        what = f"'{part}' has no window of its own, so it has no deadline"
+        findings.append(Finding(what, "withdraw it, and demand another formula"))
+        return part
+    if last < part.low:
+        what = f"the deadline of '{part}' cannot be {last}, before its window begins"
+        findings.append(Finding(what, f"write at least {part.low}"))
+        return part
+    return replace(part, high=last)

@@ -1,0 +1,160 @@
+"""What has happened and the plan of the rest as one plan, and the rest of such a plan."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, TypeAlias
+
+from tsplan.history.past_paths import clipped, until
+from tsplan.history.rest_mission import Rest, rest_of
+from tsplan.mission.team import UnderWay
+from tsplan.name_runs import Run, RunMap
+from tsplan.plans.agent_plans import Stay, joined
+from tsplan.plans.bundles import Agents, Bundle
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.plans.outcomes import ObjectiveValue
+    from tsplan.plans.plan import Plan
+
+
+def rest_of_plan(mission: Mission, plan: Plan) -> tuple[Rest, Plan]:
+    """What was left of the mission of a plan when it was replanned last, and the plan for that.
+
+    Raises PlanError and MissionError as `rest_of` does.
+    """
+    step = plan.replanned[-1].step
+    paths = Agents.of(plan.agents).stretches
+    past = Agents.along((names, until(path, step)) for names, path in paths)
+    rest = rest_of(mission, plan.replanned, past)
+    objective = tuple(_told(item, -step) for item in plan.objective)
+    cut = replace(planned_ahead(rest, plan), objective=objective)
+    return rest, replace(cut, horizon=plan.horizon - step)
+
+
+def _told(item: ObjectiveValue, later: int) -> ObjectiveValue:
+    """The value of an objective, which is a step if it is that of the last arrival."""
+    if item.name != "makespan":
+        return item
+    value, bound = (told + later if told else told for told in (item.value, item.bound))
+    return replace(item, value=value, bound=bound)
+
+
+def renamed(rest: Rest) -> Iterator[tuple[Run, Run, str | None]]:
+    """Robots in a row as the plan and as the rest of the mission name them.
+
+    Those that are under way then come with the state that they left.
+    """
+    for rank, runs in zip(rest.mission.ranks, rest.names, strict=True):
+        origin = rank.start.origin if isinstance(rank.start, UnderWay) else None
+        begin = 0
+        for run in runs:
+            yield run, rank.names.part(begin, begin + run.size), origin
+            begin += run.size
+
+
+def planned_ahead(rest: Rest, plan: Plan) -> Plan:
+    """What a plan has for the robots of a rest, under their names there, from its step on."""
+    own = RunMap(Agents.of(plan.agents).stretches)
+    stretches = []
+    for old, new, origin in renamed(rest):
+        for part, path in _each(old, new, own):
+            stays, heading = _ahead(path, rest.step)
+            if stays or heading:
+                stretches.append((part, replace(path, stays=stays, heading=heading, coming=origin)))
+    return replace(plan, agents=Agents.along(stretches), horizon=rest.mission.horizon, replanned=())
+
+
+def _each(old: Run, new: Run, paths: RunMap[Bundle]) -> Iterator[tuple[Run, Bundle]]:
+    begin = 0
+    for part, path in paths.parts(old):
+        if path is not None:
+            yield new.part(begin, begin + part.size), path
+        begin += part.size
+
+
+def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
+    """The plan of a rest with what has happened before it.
+
+    Of robots that are at one place with the same abilities, as many as can go on as they were
+    `planned`.
+    """
+    later = _shared_out(rest, plan, planned) if plan.has_paths else {}
+    own = RunMap((names, path) for names, path in later.items())
+    step = rest.step
+    paths: list[tuple[Run, Bundle]] = []
+    for names, past in rest.agents.stretches:
+        for part, path in own.parts(names):
+            paths.append((part, past if path is None else _one(past, path, step)))
+    return replace(
+        plan,
+        horizon=rest.horizon,
+        objective=tuple(_told(item, step) for item in plan.objective),
+        agents=Agents.along(paths) if plan.has_paths else (),
+        replanned=rest.worlds,
+    )
+
+
+def _one(past: Bundle, later: Bundle, step: int) -> Bundle:
+    after = ((first + step, last + step, state) for first, last, state in later.stays)
+    stays = tuple(joined([*clipped(past.stays, step - 1), *after]))
+    return replace(past, stays=stays, heading=later.heading)
+
+
+def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> Mapping[Run, Bundle]:
+    """Who takes which path of the plan of the rest, by the names of the plan before."""
+    own = RunMap(Agents.of(plan.agents).stretches)
+    before = RunMap[Bundle](() if planned is None else Agents.of(planned.agents).stretches)
+    found: dict[Run, Bundle] = {}
+    for rank, runs in zip(rest.mission.ranks, rest.names, strict=True):
+        paths = [(part.size, path) for part, path in own.parts(rank.names) if path is not None]
+        asked = [
+            (part, None if path is None else _ahead(path, rest.step))
+            for run in runs
+            for part, path in before.parts(run)
+        ]
+        found.update(_matched(paths, asked))
+    return found
+
+
+def _ahead(path: Bundle, step: int) -> _Ahead:
+    """What of a path lies ahead of a step, which is its step 0."""
+    stays = tuple(
+        (max(first, step) - step, last - step, state)
+        for first, last, state in path.stays
+        if last >= step
+    )
+    return stays, path.heading
+
+
+_Ahead: TypeAlias = "tuple[tuple[Stay, ...], str | None]"
+
+
+def _matched(
+    paths: Iterable[tuple[int, Bundle]], asked: Iterable[tuple[Run, _Ahead | None]]
+) -> Iterator[tuple[Run, Bundle]]:
+    """Robots with their paths: whoever can gets the one that was asked for, the others any."""
+    free: dict[_Ahead | None, tuple[int, Bundle | None]] = {}
+    for count, taken in paths:
+        key = taken.stays, taken.heading
+        free[key] = free.get(key, (0, taken))[0] + count, taken
+    others: list[Run] = []
+    for run, wish in asked:
+        left, mine = free.get(wish, (0, None))
+        size = min(left, run.size)
+        if mine is not None and size:
+            free[wish] = left - size, mine
+            yield run.part(0, size), mine
+        if size < run.size:
+            others.append(run.part(size, run.size))
+    rest = [(count, path) for count, path in free.values() if path is not None and count]
+    for run in others:
+        begin = 0
+        while begin < run.size:
+            count, path = rest.pop()
+            size = min(count, run.size - begin)
+            yield run.part(begin, begin + size), path
+            begin += size
+            if count > size:
+                rest.append((count - size, path))

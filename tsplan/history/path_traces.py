@@ -1,0 +1,22 @@
+"""What formulas are judged on of what has happened: who was counted where."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tsplan.logic.symbols import capabilities
+from tsplan.plans.count_traces import count_trace
+from tsplan.plans.presence import of_bundles, state_counts
+
+if TYPE_CHECKING:
+    from tsplan.logic import CountTrace, Formula
+    from tsplan.plans.bundles import Agents
+    from tsplan.ts import TransitionSystem
+
+
+def path_trace(system: TransitionSystem, formula: Formula, agents: Agents, last: int) -> CountTrace:
+    """The counts that a formula is about at the steps 0..last, by the paths of agents."""
+    present = tuple(of_bundles(agents.bundles))
+    states = tuple(system.states)
+    named = (None, *sorted({name for name in capabilities(formula) if name is not None}))
+    return count_trace(system, {name: state_counts(present, states, last, name) for name in named})

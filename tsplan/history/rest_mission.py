@@ -1,0 +1,174 @@
+"""The mission that is left at a step: from where everybody is, what of the formula is open.
+
+It is a mission like any other, whose step 0 is that step: agents start where they are or on the
+edge that they are on, the map is what it has become, and the formula is what progression leaves of
+it (`tsplan.logic.progression`), so that whatever is planned, judged and explained of missions is of
+the rest of one, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from tsplan.errors import Finding, MissionError, PlanError
+from tsplan.history.changed_formula import changed_formula, parts_of
+from tsplan.history.changed_map import Maps
+from tsplan.history.past_paths import Now, Whereabouts, whereabouts
+from tsplan.history.path_traces import path_trace
+from tsplan.logic import Formula, horizon, progress
+from tsplan.mission import Group
+from tsplan.mission.team import UnderWay
+from tsplan.plans.worlds import OnEdge
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.mission.resources import Carries
+    from tsplan.name_runs import Run
+    from tsplan.plans.bundles import Agents, Bundle
+    from tsplan.plans.worlds import World
+
+
+@dataclass(frozen=True)
+class Rest:
+    """The `mission` that is left at the step of the last of some `worlds`.
+
+    `agents` have the paths of everybody until then. `names` are, rank by rank, the robots that
+    those of the mission are; `formula` is the whole one, judged at step 0 of the plan, `parts` has
+    each of its parts with what is left of it, and `horizon` is the last step of the plan.
+    """
+
+    mission: Mission
+    worlds: tuple[World, ...]
+    agents: Agents
+    names: tuple[tuple[Run, ...], ...]
+    formula: Formula
+    parts: tuple[tuple[Formula, Formula], ...]
+    horizon: int
+
+    @property
+    def step(self) -> int:
+        """The step of the plan at which the mission begins."""
+        return self.worlds[-1].step
+
+
+def rest_of(mission: Mission, worlds: Sequence[World], agents: Agents) -> Rest:
+    """What is left of a mission, given the paths of its `agents` until the last world's step.
+
+    Raises PlanError for worlds that cannot be, and MissionError for missions that cannot be
+    planned again, and where nobody is left.
+    """
+    refuse_unknown_kinds(mission)
+    step = worlds[-1].step
+    maps = Maps(mission.system, tuple(worlds))
+    formula = changed_formula(mission, worlds)
+    last = max(mission.horizon, _horizon(mission, formula))
+    if step > last:
+        what = f"the mission ends at step {last}, and it is to be planned again at step {step}"
+        raise PlanError([Finding(what, "name a step of the plan")])
+    team, names = _team(mission, whereabouts(mission, agents, worlds, maps), step)
+    if not team:
+        raise MissionError([Finding(f"nobody is left at step {step}", "add agents")])
+
+    left = _Left(mission, agents, step)
+
+    made = replace(
+        mission,
+        system=maps.from_step(step),
+        team=team,
+        language="mtl",
+        formula=left.of(formula),
+        text="",
+        prefer=tuple(
+            replace(soft, formula=left.of(soft.formula), text="") for soft in mission.prefer
+        ),
+        horizon=last - step,
+        warnings=(),
+        origin=None,
+    )
+    parts = tuple((part, left.of(part)) for part in parts_of(formula))
+    return Rest(made, tuple(worlds), agents, names, formula, parts, last)
+
+
+class _Left(NamedTuple):
+    """What is left of the formulas of a mission at a step."""
+
+    mission: Mission
+    agents: Agents
+    step: int
+
+    def of(self, formula: Formula) -> Formula:
+        """What is left of a formula that is judged at step 0 of the plan."""
+        counted = self.mission.counting(formula)
+        if not self.step:
+            return counted
+        trace = path_trace(self.mission.system, counted, self.agents, self.step - 1)
+        return progress(counted, trace)
+
+
+def refuse_unknown_kinds(mission: Mission) -> None:
+    """Raise MissionError for missions of which no rest can be told yet."""
+    kinds = {
+        "swarms": mission.swarm is not None,
+        "expected numbers": mission.expected is not None,
+        "resources": bool(mission.resources),
+        "modular robots": bool(mission.modular),
+        "booked agents": mission.books,
+        "a formula that may hold in part": mission.partial,
+    }
+    findings = [
+        Finding(f"a mission with {kind} cannot be planned again", "plan its rest by hand")
+        for kind, there in kinds.items()
+        if there
+    ]
+    if findings:
+        raise MissionError(findings)
+
+
+def _horizon(mission: Mission, formula: Formula) -> int:
+    return horizon(mission.translated(formula))
+
+
+def _team(
+    mission: Mission, places: Iterable[Now], step: int
+) -> tuple[tuple[Group, ...], tuple[tuple[Run, ...], ...]]:
+    """The groups of a team that begins where everybody is, and rank by rank who they are."""
+    kinds: dict[_Kind, dict[str | UnderWay, list[Run]]] = {}
+    ordered = sorted(places, key=lambda now: isinstance(now.place, OnEdge))  # as ranks are
+    for names, path, place in ordered:
+        starts = kinds.setdefault(_kind(mission, names, path), {})
+        starts.setdefault(_start(place, step), []).append(names)
+    groups = tuple(
+        Group.of(
+            kind.class_name,
+            [(start, sum(run.size for run in runs)) for start, runs in starts.items()],
+            kind.capabilities,
+            dict(kind.carries) if isinstance(kind.carries, tuple) else kind.carries,
+        )
+        for kind, starts in kinds.items()
+    )
+    every = tuple(tuple(runs) for starts in kinds.values() for runs in starts.values())
+    return groups, every
+
+
+class _Kind(NamedTuple):
+    """What tells the groups of a team apart."""
+
+    class_name: str
+    capabilities: frozenset[str]
+    carries: Carries
+
+
+def _kind(mission: Mission, names: Run, path: Bundle) -> _Kind:
+    """The group that robots are of."""
+    rank = mission.roster.get(names.name())
+    carries = () if rank is None else mission.team[rank.group].carries
+    return _Kind(path.class_name, path.capabilities, carries)
+
+
+def _start(place: Whereabouts, step: int) -> str | UnderWay:
+    """Where somebody begins in a mission whose step 0 is a step of the plan."""
+    if isinstance(place, str):
+        return place
+    return UnderWay(place.source, place.target, place.arrives - step)

@@ -1,0 +1,1 @@
+"""Planning again while a plan is carried out, and trying that out."""
