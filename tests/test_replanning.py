@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections import Counter
 from dataclasses import replace
 from math import inf
 
@@ -100,20 +101,7 @@ def best_continuation(past: Past, system: tsplan.TransitionSystem, formula: tspl
     """The best values of all ways to go on, signed to be minimised."""
     mission, found = past.mission, None
     for joint in joint_plans(past.continued(system)):
-        later = joint.trace(0)
-        whole = {
-            name: np.concatenate(
-                [
-                    np.array([past.counts(name, at) for at in range(past.step)]).T.reshape(
-                        len(mission.system.states), past.step
-                    ),
-                    later.counts.get(name, np.zeros_like(later.counts[None])),
-                ],
-                axis=1,
-            )
-            for name in (None, *mission.capabilities)
-        }
-        slack = float(robustness(mission.counting(formula), CountTrace(whole, later.labels))[0])
+        slack = whole_slack(past, joint, formula)
         if slack < 0:
             continue
         worth = {"availability": lambda: slack, "makespan": lambda: _last(joint, past.step)}  # noqa: B023
@@ -123,6 +111,23 @@ def best_continuation(past: Past, system: tsplan.TransitionSystem, formula: tspl
         )
         found = value if found is None else min(found, value)
     return found
+
+
+def whole_slack(past: Past, joint, formula: tsplan.Formula) -> float:
+    """The robustness of a formula on what happened and a way to go on."""
+    mission, later = past.mission, joint.trace(0)
+    shape = len(mission.system.states), past.step
+    whole = {
+        name: np.concatenate(
+            [
+                np.array([past.counts(name, at) for at in range(past.step)]).T.reshape(shape),
+                later.counts.get(name, np.zeros_like(later.counts[None])),
+            ],
+            axis=1,
+        )
+        for name in (None, *mission.capabilities)
+    }
+    return float(robustness(mission.counting(formula), CountTrace(whole, later.labels))[0])
 
 
 def _last(joint, step: int) -> int:
@@ -191,3 +196,78 @@ def test_what_is_planned_again_is_the_best_of_all_continuations(seeds: list[int]
         ]
         assert tuple(value for _, value, _ in found) == pytest.approx(expected, abs=1e-6), seed
         assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, seed
+
+
+def changed(plan: Plan, made: Plan, past: Past) -> int:
+    """How many go on otherwise that could go on as planned."""
+    free = [
+        name
+        for name in past.places
+        if name not in {**past.said.get("moved", {}), **past.said.get("late", {})}
+    ]
+    return sum(
+        any(
+            plan.agent[name].state_at(at) != made.agent[name].state_at(at)
+            for at in range(past.step, plan.horizon + 1)
+        )
+        for name in free
+    )
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(60), range(60, 2000), 20))
+def test_as_few_as_can_be_go_on_otherwise(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission = replace(small(seed), objective=("stability",))
+        if not comparable(mission):
+            continue
+        plan = tsplan.plan(replace(mission, objective=("travel",)))
+        if not plan.has_paths:
+            continue
+        past, system = disturbed(mission, plan, seed)
+        if not small_enough(past.continued(system)):
+            continue
+        expected = fewest_changes(past, system, plan)
+        made = replan(mission, plan, past.step, **past.said)
+        assert (expected is None) == (not made.has_paths), seed
+        if expected is not None:
+            assert changed(plan, made, past) == made.value("stability") == expected[0], seed
+            assert made.value("deviation") == expected[1], seed
+            assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, seed
+
+
+def fewest_changes(past: Past, system: tsplan.TransitionSystem, plan: Plan):
+    """The least number of robots that go on otherwise, and then of places that lack robots."""
+    mission, found = past.mission, None
+    continued = past.continued(system)
+    names = list(past.places)
+    told = {**past.said.get("moved", {}), **past.said.get("late", {})}
+    steps = range(past.step, mission.horizon + 1)
+    wanted = {
+        name: tuple(plan.agent[name].state_at(at) for at in steps)
+        for name in names
+        if name not in told
+    }
+    asked = Counter(
+        (state, at) for states in wanted.values() for at, state in enumerate(states) if state
+    )
+    of = {agent.id: agent for agent in mission.agents}
+    for joint in joint_plans(continued):
+        if whole_slack(past, joint, mission.formula) < 0:
+            continue
+        kinds = {}
+        for agent, path in zip(continued.agents, joint.paths, strict=True):
+            key = agent.class_name, agent.start, agent.capabilities
+            kinds.setdefault(key, []).append(path.states)
+        kept = 0
+        for name, states in wanted.items():
+            mine = kinds.get((of[name].class_name, past.places[name], of[name].capabilities), [])
+            if states in mine:
+                mine.remove(states)
+                kept += 1
+        there = Counter(
+            (state, at) for path in joint.paths for at, state in enumerate(path.states) if state
+        )
+        missing = sum(max(count - there[place], 0) for place, count in asked.items())
+        value = (len(wanted) - kept, missing)
+        found = value if found is None else min(found, value)
+    return found

@@ -17,8 +17,9 @@ from tsplan.checking.satisfaction_check import slack_of
 from tsplan.exact import exact
 from tsplan.mission.objectives import OBJECTIVES, objectives_for
 from tsplan.mission.performances import Kind, Performances, performance_of
+from tsplan.name_runs import Names, RunMap
 from tsplan.plans.moves import splits
-from tsplan.plans.presence import state_counts
+from tsplan.plans.presence import Presence, state_counts
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -125,6 +126,35 @@ def agents(traffic: Traffic) -> int:
     return sum(class_traffic.moving for class_traffic in traffic.classes)
 
 
+def stability(traffic: Traffic) -> int:
+    """How many agents do not go on as they were to."""
+    paths = RunMap(
+        (run, bundle)
+        for item in traffic.classes
+        for bundle in item.bundles
+        for run in Names.of(bundle.agents).runs
+    )
+    return sum(
+        part.size
+        for each in traffic.mission.intended
+        for part, path in paths.parts(each.names)
+        if path is None or (path.stays, path.heading) != each[1:]
+    )
+
+
+def deviation(traffic: Traffic) -> int:
+    """Agents that are missing where some were to be, added up over the steps."""
+    intended = traffic.mission.intended
+    present = [
+        Presence(state, first, last, each.names.size, frozenset())
+        for each in intended
+        for first, last, state in each.stays
+    ]
+    states = tuple({presence.state for presence in present})
+    asked = state_counts(present, states, traffic.horizon)
+    return int(np.maximum(asked - traffic.counts(states), 0).sum())
+
+
 def split(traffic: Traffic) -> int:
     """How often sub-swarms split: agents that leave by j edges, waits too, split j-1 times."""
     return sum(splits(moves) for moves in traffic.moves.values())
@@ -154,6 +184,8 @@ _REGISTER: dict[str, Measure] = {
     "reserve": reserve,
     "makespan": makespan,
     "agents": agents,
+    "stability": stability,
+    "deviation": deviation,
     "splits": split,
     "moves": moves,
     "balance": balance,

@@ -123,7 +123,7 @@ def _replan(commands: Commands) -> None:
         add(f"--{name}", type=kind, metavar=value, **how)
     add("--world", type=Path, metavar="FILE", help="the same and more from a file (YAML)")
     names = "objectives in place of the mission's, with commas between them, as stability,travel"
-    add("--objective", type=_names, metavar="NAMES", help=names)
+    add("--objective", type=_names, metavar="NAMES", default=[], help=names)
     add("--rest", type=Path, metavar="FILE", help="write the mission that is left (YAML)")
     _solving(add)
     add("-o", "--output", type=Path, metavar="FILE", help="write the whole plan as JSON")

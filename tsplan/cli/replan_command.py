@@ -38,8 +38,6 @@ def run(options: argparse.Namespace) -> Exit:
     if not isinstance(given, Mission):
         what = "a mission over signals is carried out by a controller"
         raise InputError([Finding(what, "see tsplan.Controller in docs/signals.md")])
-    if options.objective:
-        given = replace(given, objective=tuple(options.objective))
     plan = load_plan(options.plan)
     try:
         return _replanned(given, plan, world_given(options, given, plan), choice, options)
@@ -55,7 +53,8 @@ def _named(error: PlanError, options: argparse.Namespace) -> list[Finding]:
 def _replanned(
     mission: Mission, plan: Plan, world: World, choice: SolverChoice, options: argparse.Namespace
 ) -> Exit:
-    rest = left(mission, plan, world).rest.mission
+    objective = tuple(options.objective) or None
+    rest = left(mission, plan, world, objective).rest.mission
     warn(rest.warnings)
     requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
@@ -65,7 +64,7 @@ def _replanned(
                 order = Order(asked, choice, anytime=options.anytime, start=start)
                 return cast("Plan", Planning(progress, requests).plan(order))
 
-            made = replanned(mission, plan, world, planner=planner)
+            made = replanned(mission, plan, world, objective=objective, planner=planner)
         if options.rest is not None:
             unwritten = attempted(partial(rest.save, options.rest))
         if options.output is not None and made.has_paths:

@@ -36,6 +36,7 @@ from tsplan.encode.performance_objective import Performance
 from tsplan.encode.priced_objectives import Cost, Energy, Risk, Travel
 from tsplan.encode.read_back import availability, begun_until, last_arrival, moving
 from tsplan.encode.robustness_bound import OptimisticBound
+from tsplan.encode.stability_objective import Deviation, Stability
 from tsplan.logic import Execution, walk
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.milp.target import Target
@@ -286,6 +287,8 @@ for _each in (
     Splits(),
     GroupMoves(),
     Balance(),
+    Stability(),
+    Deviation(),
 ):
     register(_each)
 

@@ -7,14 +7,16 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.history.past_paths import clipped, until
-from tsplan.history.rest_mission import Rest, rest_of
+from tsplan.history.rest_mission import STABLE, Rest, rest_of
+from tsplan.mission.intended_paths import Intended
 from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Run, RunMap
 from tsplan.plans.agent_plans import Stay, joined
 from tsplan.plans.bundles import Agents, Bundle
+from tsplan.plans.worlds import Ahead
 
 if TYPE_CHECKING:
-    from tsplan.mission import Mission
+    from tsplan.mission import Mission, Rank
     from tsplan.plans.outcomes import ObjectiveValue
     from tsplan.plans.plan import Plan
 
@@ -29,8 +31,20 @@ def rest_of_plan(mission: Mission, plan: Plan) -> tuple[Rest, Plan]:
     past = Agents.along((names, until(path, step)) for names, path in paths)
     rest = rest_of(mission, plan.replanned, past)
     objective = tuple(_told(item, -step) for item in plan.objective)
-    cut = replace(planned_ahead(rest, plan), objective=objective)
-    return rest, replace(cut, horizon=plan.horizon - step)
+    cut = replace(planned_ahead(rest, plan), objective=objective, horizon=plan.horizon - step)
+    return with_intended(rest, planned_ahead(rest, _as_before(plan))), cut
+
+
+def _as_before(plan: Plan) -> Plan:
+    """A plan in which those that changed their ways last have their former ones."""
+    former = plan.replanned[-1].former
+    named = RunMap((Run.of(name), ahead) for name, ahead in former.items())
+    stretches = (
+        (part, path if a is None else replace(path, stays=a.stays, heading=a.heading))
+        for names, path in Agents.of(plan.agents).stretches
+        for part, a in named.parts(names)
+    )
+    return replace(plan, agents=Agents.along(stretches))
 
 
 def _told(item: ObjectiveValue, later: int) -> ObjectiveValue:
@@ -66,6 +80,38 @@ def planned_ahead(rest: Rest, plan: Plan) -> Plan:
     return replace(plan, agents=Agents.along(stretches), horizon=rest.mission.horizon, replanned=())
 
 
+def with_intended(rest: Rest, before: Plan) -> Rest:
+    """A rest whose robots were to take the paths that a plan of theirs has, where these begin.
+
+    Nothing changes where no objective is about that.
+    """
+    if not set(STABLE).intersection(rest.mission.objective):
+        return rest
+    own, last = RunMap(Agents.of(before.agents).stretches), rest.mission.horizon
+    intended = [
+        Intended(part, _prolonged(path.stays, last, path.heading), path.heading)
+        for rank in rest.mission.ranks
+        for part, path in own.parts(rank.names)
+        if path is not None and _begins(rank, path)
+    ]
+    return replace(rest, mission=replace(rest.mission, intended=tuple(intended)))
+
+
+def _prolonged(stays: tuple[Stay, ...], last: int, heading: str | None) -> tuple[Stay, ...]:
+    """Stays of somebody who waits to a step at the end, unless it is under way."""
+    if heading is not None or not stays:
+        return stays
+    return (*stays[:-1], (stays[-1][0], last, stays[-1][2]))
+
+
+def _begins(rank: Rank, path: Bundle) -> bool:
+    """Whether a path begins where robots are, and when they arrive there."""
+    first = path.stays[0] if path.stays else (None, None, path.heading)
+    if isinstance(rank.start, UnderWay):
+        return first[2] == rank.start.target and first[0] in (rank.start.arrives, None)
+    return first[0] == 0 and first[2] == rank.start
+
+
 def _each(old: Run, new: Run, paths: RunMap[Bundle]) -> Iterator[tuple[Run, Bundle]]:
     begin = 0
     for part, path in paths.parts(old):
@@ -92,8 +138,23 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
         horizon=rest.horizon,
         objective=tuple(_told(item, step) for item in plan.objective),
         agents=Agents.along(paths) if plan.has_paths else (),
-        replanned=rest.worlds,
+        replanned=(*rest.worlds[:-1], replace(rest.worlds[-1], former=_former(rest, later))),
     )
+
+
+def _former(rest: Rest, later: Mapping[Run, Bundle]) -> dict[str, Ahead]:
+    """What those were to do that do something else now, where it matters to an objective."""
+    intended = RunMap((each.names, each[1:]) for each in rest.mission.intended)
+    own = RunMap((names, (path.stays, path.heading)) for names, path in later.items())
+    found = {}
+    for old, new, _ in renamed(rest):
+        for name, named in zip(old.names(), new.names(), strict=True):
+            wanted = intended.get(named)
+            if wanted is not None and wanted != own.get(name):
+                stays, heading = wanted
+                ahead = tuple((a + rest.step, b + rest.step, state) for a, b, state in stays)
+                found[name] = Ahead(ahead, heading)
+    return found
 
 
 def _one(past: Bundle, later: Bundle, step: int) -> Bundle:
@@ -105,6 +166,13 @@ def _one(past: Bundle, later: Bundle, step: int) -> Bundle:
 def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> Mapping[Run, Bundle]:
     """Who takes which path of the plan of the rest, by the names of the plan before."""
     own = RunMap(Agents.of(plan.agents).stretches)
+    if rest.mission.intended:  # who keeps which path is settled
+        return {
+            _part(old, new, part): path
+            for old, new, _ in renamed(rest)
+            for part, path in own.parts(new)
+            if path is not None
+        }
     before = RunMap[Bundle](() if planned is None else Agents.of(planned.agents).stretches)
     found: dict[Run, Bundle] = {}
     for rank, runs in zip(rest.mission.ranks, rest.names, strict=True):
@@ -116,6 +184,12 @@ def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> Mapping[Run, Bu
         ]
         found.update(_matched(paths, asked))
     return found
+
+
+def _part(old: Run, new: Run, part: Run) -> Run:
+    """The names among the old ones that stand where a part stands among the new ones."""
+    begin = part.first - new.first
+    return old.part(begin, begin + part.size)
 
 
 def _ahead(path: Bundle, step: int) -> _Ahead:

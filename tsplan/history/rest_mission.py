@@ -80,6 +80,7 @@ def rest_of(mission: Mission, worlds: Sequence[World], agents: Agents) -> Rest:
         language="mtl",
         formula=left.of(formula),
         text="",
+        objective=objective_of(mission, worlds),
         prefer=tuple(
             replace(soft, formula=left.of(soft.formula), text="") for soft in mission.prefer
         ),
@@ -89,6 +90,21 @@ def rest_of(mission: Mission, worlds: Sequence[World], agents: Agents) -> Rest:
     )
     parts = tuple((part, left.of(part)) for part in parts_of(formula))
     return Rest(made, tuple(worlds), agents, names, formula, parts, last)
+
+
+STABLE = ("stability", "deviation")
+"""Objectives for which it matters what was planned before."""
+
+
+def objective_of(mission: Mission, worlds: Iterable[World]) -> tuple[str, ...]:
+    """The objectives of the rest: those named last; after stability comes deviation."""
+    named = mission.objective
+    for world in worlds:
+        named = world.objective or named
+    if STABLE[0] not in named or STABLE[1] in named:
+        return named
+    place = named.index(STABLE[0]) + 1
+    return (*named[:place], STABLE[1], *named[place:])
 
 
 class _Left(NamedTuple):

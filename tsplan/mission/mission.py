@@ -66,9 +66,10 @@ class Mission(MissionParts):
     map asks for it. The `swarm` rules say which classes are swarms, whose agents move as
     sub-swarms. `resources` are what tasks may need beside robots, and `modular` says what the
     modules of modular robots can become. The formula holds even where every agent is up to `delay`
-    steps late at any time. `booking` says whether an agent counts for all tasks at its state, for
-    those of one label, or for one alone. On a map of actions with uncertain outcomes numbers are
-    `expected` ones.
+    steps late at any time. `intended` are the paths that robots were to take before the mission was
+    planned again, which the objectives `stability` and `deviation` ask for. `booking` says whether
+    an agent counts for all tasks at its state, for those of one label, or for one alone. On a map
+    of actions with uncertain outcomes numbers are `expected` ones.
     `digest` is the SHA-256 of the mission's text; reading its formula took `parse_seconds`. A
     mission that was read from a file keeps its document as `origin`, for places in it.
 

@@ -12,6 +12,7 @@ from tsplan.logic import Formula
 from tsplan.logic.weight_values import Weight
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission.configurations import ModuleRules
+from tsplan.mission.intended_paths import Intended
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resources import Resource
 from tsplan.mission.team import Expectation, Group, SwarmBounds, SwarmRules
@@ -64,6 +65,7 @@ class MissionParts:
     booking: Booking = "shared"
     satisfaction: Order = "weighted"
     prefer: tuple[Preference, ...] = ()
+    intended: tuple[Intended, ...] = ()
     weights: Mapping[str, Weight] = field(default_factory=dict, compare=False, repr=False)
     digest: str = field(default="", compare=False)
     warnings: tuple[Finding, ...] = field(default=(), compare=False)

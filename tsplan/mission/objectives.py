@@ -119,6 +119,8 @@ for _objective in (
     ),
     Objective("makespan", "minimise", "step at which the last move arrives"),
     Objective("agents", "minimise", "agents that ever move"),
+    Objective("stability", "minimise", "agents that do not go on as they were planned to"),
+    Objective("deviation", "minimise", "steps at which agents are not where some were to be"),
     Objective("splits", "minimise", "how often sub-swarms split", of_groups=True),
     Objective("moves", "minimise", "edges that sub-swarms enter", of_groups=True),
     Objective("balance", "maximise", "agents in the smallest sub-swarm", of_groups=True),

@@ -16,6 +16,7 @@ from tsplan.plans.plan import Plan
 from tsplan.plans.policy_table import policy_table
 from tsplan.plans.split_history import timeline
 from tsplan.plans.structure_table import alike, idle_lines, moved, rebuilt_line
+from tsplan.plans.world_words import world_line
 from tsplan.stopping import StoppedBy
 from tsplan.words import number, visible
 
@@ -82,8 +83,10 @@ def summary(plan: Plan) -> list[RenderableType]:
     """The lines of a plan's summary, and the table of its paths."""
     title = f"{plan.mission.name or 'mission'}: {outcome(plan)}"
     lines: list[str] = [title, *(f"  {note}" for note in plan.notes)]
+    lines += [f"  {world_line(world)}" for world in plan.replanned[-_WORLDS:]]
     if plan.has_paths:
         endless = infinite_word(plan)
+        lines += [f"  from step {plan.replanned[-1].step} on:"] if plan.replanned else []
         lines += [f"  {objective_line(item, endless)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, endless)}")
@@ -96,6 +99,9 @@ def summary(plan: Plan) -> list[RenderableType]:
         policies = [*policy_table(plan), ""] if plan.policies else []
         return [*seen([*lines, ""]), *robots, *structures, *events, *policies, *_work(plan)]
     return [*seen(lines), *_work(plan)]
+
+
+_WORLDS = 5  # the last times that a plan was made again that are told
 
 
 def seen(lines: Iterable[str]) -> Iterator[str]:

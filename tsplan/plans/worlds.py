@@ -9,6 +9,7 @@ from typing import Annotated, TypeAlias
 from pydantic import Field
 
 from tsplan.limits import MOST_STEPS
+from tsplan.plans.agent_plans import Stay
 from tsplan.plans.records import OPTIONAL, Positive, Record, Whole, Word
 
 Place: TypeAlias = Word | tuple[Word, Word]
@@ -62,6 +63,14 @@ class Room(Record):
 
 
 @dataclass(frozen=True, slots=True)
+class Ahead(Record):
+    """Where an agent was to be from a step on, and where it was to be heading at the end."""
+
+    stays: tuple[Stay, ...]
+    heading: Word | None = field(default=None, metadata=OPTIONAL)
+
+
+@dataclass(frozen=True, slots=True)
 class World(Record):
     """What is known at step `step` of a plan: who is elsewhere than planned, and what has changed.
 
@@ -71,7 +80,9 @@ class World(Record):
     join. From now on states and edges are `closed`, `opened` or have other `capacities`; the
     formulas `demanded` have to hold, judged at this step, and those `withdrawn`, by the text of a
     part of the mission, have not. `deadlines` give the last step of the outermost window of a part,
-    by its text, counted as there.
+    by its text, counted as there. The rest is planned for an `objective`, if any is named, else for
+    that of the mission. Where that asks for stability, `former` is what agents were to do from this
+    step on that do something else now.
     """
 
     step: Annotated[int, Field(strict=True, ge=0, le=MOST_STEPS)]
@@ -85,3 +96,5 @@ class World(Record):
     demanded: tuple[Word, ...] = field(default=(), metadata=OPTIONAL)
     withdrawn: tuple[Word, ...] = field(default=(), metadata=OPTIONAL)
     deadlines: Mapping[Word, Whole] = field(default_factory=dict, metadata=OPTIONAL)
+    objective: tuple[Word, ...] = field(default=(), metadata=OPTIONAL)
+    former: Mapping[Word, Ahead] = field(default_factory=dict, metadata=OPTIONAL)

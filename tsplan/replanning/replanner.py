@@ -11,7 +11,7 @@ from tsplan.checking.fitting import refuse_pathless
 from tsplan.checking.plan_check import certify
 from tsplan.errors import Finding, PlanError
 from tsplan.history.changed_map import Maps
-from tsplan.history.joined_plan import joined_plan, planned_ahead
+from tsplan.history.joined_plan import joined_plan, planned_ahead, with_intended
 from tsplan.history.past_paths import really
 from tsplan.history.rest_mission import Rest, rest_of
 from tsplan.logic.settled import settled
@@ -98,12 +98,13 @@ def left(
     if plan.replanned and plan.replanned[-1].step > world.step:
         what = f"the plan has been replanned at step {plan.replanned[-1].step} before"
         raise PlanError([Finding(what, "name that step or a later one")])
-    worlds = (*plan.replanned, world)
     if objective is not None:
-        mission = replace(mission, objective=tuple(objective))
+        world = replace(world, objective=tuple(objective))
+    worlds = (*plan.replanned, world)
     past = really(mission, plan, world, Maps(mission.system, worlds))
     rest = rest_of(mission, worlds, past)
-    return Left(rest, planned_ahead(rest, plan))
+    before = planned_ahead(rest, plan)
+    return Left(with_intended(rest, before), before)
 
 
 def replanned(

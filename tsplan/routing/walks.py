@@ -14,6 +14,7 @@ from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.flow_network import Network, laid_out
 from tsplan.encode.map_reduction import Reduced
 from tsplan.encode.memory import Watch
+from tsplan.encode.planned_ways import Planned
 from tsplan.encode.read_back import Moves, moves_of
 from tsplan.milp.model import Draft, Floats, Ints
 
@@ -80,6 +81,15 @@ def _class_walks(number: int, graph: ClassGraph, moves: Moves, horizon: int) -> 
         Walk(number, start, np.array(mine, dtype=np.int64), np.array(when, dtype=np.int64))
         for start, mine, when in zip(starts, edges, steps, strict=True)
     ]
+
+
+def walks_along(ways: Sequence[Planned]) -> list[Walk]:
+    """The ways of single agents."""
+    found = []
+    for way in ways:
+        edges, steps = np.array(way.entries, dtype=np.int64).reshape(-1, 2).T
+        found += [Walk(way.number, way.start, edges, steps)] * way.agents
+    return found
 
 
 def point_of(setting: Setting, walks: Sequence[Walk], level: int) -> Point:

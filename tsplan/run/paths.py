@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import TypedDict
@@ -19,7 +20,7 @@ from tsplan.encode.read_back import (
     node_names,
 )
 from tsplan.mission import Rank
-from tsplan.name_runs import Run
+from tsplan.name_runs import Run, RunMap
 from tsplan.plans.agent_entries import MOST_LISTED
 from tsplan.plans.agent_plans import joined
 from tsplan.plans.bundles import Agents, Bundle, Stretch
@@ -31,6 +32,7 @@ from tsplan.plans.policies import Policy
 from tsplan.plans.structure_paths import module_plan, structures_of
 from tsplan.plans.structures import Rebuilt, Structure, module_paths
 from tsplan.plans.supplies import ExecutedTask
+from tsplan.run.kept_paths import kept_paths
 
 MOST_AGENTS = MOST_LISTED
 """Agents up to which every one of a swarm gets a path; for more, `tsplan.assign` makes them."""
@@ -84,16 +86,31 @@ def _by_nodes(
 
 
 def _walked(
-    setting: Setting, item: AgentClass, moves: Sequence[Move], seed: int | None
+    setting: Setting,
+    item: AgentClass,
+    moves: Sequence[Move],
+    seed: int | None,
+    known: Iterable[Run] = (),
 ) -> Iterator[tuple[Rank, Sequence[Stretch]]]:
-    """The robots of a class rank by rank, with their paths."""
-    ranks = [rank for rank in setting.mission.ranks if rank.group in item.groups]
+    """The robots of a class rank by rank, with their paths, but for those whose are `known`."""
+    given = RunMap((names, True) for names in known)
+    parts = [
+        (rank, rank._replace(names=part))
+        for rank in setting.mission.ranks
+        if rank.group in item.groups
+        for part, has in given.parts(rank.names)
+        if not has
+    ]
+    ranks = [part for _, part in parts]
+    if not ranks:
+        return
     if item.graph.modes is None or item.bounds is not None:
         late = item.graph.modes is not None
         walked = paths_of(setting.mission, ranks, moves, seed, late=late)
     else:
         walked = _by_nodes(setting, item, ranks, moves, seed)
-    return zip(ranks, walked, strict=True)
+    for (rank, _), stretches in zip(parts, walked, strict=True):
+        yield rank, stretches
 
 
 def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
@@ -104,19 +121,24 @@ def ways_of(setting: Setting, point: Point, seed: int | None) -> Ways:
     mission = setting.mission
     if mission.expected is not None:
         return Ways(policies=tuple(policies_of(setting, point)))
-    walked: dict[Rank, Sequence[Stretch]] = {}
+    walked: dict[Rank, list[Stretch]] = defaultdict(list)
     moves: dict[str, tuple[Move, ...]] = {}
     for item, entered in moves_of(point):
         if item.shape is not None:
             continue
-        made = listed(setting, item, entered)
+        kept, others = kept_paths(setting, point, item, entered)
+        for rank, stretch in kept:
+            walked[rank].append(stretch)
+        made = listed(setting, item, others)
         if item.bounds is not None:
             begun = {start.place for start in setting.arrays.coming}
             own = tuple(move for move in made if move.source not in begun)
             moves[mission.team[item.groups[0]].class_name] = own
             if mission.size > MOST_AGENTS:
                 continue
-        walked.update(_walked(setting, item, made, seed))
+        known = [stretch.names for _, stretch in kept]
+        for rank, stretches in _walked(setting, item, made, seed, known):
+            walked[rank] = sorted([*walked[rank], *stretches], key=lambda each: each.names)
     structures, rebuilt = structures_of(mission, modules_at(setting, point))
     modules = module_paths(structures)
     for rank in mission.ranks if structures else ():

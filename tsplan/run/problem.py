@@ -16,6 +16,7 @@ from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
 from tsplan.encode.model_objectives import OwnSum, objectives_of
 from tsplan.encode.native_names import column_names, row_names
+from tsplan.encode.planned_ways import Planned, planned_ways
 from tsplan.encode.preparation import prepare
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.errors import Finding, InputError, MissionError, SolverError, nearest
@@ -24,8 +25,7 @@ from tsplan.milp.model import Model
 from tsplan.milp.request import TOLERANCE
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
-from tsplan.routing.planned_ways import Planned, planned_ways, walks_along
-from tsplan.routing.walks import point_of
+from tsplan.routing.walks import point_of, walks_along
 from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
 from tsplan.run.point_reading import plan_at

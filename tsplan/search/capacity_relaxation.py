@@ -62,7 +62,9 @@ def relaxable(setting: Setting) -> bool:
     these may be late, nor with constraints of the user's own. Small models need no help.
     """
     booked = any(isinstance(node, Execution) for node in walk(setting.goal))
-    plain = setting.formula_alone and not booked and "delay" not in setting.mission.objective
+    mission = setting.mission
+    plain = setting.formula_alone and not (booked or mission.intended)
+    plain = plain and "delay" not in mission.objective
     limited = bool(setting.arrays.capacity or setting.arrays.group_capacity)
     on = Switch.CAPACITIES in setting.switches
     return on and plain and limited and _columns(setting) > SMALL

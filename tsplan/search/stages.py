@@ -18,12 +18,12 @@ from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.model_objectives import Availability, Delay, ExpectedTravel, Splits
 from tsplan.encode.objective_kinds import LevelObjective, StageObjective, TargetObjective
+from tsplan.encode.planned_ways import Planned, planned_flows
 from tsplan.encode.preparation import delayed
 from tsplan.encode.priced_objectives import Travel
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
 from tsplan.milp.target import CLOSED
-from tsplan.routing.planned_ways import Planned, planned_flows
 from tsplan.search.chained_witnesses import chain_model, first_flows
 from tsplan.search.effort import Effort
 from tsplan.search.group_search import GroupSearch

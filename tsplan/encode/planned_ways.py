@@ -15,7 +15,6 @@ import numpy as np
 from tsplan.encode.map_reduction import whole
 from tsplan.name_runs import RunMap
 from tsplan.plans.bundles import Agents
-from tsplan.routing.walks import Walk
 
 if TYPE_CHECKING:
     from tsplan.encode.class_graph import ClassGraph
@@ -47,7 +46,7 @@ def planned_ways(setting: Setting, plan: Plan) -> list[Planned]:
     paths, state = RunMap(Agents.of(plan.agents).stretches), setting.arrays.number
     found = []
     for number, item in enumerate(setting.classes):
-        follow = _Following(item.graph, setting.horizon, state)
+        follow = Following(item.graph, setting.horizon, state)
         for rank in setting.mission.ranks:
             if rank.group not in item.groups:
                 continue
@@ -79,18 +78,9 @@ def planned_flows(encoded: Encoded, ways: Sequence[Planned], *, tight: bool) -> 
     return values[encoded.flows]
 
 
-def walks_along(ways: Sequence[Planned]) -> list[Walk]:
-    """The ways of single agents."""
-    found = []
-    for way in ways:
-        edges, steps = np.array(way.entries, dtype=np.int64).reshape(-1, 2).T
-        found += [Walk(way.number, way.start, edges, steps)] * way.agents
-    return found
-
-
 @dataclass(frozen=True)
-class _Following:
-    """Follows paths on the map of a class."""
+class Following:
+    """Follows paths on the map of a class, given the numbers of the states."""
 
     graph: ClassGraph
     horizon: int
@@ -103,7 +93,21 @@ class _Following:
         return {pair: (edge, durations[edge]) for edge, pair in enumerate(ends)}
 
     def entries(self, start: int, path: Bundle | None) -> Entries:
-        """The edges that an agent enters which begins at a state and takes a path."""
+        """The edges that an agent enters which begins at a state and takes a path.
+
+        Where that cannot be followed any further it waits.
+        """
+        made, where, _ = self._followed(start, path)
+        return made + self._waiting(where, self._end(made), self.horizon)
+
+    def whole(self, start: int, path: Bundle) -> Entries | None:
+        """The same of a path that can be followed to its end, else None."""
+        made, where, whole = self._followed(start, path)
+        waits = self._waiting(where, self._end(made), self.horizon)
+        return made + waits if whole and self._end(made + waits) >= self.horizon else None
+
+    def _followed(self, start: int, path: Bundle | None) -> tuple[Entries, int, bool]:
+        """The edges up to the last arrival, where that is, and whether the path ends there."""
         made: Entries = []
         where, step = start, 0
         if start in self.graph.coming:
@@ -114,10 +118,10 @@ class _Following:
             made += self._waiting(where, step, depart)
             edge, duration = self._edges.get((where, target), (-1, 0))
             if edge < 0 or depart < step or (arrive is not None and depart + duration != arrive):
-                break
+                return made, where, False
             made.append((edge, depart))
             where, step = target, depart + duration
-        return made + self._waiting(where, self._end(made), self.horizon)
+        return made, where, True
 
     def _end(self, entries: Entries) -> int:
         """When an agent has left the last of some edges."""
