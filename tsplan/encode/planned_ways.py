@@ -104,7 +104,9 @@ class Following:
         """The same of a path that can be followed to its end, else None."""
         made, where, whole = self._followed(start, path)
         waits = self._waiting(where, self._end(made), self.horizon)
-        return made + waits if whole and self._end(made + waits) >= self.horizon else None
+        if not whole or self._end(made + waits) < self.horizon:
+            return None
+        return [entry for entry in made + waits if entry[1] < self.horizon]
 
     def _followed(self, start: int, path: Bundle | None) -> tuple[Entries, int, bool]:
         """The edges up to the last arrival, where that is, and whether the path ends there."""

@@ -117,8 +117,8 @@ class Deviation(TargetObjective):
             rows, columns, constant = network.present_at(place, None, steps, settled=False)
             own = draft.columns(len(steps), upper=most)
             terms = (rows, columns, 1.0), (np.arange(len(steps)), own, 1.0)
-            most -= constant
-            draft.sums(*terms, lower=most, upper=np.full(len(most), INFINITY), kind="as planned")
+            least, none = most - constant, np.full(len(most), INFINITY)
+            draft.sums(*terms, lower=least, upper=none, kind="as planned")
             missing.append(own)
         return np.concatenate([*missing, _NONE])
 

@@ -17,6 +17,7 @@ from tsplan.history.changed_formula import changed_formula, parts_of
 from tsplan.history.changed_map import Maps
 from tsplan.history.past_paths import Now, Whereabouts, whereabouts
 from tsplan.history.path_traces import path_trace
+from tsplan.history.present_room import with_present_room
 from tsplan.logic import Formula, horizon, progress
 from tsplan.mission import Group
 from tsplan.mission.team import UnderWay
@@ -75,7 +76,7 @@ def rest_of(mission: Mission, worlds: Sequence[World], agents: Agents) -> Rest:
 
     made = replace(
         mission,
-        system=maps.from_step(step),
+        system=with_present_room(maps.from_step(step), team),
         team=team,
         language="mtl",
         formula=left.of(formula),

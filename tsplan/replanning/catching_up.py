@@ -1,0 +1,84 @@
+"""Plans of robots that were kept from going on as planned, and follow as soon as they can."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tsplan.history.joined_plan import planned_ahead
+from tsplan.mission.team import UnderWay
+from tsplan.name_runs import RunMap
+from tsplan.plans.bundles import Agents, Bundle
+from tsplan.plans.outcomes import ObjectiveValue, Status
+from tsplan.stopping import StoppedBy
+
+if TYPE_CHECKING:
+    from tsplan.history.rest_mission import Rest
+    from tsplan.mission import Mission, Rank
+    from tsplan.plans.agent_plans import Stay
+    from tsplan.plans.plan import Plan
+
+
+def catching_up(rest: Rest, plan: Plan) -> Plan:
+    """A plan of a rest in which everybody follows its way in a plan, as soon as it can.
+
+    Whoever is where it should be does as planned. Whoever is late does not wait any more where it
+    should have left, and whoever has lost its way, or finds an edge closed, stays. Nothing is
+    known of such a plan until it is judged.
+    """
+    mission = rest.mission
+    own = RunMap(Agents.of(planned_ahead(rest, plan).agents).stretches)
+    stretches = [
+        (part, _followed(mission, rank, path))
+        for rank in mission.ranks
+        for part, path in own.parts(rank.names)
+    ]
+    return replace(
+        plan,
+        status=Status.FEASIBLE,
+        stopped_by=StoppedBy.INTERRUPT,
+        horizon=mission.horizon,
+        objective=tuple(ObjectiveValue(name, None) for name in mission.objective),
+        availability=None,
+        preferences=(),
+        agents=Agents.along(stretches),
+        replanned=(),
+        notes=(),
+        verified=False,
+    )
+
+
+def _followed(mission: Mission, rank: Rank, path: Bundle | None) -> Bundle:
+    coming = rank.start.origin if isinstance(rank.start, UnderWay) else None
+    if isinstance(rank.start, UnderWay):
+        where, step = rank.start.target, rank.start.arrives
+    else:
+        where, step = rank.start, 0
+    kind = rank.class_name, rank.capabilities
+    if step > mission.horizon:
+        return Bundle(*kind, (), where, coming=coming)
+    ahead = () if path is None else path.stays
+    begin = next((n for n, stay in enumerate(ahead) if stay[2] == where), len(ahead))
+    heading = path.heading if path is not None and begin < len(ahead) else None
+    stays: list[Stay] = []
+    for target, leave in _rides(ahead[begin:], heading):
+        leave = max(leave, step)  # noqa: PLW2901  (nobody leaves before it has come)
+        edge = mission.system.edges.get((where, target))
+        lasts = None if edge is None else edge.duration_for(rank.class_name)
+        if lasts is None or leave >= mission.horizon:
+            break
+        stays.append((step, leave, where))
+        where, step = target, leave + lasts
+        if step > mission.horizon:
+            return Bundle(*kind, tuple(stays), where, coming=coming)
+    stays.append((step, mission.horizon, where))
+    return Bundle(*kind, tuple(stays), None, coming=coming)
+
+
+def _rides(stays: tuple[Stay, ...], heading: str | None) -> Iterator[tuple[str, int]]:
+    """Where a path goes, and when it leaves for there."""
+    for before, after in zip(stays, stays[1:], strict=False):
+        yield after[2], before[1]
+    if heading is not None and stays:
+        yield heading, stays[-1][1]

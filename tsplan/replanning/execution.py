@@ -1,0 +1,145 @@
+"""Carrying out a plan step by step, and planning again where it does not work any more."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from tsplan.checking.plan_check import certify
+from tsplan.errors import SolverError
+from tsplan.history.changed_map import Maps
+from tsplan.history.joined_plan import joined_plan
+from tsplan.history.past_paths import until, whereabouts
+from tsplan.history.path_traces import path_trace
+from tsplan.logic.evaluation import robustness
+from tsplan.plans.bundles import Agents
+from tsplan.plans.outcomes import Status
+from tsplan.plans.worlds import OnEdge, World
+from tsplan.replanning.catching_up import catching_up
+from tsplan.replanning.fleet import Fleet, MoveOrder, Seen, difference
+from tsplan.replanning.replanner import left, replanned
+
+if TYPE_CHECKING:
+    from tsplan.mission import Mission
+    from tsplan.plans.plan import Plan
+    from tsplan.replanning.replanner import Planner
+
+Keep = Callable[[Seen, "Plan | None"], object]
+"""Hears what was seen at a step, and after that the plan from there on, if it is another one."""
+
+
+@dataclass(frozen=True)
+class Executed:
+    """What came of carrying out a plan: the `plan` says where everybody was at every step.
+
+    `availability` is that of the formula on what happened. `replanned` has the seconds that each
+    time took at which the mission was planned again, and `stuck` says how often there was no plan.
+    """
+
+    plan: Plan
+    availability: float
+    adapted: int = 0
+    replanned: tuple[float, ...] = ()
+    stuck: int = 0
+
+    @property
+    def met(self) -> bool:
+        """Whether the formula held."""
+        return self.availability >= 0
+
+
+@dataclass(eq=False)
+class Execution:
+    """Carries out a plan by a fleet; `planner`, if there is one, plans again where that is needed.
+
+    What differs from the plan is taken in at once: everybody follows the plan as soon as it can,
+    and where the check says that this still works nothing else is done.
+    """
+
+    mission: Mission
+    plan: Plan
+    fleet: Fleet
+    planner: Planner | None = None
+    keep: Keep = field(default=lambda _seen, _plan: None)
+    step: int = 0
+    _adapted: int = field(default=0, init=False)
+    _seconds: list[float] = field(default_factory=list, init=False)
+    _stuck: int = field(default=0, init=False)
+    _hopeless: bool = field(default=False, init=False)
+
+    def run(self) -> Executed:
+        """Go on to the end."""
+        self.fleet.begin(self.step, dict(self._places(self.step)))
+        while self.step < self.plan.horizon:
+            seen = self.fleet.advance(self.step, list(self.orders()))
+            self.keep(seen, None)
+            self.take(seen)
+        self.fleet.end()
+        return self.outcome()
+
+    def take(self, seen: Seen) -> None:
+        """Take in what is seen at the next step."""
+        self.step = seen.step
+        world = difference(seen.step, dict(self._places(seen.step)), seen)
+        if world is not None:
+            self.plan = self._adjusted(world)
+            self.keep(seen, self.plan)
+
+    def outcome(self) -> Executed:
+        """What came of it."""
+        formula = self.mission.counted
+        agents = Agents.of(self.plan.agents)
+        trace = path_trace(self.mission.system, formula, agents, self.plan.horizon)
+        slack = float(robustness(formula, trace)[0])
+        return Executed(self.plan, slack, self._adapted, tuple(self._seconds), self._stuck)
+
+    def orders(self) -> Iterator[MoveOrder]:
+        """Who is to set out now, and for where."""
+        maps = Maps(self.mission.system, self.plan.replanned)
+        for bundle in Agents.of(self.plan.agents).bundles:
+            for place, (_, last, state) in enumerate(bundle.stays):
+                later = bundle.stays[place + 1 :]
+                target = later[0][2] if later else bundle.heading
+                if last != self.step or target is None:
+                    continue
+                way = maps.ride(bundle, bundle.agents[0], (state, target), last)
+                yield from (MoveOrder(name, state, target, way.arrives) for name in bundle.agents)
+
+    def _places(self, step: int) -> Iterator[tuple[str, str | OnEdge]]:
+        """Where everybody who is not lost is by the plan."""
+        worlds = (*self.plan.replanned, World(step))
+        paths = Agents.of(self.plan.agents).stretches
+        past = Agents.along((names, until(path, step)) for names, path in paths)
+        maps = Maps(self.mission.system, worlds)
+        for now in whereabouts(self.mission, past, worlds, maps):
+            yield from ((name, now.place) for name in now.names.names())
+
+    def _adjusted(self, world: World) -> Plan:
+        """The plan from a world on: the one there is, if it works, else another one."""
+        rest = left(self.mission, self.plan, world).rest
+        followed = catching_up(rest, self.plan)
+        self._adapted += 1
+        try:
+            return joined_plan(rest, certify(rest.mission, followed))
+        except SolverError:  # it does not work any more
+            made = self._replanned(world)
+        return joined_plan(rest, followed) if made is None else made
+
+    def _replanned(self, world: World) -> Plan | None:
+        """Another plan, if one is asked for and found.
+
+        Where it was proven that there is none there will be none, unless something opens.
+        """
+        self._hopeless = self._hopeless and not world.opened
+        if self.planner is None or self._hopeless:
+            return None
+        began = time.perf_counter()
+        made = replanned(self.mission, self.plan, world, planner=self.planner)
+        self._seconds.append(time.perf_counter() - began)
+        if made.has_paths:
+            return made
+        self._stuck += 1
+        self._hopeless = made.status is Status.INFEASIBLE
+        return None
