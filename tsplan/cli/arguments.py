@@ -45,7 +45,7 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    every = (_plan, _replan, _sweep, _explain, _check, _simulate, _parse, _robustness)
+    every = (_plan, _replan, _execute, _sweep, _explain, _check, _simulate, _parse, _robustness)
     shown = (_show, _view, _animate, _export, _lint, _map)
     for command in (*every, *shown):
         command(commands)
@@ -130,6 +130,37 @@ def _replan(commands: Commands) -> None:
     add("--json", action="store_true", help="print the JSON alone")
     add("--quiet", action="store_true", help="no progress and no summary")
     add("--agents", action="store_true", help="an entry for every agent, however many")
+
+
+def _execute(commands: Commands) -> None:
+    words = "carry out a plan by chance or with robots, planning again where it does not work"
+    add = _command(commands, "execute", words, "mission", "plan")
+    add("--runs", type=_runs, default=100, metavar="N", help="runs by chance (default 100)")
+    add("--seed", type=_seed, metavar="N", help="that of the first run (default 0)")
+    chances = {
+        "delay": ("a move takes a step longer, and again", 0.1),
+        "loss": ("an agent is lost at a step", 0.0),
+        "close": ("one of the edges closes for good at a step", 0.0),
+    }
+    for name, (what, most) in chances.items():
+        how = f"chance that {what} (default {most:g})"
+        add(f"--{name}", type=_chance, default=most, metavar="P", help=how)
+    add("--robots", metavar="COMMAND", help="one execution by a process that speaks JSON lines")
+    wait = "seconds in which the robots have to answer (default 60)"
+    add("--patience", type=_positive, default=60.0, metavar="S", help=wait)
+    kept = "keep every step here, and go on where it ends"
+    add("--journal", type=Path, metavar="FILE", help=kept)
+    add(
+        "--replanning",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="plan again where the plan does not work any more (default)",
+    )
+    add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
+    add("--time-limit", type=_positive, metavar="S", help="seconds to plan again (default 10)")
+    add("-o", "--output", type=Path, metavar="FILE", help="write what happened as a plan (JSON)")
+    add("--json", action="store_true", help="print the runs as JSON alone")
+    add("--quiet", action="store_true", help="no progress")
 
 
 def _solving(add: Callable[..., object]) -> None:

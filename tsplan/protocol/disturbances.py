@@ -17,10 +17,10 @@ import numpy as np
 
 from tsplan.display import Told
 from tsplan.errors import Finding, InputError, PlanError, nearest
+from tsplan.frequency import Frequency
 from tsplan.logic.evaluation import holds, robustness
 from tsplan.logic.traces import SignalTrace
 from tsplan.parameters import refuse_options
-from tsplan.protocol.simulation import Frequency
 from tsplan.signals.controller import Controller
 from tsplan.signals.equalities import TOLERANCE, approximate
 from tsplan.signals.trajectory_check import check

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from tsplan.history.joined_plan import planned_ahead
@@ -78,7 +79,7 @@ def _followed(mission: Mission, rank: Rank, path: Bundle | None) -> Bundle:
 
 def _rides(stays: tuple[Stay, ...], heading: str | None) -> Iterator[tuple[str, int]]:
     """Where a path goes, and when it leaves for there."""
-    for before, after in zip(stays, stays[1:], strict=False):
+    for before, after in pairwise(stays):
         yield after[2], before[1]
     if heading is not None and stays:
         yield heading, stays[-1][1]

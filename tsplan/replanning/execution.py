@@ -63,11 +63,15 @@ class Execution:
     fleet: Fleet
     planner: Planner | None = None
     keep: Keep = field(default=lambda _seen, _plan: None)
-    step: int = 0
+    step: int = field(init=False)
     _adapted: int = field(default=0, init=False)
     _seconds: list[float] = field(default_factory=list, init=False)
     _stuck: int = field(default=0, init=False)
     _hopeless: bool = field(default=False, init=False)
+
+    def __post_init__(self) -> None:
+        """Begin where the plan was planned again last: what comes before has happened."""
+        self.step = self.plan.replanned[-1].step if self.plan.replanned else 0
 
     def run(self) -> Executed:
         """Go on to the end."""

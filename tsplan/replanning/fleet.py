@@ -72,6 +72,4 @@ def difference(step: int, planned: Mapping[str, str | OnEdge], seen: Seen) -> Wo
             moved[name] = OnEdge(*place, step + 1)
     if not (lost or moved or late or seen.closed or seen.opened):
         return None
-    return World(
-        step, tuple(lost), moved, late, closed=seen.closed, opened=seen.opened
-    )
+    return World(step, tuple(lost), moved, late, closed=seen.closed, opened=seen.opened)

@@ -93,4 +93,4 @@ class SimulatedFleet:
     def _chance(self, *of: object) -> float:
         """A number from 0 to below 1 for something that may happen."""
         digest = blake2b(repr((self.seed, *of)).encode(), digest_size=_BYTES).digest()
-        return int.from_bytes(digest) / 2 ** (8 * _BYTES)
+        return float(int.from_bytes(digest, "big") / 256**_BYTES)

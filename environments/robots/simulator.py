@@ -1,0 +1,72 @@
+"""Robots that are late now and then, as a process of their own: `tsplan execute --robots`.
+
+    tsplan execute mission.yaml plan.json --robots "python simulator.py --late 0.2 --seed 1"
+
+It reads a line of JSON from the standard input and answers with one on the standard output. A
+program that drives real robots can take its place; docs/execution.md has the protocol.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import random
+import sys
+from typing import Any
+
+
+def main() -> None:
+    """Answer every line."""
+    options = argparse.ArgumentParser()
+    options.add_argument("--late", type=float, default=0.1, help="chance that a move takes longer")
+    options.add_argument("--seed", type=int, default=0)
+    given = options.parse_args()
+    robots = Robots(given.late, given.seed)
+    for line in sys.stdin:
+        message = json.loads(line)
+        if message["type"] == "end":
+            break
+        sys.stdout.write(json.dumps(robots.answer(message)) + "\n")
+        sys.stdout.flush()
+
+
+class Robots:
+    """Where everybody is: at a state, or on an edge with the step of arrival."""
+
+    def __init__(self, late: float, seed: int) -> None:
+        self.late, self.seed = late, seed
+        self.places: dict[str, Any] = {}
+
+    def answer(self, message: dict[str, Any]) -> dict[str, Any]:
+        """What to say to a message."""
+        if message["type"] == "begin":
+            self.places = dict(message["agents"])
+            return {"type": "ready"}
+        step = message["step"]
+        for order in message["orders"]:
+            self.set_out(order, random.Random(f"{self.seed} {step} {order['agent']}"))
+        return {"type": "seen", "step": step + 1, "agents": self.seen(step + 1)}
+
+    def set_out(self, order: dict[str, Any], chance: random.Random) -> None:
+        """Begin a move, which may take longer than it should."""
+        arrives = order["arrives"]
+        while chance.random() < self.late:
+            arrives += 1
+        self.places[order["agent"]] = {**order, "arrives": arrives}
+
+    def seen(self, step: int) -> dict[str, Any]:
+        """Where everybody is at a step: a state, or the two ends of an edge."""
+        found: dict[str, Any] = {}
+        for name, place in self.places.items():
+            here = place
+            if isinstance(place, dict):
+                arrived = place["arrives"] <= step
+                here = place["to"] if arrived else [place["from"], place["to"]]
+                if arrived:
+                    self.places[name] = here
+            found[name] = here
+        return found
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+"""Carrying out a plan many times by chance, to see how often the formula holds."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from statistics import median
+from typing import TYPE_CHECKING
+
+from tsplan.checking.fitting import refuse_misfit
+from tsplan.display import Told
+from tsplan.errors import Finding, InputError
+from tsplan.frequency import Frequency
+from tsplan.history.rest_mission import refuse_unknown_kinds
+from tsplan.limits import Range
+from tsplan.mission import Mission
+from tsplan.mission.read import load_mission
+from tsplan.parameters import refuse_options
+from tsplan.plans.plan import Plan
+from tsplan.plans.plan_file import load_plan
+from tsplan.replanning.execution import Executed, Execution
+from tsplan.replanning.simulated_fleet import Chances, SimulatedFleet
+from tsplan.run.planner import plan as plan_mission
+
+if TYPE_CHECKING:
+    from tsplan.replanning.replanner import Planner
+
+SECONDS = 10.0
+"""Seconds that planning again takes at most."""
+
+
+@dataclass(frozen=True)
+class TrialRun:
+    """One run with the same luck both ways: as planned alone, and with planning again."""
+
+    seed: int
+    kept: Executed
+    replanned: Executed | None
+
+
+@dataclass(frozen=True)
+class Trial(Told):
+    """What came of carrying out a plan many times; `str` tells it in words.
+
+    `kept` says how often the formula held where everybody only followed the plan as soon as it
+    could, `replanned` how often it did where it was planned again, None where that was not tried.
+    `seconds` has how long each of these took.
+    """
+
+    chances: Chances
+    runs: tuple[TrialRun, ...] = ()
+    seconds: tuple[float, ...] = field(default=())
+
+    @property
+    def kept(self) -> Frequency:
+        """How often the formula held without planning again."""
+        return Frequency(sum(run.kept.met for run in self.runs), len(self.runs))
+
+    @property
+    def replanned(self) -> Frequency | None:
+        """How often it held with that."""
+        tried = [run.replanned for run in self.runs if run.replanned is not None]
+        return Frequency(sum(each.met for each in tried), len(tried)) if tried else None
+
+    def __str__(self) -> str:
+        """What `tsplan execute` prints."""
+        if not self.runs:
+            return "no run came to its end"
+        chances = self.chances
+        seeds = f"seeds {self.runs[0].seed}..{self.runs[-1].seed}"
+        lines = [
+            f"{len(self.runs):,} runs ({seeds}), with these chances: {chances.delay:g} that a move",
+            f"takes a step longer, {chances.loss:g} that an agent is lost at a step, and",
+            f"{chances.close:g} that an edge closes at a step",
+            f"as planned, the formula held in {self.kept}",
+        ]
+        if self.replanned is not None:
+            lines.append(f"planning again, it held in {self.replanned}")
+            lines.append(self._effort())
+        return "\n".join(lines)
+
+    def _effort(self) -> str:
+        """How often it was planned again, and how long that took."""
+        tried = [run.replanned for run in self.runs if run.replanned is not None]
+        stuck = sum(each.stuck for each in tried)
+        if not self.seconds:
+            return "it was never needed: the plan went on to work"
+        times = f"{len(self.seconds):,} times in all"
+        took = f"{median(self.seconds):.2f} s each (median), {max(self.seconds):.2f} s at most"
+        return f"it was planned again {times}, {took}; {stuck:,} times there was no plan"
+
+    def to_json(self) -> str:
+        """The same as JSON."""
+        runs = [
+            {
+                "seed": run.seed,
+                "kept": run.kept.met,
+                **({} if run.replanned is None else _told(run.replanned)),
+            }
+            for run in self.runs
+        ]
+        chances = {name: getattr(self.chances, name) for name in ("delay", "loss", "close")}
+        return json.dumps({"chances": chances, "runs": runs}, indent=1) + "\n"
+
+
+def _told(executed: Executed) -> dict[str, object]:
+    seconds = [round(each, 4) for each in executed.replanned]
+    return {"replanned": executed.met, "seconds": seconds, "stuck": executed.stuck}
+
+
+def execute(
+    mission: Mission | str | Path,
+    plan: Plan | str | Path,
+    *,
+    runs: int = 100,
+    seed: int = 0,
+    delay: float = 0.1,
+    loss: float = 0.0,
+    close: float = 0.0,
+    replanning: bool = True,
+    time_limit: float = SECONDS,
+    on_run: Callable[[TrialRun], object] | None = None,
+) -> Trial:
+    """Carry out a plan `runs` times by chance, as planned and with planning again.
+
+    A move takes a step longer with the chance `delay`, and again and again; at every step each
+    agent gets lost with the chance `loss`, and one of the edges closes for good with the chance
+    `close`. Whoever is late follows the plan as soon as it can. The runs have the seeds `seed`,
+    `seed` + 1, ..., and the same luck both ways. With `replanning` the mission is planned again, in
+    at most `time_limit` seconds, where the check says that the plan does not work any more.
+    `on_run` hears of every run; when it returns True there are no more of them.
+
+    Raises PlanError for a plan that is not of the mission, MissionError for missions that cannot be
+    planned again, InputError for numbers out of range.
+
+    >>> import tsplan
+    >>> mission = tsplan.load_mission("mission.yaml")
+    >>> trial = tsplan.execute(mission, tsplan.plan(mission), runs=5, delay=0.3)
+    >>> trial.replanned.times >= trial.kept.times
+    True
+    """
+    refuse_options(runs=runs, seed=seed, time_limit=time_limit)
+    chances = checked(Chances(delay, loss, close))
+    mission = mission if isinstance(mission, Mission) else load_mission(mission)
+    plan = plan if isinstance(plan, Plan) else load_plan(plan)
+    refuse_unknown_kinds(mission)
+    refuse_misfit(plan, mission)
+    planner: Planner | None = partial(plan_mission, time_limit=time_limit) if replanning else None
+    done: list[TrialRun] = []
+    try:
+        for number in range(seed, seed + runs):
+            done.append(_tried(mission, plan, chances, number, planner))
+            if on_run is not None and on_run(done[-1]):
+                break
+    except KeyboardInterrupt:  # what has come to its end is told
+        pass
+    seconds = (s for run in done if run.replanned is not None for s in run.replanned.replanned)
+    return Trial(chances, tuple(done), tuple(seconds))
+
+
+def checked(chances: Chances) -> Chances:
+    """Chances that are some. Raises InputError."""
+    findings: Sequence[Finding] = [
+        Finding(f"{name}: {words}", "give a number from 0 to 1")
+        for name in ("delay", "loss", "close")
+        if (words := Range(0, 1).complaint(getattr(chances, name)))
+    ]
+    if findings:
+        raise InputError(findings)
+    return chances
+
+
+def _tried(
+    mission: Mission, plan: Plan, chances: Chances, seed: int, planner: Planner | None
+) -> TrialRun:
+    kept = Execution(mission, plan, SimulatedFleet(mission, chances, seed)).run()
+    if planner is None:
+        return TrialRun(seed, kept, None)
+    again = Execution(mission, plan, SimulatedFleet(mission, chances, seed), planner).run()
+    return TrialRun(seed, kept, again)
