@@ -64,6 +64,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.protocol.simulation import simulate as simulate
     from tsplan.replanning.execution_trial import Trial as Trial
     from tsplan.replanning.execution_trial import execute as execute
+    from tsplan.replanning.receding_horizon import plan_in_pieces as plan_in_pieces
     from tsplan.replanning.replanner import replan as replan
     from tsplan.replanning.replanner import rest_mission as rest_mission
     from tsplan.run.events import Event as Event

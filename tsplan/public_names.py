@@ -53,6 +53,7 @@ GROUPS: Mapping[str, Mapping[str, tuple[str, ...]]] = MappingProxyType(
             "protocol.margin_size": ("margin_for",),
             "protocol.simulation": ("simulate",),
             "replanning.execution_trial": ("execute",),
+            "replanning.receding_horizon": ("plan_in_pieces",),
             "replanning.replanner": ("replan", "rest_mission"),
             "run.events": ("Event",),
             "run.problem": ("Problem",),

@@ -9,6 +9,7 @@ class StoppedBy(StrEnum):
     """What ended a search before its question was settled.
 
     PRECISION: the solver is done, and its arithmetic cannot tell whether there is something better.
+    WINDOW: the mission was planned in pieces, of which nobody knows whether they go well together.
     """
 
     TIME_LIMIT = "time_limit"
@@ -16,6 +17,7 @@ class StoppedBy(StrEnum):
     INTERRUPT = "interrupt"
     MEMORY = "memory"
     PRECISION = "precision"
+    WINDOW = "window"
 
 
 class Halted(Exception):  # noqa: N818 - nothing has gone wrong

@@ -87,6 +87,10 @@ def _plan(commands: Commands) -> None:
         metavar="IDEA",
         help="switch an idea of the tight encoding off, to find a culprit; may be repeated",
     )
+    pieces = "plan in pieces: windows of so many steps, for missions that are too long for one"
+    add("--window", type=_count, metavar="STEPS", help=pieces)
+    kept = "steps of each window that are kept (default: a third of it)"
+    add("--commit", type=_count, metavar="STEPS", help=kept)
     old = "begin the search with the paths of this plan, of the mission or of one like it (JSON)"
     add("--start", type=Path, metavar="PLAN", help=old)
     each = "a path for every agent of a swarm, and an entry for every agent, however many"

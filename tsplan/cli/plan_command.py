@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from tsplan.checking.assignment import assign
 from tsplan.checking.fitting import refuse_pathless
@@ -11,20 +11,21 @@ from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import mission_to_solve, refuse_place
 from tsplan.cli.output import attempted, console, remark, say_json
 from tsplan.cli.progress import Progress
-from tsplan.errors import SolverError
+from tsplan.errors import Finding, InputError, SolverError
+from tsplan.mission import Mission
 from tsplan.plans.outcomes import FOUND, Status
 from tsplan.plans.plan import Plan
 from tsplan.plans.plan_file import EachAgent, Written, load_plan, save_plan
 from tsplan.process.child_process import may_have_children
 from tsplan.process.interrupt import Requests
-from tsplan.run.isolate import Planning
+from tsplan.replanning.receding_horizon import plan_in_pieces
+from tsplan.run.isolate import Order, Planning
 from tsplan.signals.mission_order import order_for, with_reading
 from tsplan.signals.trajectory_summary import trajectory_lines
 
 if TYPE_CHECKING:
     import argparse
 
-    from tsplan.mission import Mission
     from tsplan.signals.result_check import Result
 
 CODES = {
@@ -47,7 +48,8 @@ def run(options: argparse.Namespace) -> Exit:
         if not (may_have_children() or options.quiet):
             remark("this process may start no other: a crash of the solver would end it")
         with Progress(quiet=options.quiet) as progress:
-            plan = with_reading(Planning(progress, requests).plan(order), mission, loaded)
+            made = _planned(Planning(progress, requests), order, options)
+            plan = with_reading(made, mission, loaded)
         if plan.status in FOUND and not plan.verified:
             raise SolverError("the plan that was found has not been checked; it is not shown")
         if options.agents and isinstance(plan, Plan) and plan.moves and not plan.agents:
@@ -60,6 +62,26 @@ def run(options: argparse.Namespace) -> Exit:
     if unwritten is not None:
         raise unwritten
     return CODES[plan.status]
+
+
+def _planned(planning: Planning, order: Order, options: argparse.Namespace) -> Any:
+    """The plan, in one piece or in windows."""
+    if options.window is None:
+        if options.commit is not None:
+            raise InputError([Finding("--commit is for windows", "add --window STEPS")])
+        return planning.plan(order)
+    if not isinstance(order.mission, Mission) or order.start is not None:
+        what = "missions over signals, and plans to start with, are planned in one piece"
+        raise InputError([Finding(what, "leave --window out")])
+
+    def planner(mission: Mission, *, time_limit: float | None = None, **_: Any) -> Plan:
+        choice = replace(order.choice, time_limit=time_limit)
+        return cast("Plan", planning.plan(replace(order, mission=mission, choice=choice)))
+
+    commit = options.commit or max(options.window // 3, 1)
+    limit = order.choice.time_limit
+    limits: dict[str, Any] = {} if limit is None else {"time_limit": limit}
+    return plan_in_pieces(order.mission, options.window, commit, planner=planner, **limits)
 
 
 def _start(options: argparse.Namespace) -> Plan | None:

@@ -44,6 +44,7 @@ _LIMITS = {
     StoppedBy.INTERRUPT: "when interrupted",
     StoppedBy.MEMORY: "out of memory",
     StoppedBy.PRECISION: "at the limits of the solver's arithmetic",
+    StoppedBy.WINDOW: "with the last window",
 }
 
 
