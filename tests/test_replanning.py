@@ -14,11 +14,14 @@ import tsplan
 from tests.joint_plans import SENSE, joint_plans, small_enough
 from tests.seeds import seed_blocks
 from tsplan import Mission, Plan
+from tsplan.errors import PlanError
 from tsplan.logic import TRUE
 from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.mission import Group, UnderWay
+from tsplan.plans.moves import present, splits
 from tsplan.replanning.replanner import replan
-from tsplan.testing import random_mission
+from tsplan.testing import random_mission, random_swarm_mission
+from tsplan.ts.builders import grid
 
 
 class Past:
@@ -279,3 +282,66 @@ def fewest_changes(past: Past, system: tsplan.TransitionSystem, plan: Plan):
         value = (len(wanted) - kept, missing)
         found = value if found is None else min(found, value)
     return found
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(20_000, 20_030), range(20_030, 20_800), 30))
+def test_swarms_go_on_as_well_as_planned(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission = random_swarm_mission(seed)
+        if mission.partial or mission.prefer or mission.delay or "delay" in mission.objective:
+            continue
+        plan = tsplan.plan(mission, time_limit=5)
+        if plan.status != "optimal" or not mission.horizon:
+            continue
+        step = seed % mission.horizon
+        made = replan(mission, plan, step, options={"time_limit": 20})
+        assert made.has_paths, seed
+        assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, seed
+        spent = {
+            "travel": sum(
+                move.count * mission.system.edges[move.source, move.target].duration_for(name)
+                for name, moves in plan.moves.items()
+                for move in moves
+                if move.step < step and not move.is_wait
+            ),
+            "splits": sum(
+                splits([move for move in moves if move.step < step])
+                for moves in plan.moves.values()
+            ),
+            "moves": sum(
+                move.step < step and not move.is_wait
+                for moves in plan.moves.values()
+                for move in moves
+            ),
+        }
+        first = plan.objective[0] if plan.objective else None
+        if first is not None and first.name in spent and made.status == "optimal":
+            assert made.value(first.name) + spent[first.name] == first.value, seed
+        if first is not None and first.name == "availability":
+            assert made.value("availability") == first.value, seed
+
+
+def test_numbers_of_a_swarm_that_strayed() -> None:
+    mission = tsplan.Mission.of(
+        map=grid(1, 4, labels={(0, 3): "far"}),
+        swarm={"size": 10, "at": "r0c0"},
+        formula="F[0,8] far >= 6",
+    )
+    plan = tsplan.plan(mission)
+    step = 2
+    at = {state: count for (state, when), count in there(mission, plan).items() if when == step}
+    (state, count), *_ = at.items()
+    made = replan(mission, plan, step, numbers={"swarm": {state: count - 4}})
+    assert made.has_paths
+    assert tsplan.check(mission, made).ok
+    gone = replan(mission, plan, step, numbers={"swarm": {state: 5}})
+    assert gone.status == "infeasible"
+    with pytest.raises(PlanError, match="no swarm 'bees'"):
+        replan(mission, plan, step, numbers={"bees": {state: 5}})
+    with pytest.raises(PlanError, match="nobody of swarm is left"):
+        replan(mission, plan, step, numbers={"swarm": {state: 0}})
+
+
+def there(mission: Mission, plan: Plan) -> dict[tuple[str, int], int]:
+    durations = dict.fromkeys(mission.system.edges, 1)
+    return present({"r0c0": 10}, plan.moves["swarm"], durations, mission.horizon)

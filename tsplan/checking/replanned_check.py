@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.checking.claimed_values import shown
 from tsplan.errors import InputError
+from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import rest_of_plan
-from tsplan.history.past_paths import newcomers
+from tsplan.history.past_moves import presences
+from tsplan.history.past_paths import newcomers, robots_of
 from tsplan.history.path_traces import path_trace
 from tsplan.logic.evaluation import robustness
 from tsplan.name_runs import RunMap
@@ -59,7 +61,10 @@ def left_over(mission: Mission, plan: Plan) -> Left:
 def on_whole_trace(rest: Rest, plan: Plan, mission: Mission, availability: float) -> Iterator[str]:
     """Whether the formula has that availability on what has happened and what is planned."""
     formula = mission.counting(rest.formula)
-    trace = path_trace(rest.mission.system, formula, Agents.of(plan.agents), plan.horizon)
+    maps = Maps(mission.system, plan.replanned)
+    swarms = presences(mission, plan.moves, maps, plan.horizon)
+    agents = robots_of(mission, plan)
+    trace = path_trace(rest.mission.system, formula, agents, plan.horizon, swarms)
     whole = float(robustness(formula, trace)[0])
     if whole != availability:
         yield (

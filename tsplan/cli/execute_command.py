@@ -18,7 +18,7 @@ from tsplan.plans.plan_file import load_plan, save_plan
 from tsplan.process.interrupt import Requests
 from tsplan.replanning.execution import Executed, Execution
 from tsplan.replanning.execution_journal import ExecutionJournal, Kept
-from tsplan.replanning.execution_trial import SECONDS, execute
+from tsplan.replanning.execution_trial import SECONDS, execute, refuse_swarms
 from tsplan.replanning.robot_process import RobotProcess, RobotsError
 from tsplan.run.isolate import Order, Planning
 
@@ -40,6 +40,7 @@ def run(options: argparse.Namespace) -> Exit:
         what = "a mission over signals is carried out by a controller"
         raise InputError([Finding(what, "see tsplan.Controller in docs/signals.md")])
     refuse_unknown_kinds(mission)
+    refuse_swarms(mission)
     plan = load_plan(options.plan)
     try:
         refuse_misfit(plan, mission, str(options.plan))

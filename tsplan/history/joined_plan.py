@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
-from tsplan.history.past_paths import clipped, until
+from tsplan.history.past_moves import groups_from, joined_groups, joined_moves
+from tsplan.history.past_paths import Past, clipped
 from tsplan.history.rest_mission import STABLE, Rest, rest_of
 from tsplan.mission.intended_paths import Intended
 from tsplan.mission.team import UnderWay
@@ -27,11 +28,18 @@ def rest_of_plan(mission: Mission, plan: Plan) -> tuple[Rest, Plan]:
     Raises PlanError and MissionError as `rest_of` does.
     """
     step = plan.replanned[-1].step
-    paths = Agents.of(plan.agents).stretches
-    past = Agents.along((names, until(path, step)) for names, path in paths)
-    rest = rest_of(mission, plan.replanned, past)
+    rest = rest_of(mission, plan.replanned, Past.of(mission, plan, step))
     objective = tuple(_told(item, -step) for item in plan.objective)
-    cut = replace(planned_ahead(rest, plan), objective=objective, horizon=plan.horizon - step)
+    cut = replace(
+        planned_ahead(rest, plan),
+        objective=objective,
+        horizon=plan.horizon - step,
+        moves={
+            swarm: tuple(m._replace(step=m.step - step) for m in moves if m.step >= step)
+            for swarm, moves in plan.moves.items()
+        },
+        groups=groups_from(plan.groups, step),
+    )
     return with_intended(rest, planned_ahead(rest, _as_before(plan))), cut
 
 
@@ -130,7 +138,7 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
     own = RunMap((names, path) for names, path in later.items())
     step = rest.step
     paths: list[tuple[Run, Bundle]] = []
-    for names, past in rest.agents.stretches:
+    for names, past in rest.past.agents.stretches:
         for part, path in own.parts(names):
             paths.append((part, past if path is None else _one(past, path, step)))
     return replace(
@@ -138,6 +146,8 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
         horizon=rest.horizon,
         objective=tuple(_told(item, step) for item in plan.objective),
         agents=Agents.along(paths) if plan.has_paths else (),
+        moves=joined_moves(rest.past.moves, plan.moves, step),
+        groups=joined_groups(rest.past.groups, plan.groups, step) if plan.has_paths else (),
         replanned=(*rest.worlds[:-1], replace(rest.worlds[-1], former=_former(rest, later))),
     )
 

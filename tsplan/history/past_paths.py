@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from tsplan.errors import Finding, PlanError
+from tsplan.history.past_moves import moves_before
 from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Run, RunMap
 from tsplan.plans.agent_plans import Stay, joined
@@ -17,7 +18,9 @@ from tsplan.plans.worlds import Newcomers, OnEdge, World
 if TYPE_CHECKING:
     from tsplan.history.changed_map import Maps
     from tsplan.mission import Mission
+    from tsplan.plans.moves import Move
     from tsplan.plans.plan import Plan
+    from tsplan.plans.subswarms import SubSwarm
 
 Whereabouts: TypeAlias = str | OnEdge
 """The state that somebody is at, or between which states and until when somebody is under way."""
@@ -29,6 +32,26 @@ class Joining(NamedTuple):
     names: Run
     group: Newcomers
     step: int
+
+
+class Past(NamedTuple):
+    """The paths of robots until a step, and the moves of swarms before it, by their names."""
+
+    agents: Agents
+    moves: Mapping[str, tuple[Move, ...]]
+    groups: tuple[SubSwarm, ...] = ()
+
+    @classmethod
+    def of(cls, mission: Mission, plan: Plan, step: int) -> Past:
+        """What happened by a plan as it stands."""
+        paths = robots_of(mission, plan).stretches
+        agents = Agents.along((names, until(path, step)) for names, path in paths)
+        return cls(agents, moves_before(plan, step), plan.groups)
+
+
+def robots_of(mission: Mission, plan: Plan) -> Agents:
+    """The agents of a plan that are of no swarm."""
+    return Agents.of(plan.agents).only(lambda b: mission.group_bounds(b.class_name) is None)
 
 
 class Now(NamedTuple):
@@ -62,8 +85,8 @@ def until(path: Bundle, step: int) -> Bundle:
     return replace(path, stays=stays, heading=heading)
 
 
-def really(mission: Mission, plan: Plan, world: World, maps: Maps) -> Agents:
-    """The paths of a plan's agents until the step of a world, as they were by what that says.
+def really(mission: Mission, plan: Plan, world: World, maps: Maps) -> Past:
+    """What happened by a plan until the step of a world, as it was by what that says.
 
     Those that join there are among them.
 
@@ -73,7 +96,7 @@ def really(mission: Mission, plan: Plan, world: World, maps: Maps) -> Agents:
     named = _named(worlds)
     findings = list(_unknown(plan, world, before))
     paths: list[tuple[Run, Bundle]] = []
-    for names, path in Agents.of(plan.agents).stretches:
+    for names, path in robots_of(mission, plan).stretches:
         for part, name in named.parts(names):
             if name is None:
                 paths.append((part, until(path, world.step)))
@@ -90,7 +113,8 @@ def really(mission: Mission, plan: Plan, world: World, maps: Maps) -> Agents:
         maps.known_state(group.at, f"agent {names.name()}")
         stays = ((world.step, world.step, group.at),)
         paths.append((names, Bundle(group.class_name, _able(mission, group), stays, None)))
-    return Agents.along(each for each in paths if each[1].stays or each[1].heading)
+    agents = Agents.along(each for each in paths if each[1].stays or each[1].heading)
+    return Past(agents, moves_before(plan, world.step), plan.groups)
 
 
 def _unknown(plan: Plan, world: World, before: Container[str]) -> Iterator[Finding]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from tsplan.logic.symbols import capabilities
 from tsplan.plans.count_traces import count_trace
-from tsplan.plans.presence import of_bundles, state_counts
+from tsplan.plans.presence import Presence, of_bundles, state_counts
 
 if TYPE_CHECKING:
     from tsplan.logic import CountTrace, Formula
@@ -14,9 +15,18 @@ if TYPE_CHECKING:
     from tsplan.ts import TransitionSystem
 
 
-def path_trace(system: TransitionSystem, formula: Formula, agents: Agents, last: int) -> CountTrace:
-    """The counts that a formula is about at the steps 0..last, by the paths of agents."""
-    present = tuple(of_bundles(agents.bundles))
+def path_trace(
+    system: TransitionSystem,
+    formula: Formula,
+    agents: Agents,
+    last: int,
+    others: Iterable[Presence] = (),
+) -> CountTrace:
+    """The counts that a formula is about at the steps 0..last, by the paths of agents.
+
+    `others` are those beside them, such as swarms.
+    """
+    present = (*of_bundles(agents.bundles), *others)
     states = tuple(system.states)
     named = (None, *sorted({name for name in capabilities(formula) if name is not None}))
     return count_trace(system, {name: state_counts(present, states, last, name) for name in named})

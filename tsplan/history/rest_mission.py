@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.errors import Finding, MissionError, PlanError
 from tsplan.history.changed_formula import changed_formula, parts_of
 from tsplan.history.changed_map import Maps
-from tsplan.history.past_paths import Now, Whereabouts, whereabouts
+from tsplan.history.past_moves import presences, swarms_now
+from tsplan.history.past_paths import Now, Past, Whereabouts, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.history.present_room import with_present_room
 from tsplan.logic import Formula, horizon, progress
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.mission.resources import Carries
     from tsplan.name_runs import Run
-    from tsplan.plans.bundles import Agents, Bundle
+    from tsplan.plans.bundles import Bundle
     from tsplan.plans.worlds import World
 
 
@@ -35,14 +36,14 @@ if TYPE_CHECKING:
 class Rest:
     """The `mission` that is left at the step of the last of some `worlds`.
 
-    `agents` have the paths of everybody until then. `names` are, rank by rank, the robots that
+    `past` is what happened until then. `names` are, rank by rank, the robots that
     those of the mission are; `formula` is the whole one, judged at step 0 of the plan, `parts` has
     each of its parts with what is left of it, and `horizon` is the last step of the plan.
     """
 
     mission: Mission
     worlds: tuple[World, ...]
-    agents: Agents
+    past: Past
     names: tuple[tuple[Run, ...], ...]
     formula: Formula
     parts: tuple[tuple[Formula, Formula], ...]
@@ -54,8 +55,8 @@ class Rest:
         return self.worlds[-1].step
 
 
-def rest_of(mission: Mission, worlds: Sequence[World], agents: Agents) -> Rest:
-    """What is left of a mission, given the paths of its `agents` until the last world's step.
+def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
+    """What is left of a mission, given what happened until the last world's step.
 
     Raises PlanError for worlds that cannot be, and MissionError for missions that cannot be
     planned again, and where nobody is left.
@@ -68,12 +69,13 @@ def rest_of(mission: Mission, worlds: Sequence[World], agents: Agents) -> Rest:
     if step > last:
         what = f"the mission ends at step {last}, and it is to be planned again at step {step}"
         raise PlanError([Finding(what, "name a step of the plan")])
-    team, names = _team(mission, whereabouts(mission, agents, worlds, maps), step)
+    robots, names = _team(mission, whereabouts(mission, past.agents, worlds, maps), step)
+    swarms = tuple(swarms_now(mission, past.moves, worlds, maps))
+    team = (*robots, *swarms)
     if not team:
         raise MissionError([Finding(f"nobody is left at step {step}", "add agents")])
-
-    left = _Left(mission, agents, step)
-
+    nobody = sum(len(swarm.starts) + len(swarm.coming) for swarm in swarms) * ((),)
+    left = _Left(mission, past, step)
     made = replace(
         mission,
         system=with_present_room(maps.from_step(step), team),
@@ -90,7 +92,7 @@ def rest_of(mission: Mission, worlds: Sequence[World], agents: Agents) -> Rest:
         origin=None,
     )
     parts = tuple((part, left.of(part)) for part in parts_of(formula))
-    return Rest(made, tuple(worlds), agents, names, formula, parts, last)
+    return Rest(made, tuple(worlds), past, (*names, *nobody), formula, parts, last)
 
 
 STABLE = ("stability", "deviation")
@@ -112,7 +114,7 @@ class _Left(NamedTuple):
     """What is left of the formulas of a mission at a step."""
 
     mission: Mission
-    agents: Agents
+    past: Past
     step: int
 
     def of(self, formula: Formula) -> Formula:
@@ -120,14 +122,14 @@ class _Left(NamedTuple):
         counted = self.mission.counting(formula)
         if not self.step:
             return counted
-        trace = path_trace(self.mission.system, counted, self.agents, self.step - 1)
-        return progress(counted, trace)
+        swarms = presences(self.mission, self.past.moves)
+        where = self.mission.system, counted, self.past.agents, self.step - 1
+        return progress(counted, path_trace(*where, swarms))
 
 
 def refuse_unknown_kinds(mission: Mission) -> None:
     """Raise MissionError for missions of which no rest can be told yet."""
     kinds = {
-        "swarms": mission.swarm is not None,
         "expected numbers": mission.expected is not None,
         "resources": bool(mission.resources),
         "modular robots": bool(mission.modular),

@@ -30,6 +30,11 @@ def _said(world: World) -> Iterator[str]:
     yield from _some((f"{n} {_moved(at)}" for n, at in world.moved.items()), len(world.moved))
     late = (f"{name} {many(steps, 'step')} late" for name, steps in world.late.items())
     yield from _some(late, len(world.late))
+    yield from (
+        f"{count} of {swarm} at {state}"
+        for swarm, numbers in world.numbers.items()
+        for state, count in numbers.items()
+    )
     yield from (f"{g.count} {g.class_name} more at {g.at}" for g in world.added)
     closed = (
         f"{place_words(each.place)} closed{'' if each.until is None else f' until {each.until}'}"

@@ -76,12 +76,15 @@ class World(Record):
 
     Agents that are not named are where the plan has them. `lost` ones are gone for good and count
     nowhere from now on; `moved` are at another state, or on an edge; `late` ones arrive, or have
-    arrived, so many steps after they should by the move that is or was their last. `added` agents
-    join. From now on states and edges are `closed`, `opened` or have other `capacities`; the
-    formulas `demanded` have to hold, judged at this step, and those `withdrawn`, by the text of a
-    part of the mission, have not. `deadlines` give the last step of the outermost window of a part,
-    by its text, counted as there. The rest is planned for an `objective`, if any is named, else for
-    that of the mission. Where that asks for stability, `former` is what agents were to do from this
+    arrived, so many steps after they should by the move that is or was their last. Of swarms, by
+    their names, `numbers` say how many are at states where there are not as many as planned.
+    `added` agents join.
+
+    From now on states and edges are `closed`, `opened` or have other `capacities`; the formulas
+    `demanded` have to hold, judged at this step, and those `withdrawn`, by the text of a part of
+    the mission, have not. `deadlines` give the last step of the outermost window of a part, by its
+    text, counted as there. The rest is planned for an `objective`, if any is named, else for that
+    of the mission. Where that asks for stability, `former` is what agents were to do from this
     step on that do something else now.
     """
 
@@ -89,6 +92,7 @@ class World(Record):
     lost: tuple[Word, ...] = field(default=(), metadata=OPTIONAL)
     moved: Mapping[Word, Word | OnEdge] = field(default_factory=dict, metadata=OPTIONAL)
     late: Mapping[Word, Late] = field(default_factory=dict, metadata=OPTIONAL)
+    numbers: Mapping[Word, Mapping[Word, Whole]] = field(default_factory=dict, metadata=OPTIONAL)
     added: tuple[Newcomers, ...] = field(default=(), metadata=OPTIONAL)
     closed: tuple[Closed, ...] = field(default=(), metadata=OPTIONAL)
     opened: tuple[Opened, ...] = field(default=(), metadata=OPTIONAL)

@@ -11,7 +11,7 @@ from tsplan.checking.plan_check import certify
 from tsplan.errors import SolverError
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import joined_plan
-from tsplan.history.past_paths import until, whereabouts
+from tsplan.history.past_paths import Past, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.logic.evaluation import robustness
 from tsplan.plans.bundles import Agents
@@ -114,8 +114,7 @@ class Execution:
     def _places(self, step: int) -> Iterator[tuple[str, str | OnEdge]]:
         """Where everybody who is not lost is by the plan."""
         worlds = (*self.plan.replanned, World(step))
-        paths = Agents.of(self.plan.agents).stretches
-        past = Agents.along((names, until(path, step)) for names, path in paths)
+        past = Past.of(self.mission, self.plan, step).agents
         maps = Maps(self.mission.system, worlds)
         for now in whereabouts(self.mission, past, worlds, maps):
             yield from ((name, now.place) for name in now.names.names())

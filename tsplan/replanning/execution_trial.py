@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.display import Told
-from tsplan.errors import Finding, InputError
+from tsplan.errors import Finding, InputError, MissionError
 from tsplan.frequency import Frequency
 from tsplan.history.rest_mission import refuse_unknown_kinds
 from tsplan.limits import Range
@@ -147,6 +147,7 @@ def execute(
     mission = mission if isinstance(mission, Mission) else load_mission(mission)
     plan = plan if isinstance(plan, Plan) else load_plan(plan)
     refuse_unknown_kinds(mission)
+    refuse_swarms(mission)
     refuse_misfit(plan, mission)
     planner: Planner | None = partial(plan_mission, time_limit=time_limit) if replanning else None
     done: list[TrialRun] = []
@@ -159,6 +160,13 @@ def execute(
         pass
     seconds = (s for run in done if run.replanned is not None for s in run.replanned.replanned)
     return Trial(chances, tuple(done), tuple(seconds))
+
+
+def refuse_swarms(mission: Mission) -> None:
+    """Raise MissionError for missions of swarms, whose agents have no orders of their own."""
+    if mission.swarm is not None:
+        what = "agents of swarms are not told one by one where to go"
+        raise MissionError([Finding(what, "see tsplan simulate, where they go by chance")])
 
 
 def checked(chances: Chances) -> Chances:

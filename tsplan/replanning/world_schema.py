@@ -18,6 +18,7 @@ from tsplan.mission.mission_schema import Part
 from tsplan.plans.worlds import Closed, Newcomers, OnEdge, Opened, Room, World
 
 _Step = Annotated[int, Field(strict=True, ge=0, le=MOST_STEPS)]
+_Count = Annotated[int, Field(strict=True, ge=0, le=LARGEST)]
 _Steps = Annotated[int, Field(strict=True, ge=1, le=MOST_STEPS)]
 _ENDS = 2
 
@@ -97,6 +98,7 @@ class WorldFile(Part):
     lost: list[Name] = Field(default_factory=list)
     moved: dict[Name, WayEntry | Name] = Field(default_factory=dict)
     late: dict[Name, _Steps] = Field(default_factory=dict)
+    numbers: dict[Name, dict[Name, _Count]] = Field(default_factory=dict)
     added: list[NewcomersEntry] = Field(default_factory=list)
     closed: list[_Closed] = Field(default_factory=list)
     opened: list[OpenedEntry] = Field(default_factory=list)
@@ -113,6 +115,7 @@ class WorldFile(Part):
             lost=tuple(self.lost),
             moved=ways,
             late=self.late,
+            numbers=self.numbers,
             added=tuple(
                 Newcomers(each.class_name, each.at, each.count, frozenset(each.capabilities))
                 for each in self.added

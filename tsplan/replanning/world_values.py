@@ -27,6 +27,7 @@ class Changes(TypedDict, total=False):
     lost: Iterable[str]
     moved: Mapping[str, Any]
     late: Mapping[str, int]
+    numbers: Mapping[str, Mapping[str, int]]
     added: Iterable[Mapping[str, Any]]
     closed: Iterable[Any]
     opened: Iterable[Mapping[str, Any]]
