@@ -23,20 +23,24 @@ _SIGNATURES: tuple[tuple[bytes, str], ...] = (
     (b"\x80", "a pickle of Python"),
 )
 
+# what may stand before the first element of XML; what is matched once is not tried in another way
+_COMMENTS = r"(?><!--.*?-->\s*)*"
+_PROLOGUE = r"(?><\?xml.*?\?>\s*)?" + _COMMENTS
+
 _BEGINNINGS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
     (re.compile(pattern, re.IGNORECASE | re.DOTALL), name)
     for pattern, name in (
-        (r"(<\?xml.*?)?(<!--.*?-->\s*)*<graphml\b", "a graph in GraphML"),
-        (r"(<\?xml.*?)?(<!--.*?-->\s*)*<gexf\b", "a graph in GEXF"),
-        (r"(<\?xml.*?)?(<!--.*?-->\s*)*<osm\b", "a map of OpenStreetMap"),
-        (r"(<\?xml.*?)?(<!--.*?-->\s*|<!doctype[^>]*>\s*)*<svg\b", "an SVG picture"),
+        (rf"{_PROLOGUE}<graphml\b", "a graph in GraphML"),
+        (rf"{_PROLOGUE}<gexf\b", "a graph in GEXF"),
+        (rf"{_PROLOGUE}<osm\b", "a map of OpenStreetMap"),
+        (rf"{_PROLOGUE}(?><!doctype[^>]*>\s*)?{_COMMENTS}<svg\b", "an SVG picture"),
         (r"<!doctype html|<html\b", "a page in HTML"),
         (r"<\?xml\b", "an XML document"),
         (r"type \w+\s+height \d+\s+width \d+\s+map\b", "a grid map of the MovingAI benchmarks"),
         (r"version [\d.]+\s+\d+\t", "a list of scenarios of the MovingAI benchmarks"),
         (r"(strict\s+)?(di)?graph\s*\w*\s*\{", "a graph in DOT"),
         (r"(creator [^\n]*\n\s*)?graph\s*\[", "a graph in GML"),
-        (r"P[123]\s+(#[^\n]*\s+)*\d+\s+\d+", "a picture of the PNM family"),
+        (r"P[123]\s+(?>#[^\n]*\n\s*)*\d+\s+\d+", "a picture of the PNM family"),
     )
 )
 

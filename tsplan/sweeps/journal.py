@@ -86,7 +86,7 @@ class Journal:
         for line in content.split(b"\n")[:-1]:
             try:
                 entry = json.loads(line)
-            except ValueError:
+            except (ValueError, RecursionError):  # no line of ours
                 continue
             if isinstance(entry, dict) and isinstance(entry.get("row"), dict):
                 yield entry["row"]

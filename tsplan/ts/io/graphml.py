@@ -19,8 +19,9 @@ from tsplan.document.yaml_nodes import Node
 from tsplan.errors import Finding, InputError
 
 TAG = "!graphml"
-_BEGINNING = re.compile(
-    r"\s*(<\?xml.*?\?>)?\s*(<!--.*?-->\s*|<!DOCTYPE\s[^>\[]*(\[.*?\]\s*)?>\s*)*<(\w+:)?graphml\b",
+_BEGINNING = re.compile(  # what is matched once is not tried in another way
+    r"\s*(?><\?xml.*?\?>)?\s*(?><!--.*?-->\s*|<!DOCTYPE\s[^>\[]*(?>\[.*?\]\s*)?>\s*)*"
+    r"<(\w+:)?graphml\b",
     re.DOTALL,
 )
 _NUMBERS = ("int", "long", "float", "double")

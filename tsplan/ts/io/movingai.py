@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from tsplan.document import Document, Path
 from tsplan.document.document import document_of
 from tsplan.document.yaml_nodes import Node
+from tsplan.errors import clipped
+from tsplan.limits import DIGITS
 from tsplan.ts.builders import cell_name
 from tsplan.ts.edges import State
 from tsplan.ts.io.graph_draft import GraphDraft
@@ -71,8 +73,9 @@ def _cells(document: Document, path: Path, draft: GraphDraft) -> Iterator[tuple[
             draft.refuse(path, f"'{key}' is missing", f"add '{key} ...'")
             continue
         text = str(document.at((*path, key)))
-        if not (text.isascii() and text.isdigit()):
-            draft.refuse((*path, key), f"{key}: '{text}' is no whole number", "count the cells")
+        if not (text.isascii() and text.isdigit() and len(text) <= DIGITS):
+            what = f"{key}: '{clipped(text)}' is no whole number"
+            draft.refuse((*path, key), what, "count the cells")
         else:
             sizes[key] = int(text)
     rows = document.at((*path, "map"))

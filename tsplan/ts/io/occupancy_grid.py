@@ -22,7 +22,7 @@ from tsplan.errors import InputError, MapError
 from tsplan.ts.builders import cell_name
 from tsplan.ts.edges import State
 from tsplan.ts.io.graph_draft import GraphDraft
-from tsplan.ts.io.grey_image import read_grey
+from tsplan.ts.io.grey_image import MOST_DOTS, read_grey
 from tsplan.ts.io.map_settings import MapSettings
 from tsplan.ts.ride_durations import Ride
 from tsplan.ts.system import TransitionSystem
@@ -75,6 +75,9 @@ def read_occupancy(document: Document, path: Path, settings: MapSettings) -> Tra
             draft.refuse((*path, "image"), message, found.remedy)
         raise MapError(draft.findings) from None
     side = CELL if settings.cell is None else settings.cell
+    if side / file.resolution > MOST_DOTS:
+        what = f"a cell of {side:g} m has more than {MOST_DOTS:,} dots of {file.resolution:g} m"
+        raise MapError([document.finding((*path, "resolution"), what, "choose a smaller cell")])
     dots = max(1, round(side / file.resolution))
     side = round(dots * file.resolution, 9)
     free = _free_cells(grey, file, dots)
