@@ -7,15 +7,13 @@ import os
 import re
 import shutil
 import subprocess
-import sys
-import zipfile
 from pathlib import Path
 
 import jsonschema
 import pytest
 
 import tsplan
-from tests.command_line import command, here, python
+from tests.command_line import command, here
 from tsplan.cli.arguments import parser
 from tsplan.cli.first_commands import FILES, NEW
 from tsplan.cli.parser_words import commands_of
@@ -114,26 +112,6 @@ def test_an_example_that_is_not_there_is_refused(tmp_path):
     assert "did you mean 'office_delivery'" in done.err
     assert here("examples", "-o", "x", folder=tmp_path).code == 2
     assert tree(tmp_path) == {}
-
-
-@pytest.mark.long
-def test_examples_come_with_the_installed_package(tmp_path):
-    source = tmp_path / "source"
-    for name in ("tsplan", "environments"):
-        shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
-        shutil.copy(ROOT / name, source)
-    made = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w", str(tmp_path), "."]
-    subprocess.run(made, cwd=source, check=True)
-    [wheel] = tmp_path.glob("*.whl")
-    site = tmp_path / "site"
-    zipfile.ZipFile(wheel).extractall(site)
-    run = ("-m", "tsplan")
-    listed = python(*run, "examples", folder=tmp_path, PYTHONPATH=str(site))
-    assert listed.out == here("examples").out
-    python(*run, "examples", "office_rules", folder=tmp_path, PYTHONPATH=str(site))
-    assert (tmp_path / "sweeps" / "office_rules.yaml").is_file()
-    assert python(*run, "init", "team", folder=tmp_path, PYTHONPATH=str(site)).code == 0
 
 
 COMMANDS = tuple(commands_of(parser()))

@@ -1,3 +1,3 @@
-"""The version of the package, where every room may read it."""
+"""The version of the package, which is said here alone: the build and every room read it here."""
 
 VERSION = "0.1.0"
