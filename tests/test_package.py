@@ -54,6 +54,7 @@ def archives(tmp_path_factory):
     return source, built("wheel", folder / f"tsplan-{VERSION}", folder)
 
 
+@pytest.mark.long
 def test_what_is_built_is_installed_elsewhere_and_plans_what_it_ships(archives, tmp_path):
     _, wheel = archives
     site = tmp_path / "site"
@@ -72,6 +73,7 @@ def test_what_is_built_is_installed_elsewhere_and_plans_what_it_ships(archives, 
     assert "optimal plan (accepted by the independent check)" in done.out
 
 
+@pytest.mark.long
 def test_archives_hold_what_they_should_and_nothing_else(archives):
     source, wheel = archives
     with tarfile.open(source) as archive:

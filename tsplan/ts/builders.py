@@ -125,6 +125,9 @@ def from_networkx(
 ) -> TransitionSystem:
     """A transition system from a networkx graph; an undirected edge goes both ways.
 
+    Numbers may be of any type, of numpy too, or texts such as "3" and "2.5", as DOT and GraphML
+    give them.
+
     Parameters
     ----------
     graph
@@ -138,9 +141,6 @@ def from_networkx(
         Whether to add a wait of one step to every state that has none.
     name
         Name of the map; the graph's own by default.
-
-    Numbers may be of any type, of numpy too, or texts such as "3" and "2.5", as DOT and GraphML
-    give them.
 
     Raises
     ------
