@@ -7,17 +7,16 @@ from __future__ import annotations
 
 import doctest
 import importlib
-import re
 from pathlib import Path
 
 import pytest
 
 import tsplan
+from tests.page_blocks import blocks
 
 PACKAGE = Path(tsplan.__file__).parent
 DOCS = PACKAGE.parent / "docs"
-PAGES = sorted(page for page in DOCS.glob("*.md") if "\n>>> " in page.read_text("utf-8"))
-EXAMPLE = re.compile(r"^```python\n(>>> .*?)^```$", re.MULTILINE | re.DOTALL)
+PAGES = sorted(page for page in DOCS.rglob("*.md") if "\n>>> " in page.read_text("utf-8"))
 OPTIONAL = {"gurobipy", "matplotlib", "pulp"}
 MISSION = """\
 format: tsplan-mission/1
@@ -70,7 +69,8 @@ def test_examples(name):
 def test_examples_of_pages(page):
     """All blocks of a page together, with the values of those above."""
     parser, said = doctest.DocTestParser(), []
-    text = "".join(EXAMPLE.findall(page.read_text("utf-8")))
+    found = blocks(page.read_text("utf-8"), "python")
+    text = "".join(block.text for block in found if block.text.startswith(">>> "))
     examples = parser.get_doctest(text, {}, page.name, str(page), 0)
     assert doctest.DocTestRunner(verbose=False).run(examples, out=said.append).attempted > 1
     assert not said, "".join(said)

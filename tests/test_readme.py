@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-import doctest
 import re
-import shlex
-from pathlib import Path
 
 import pytest
 
 from tests.command_line import here, python
+from tests.page_blocks import ROOT, blocks, commands, is_shown, run_command
 from tsplan import sweep, synthesise
 from tsplan.signals.signal_files import signal_mission_from_text
 
-ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-PROMPT = "$ tsplan "
 
 
-def blocks(language: str, page: str = README) -> list[str]:
+def texts(language: str, page: str = README) -> list[str]:
     """The blocks of one language, of the README or another page."""
-    return [text for said, text in BLOCK.findall(page) if said == language]
+    return [block.text for block in blocks(page, language)]
 
 
 def test_the_python_example_runs():
-    [text] = blocks("python")
+    [text] = texts("python")
     answer = python("-W", "error", "-c", text, folder=ROOT, PYTHONUTF8="1")
     assert (answer.code, answer.err) == (0, "")
     assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.out)
@@ -33,9 +28,9 @@ def test_the_python_example_runs():
 
 def test_the_examples_of_signals_run():
     page = (ROOT / "docs" / "signals.md").read_text(encoding="utf-8")
-    [text] = blocks("yaml", page)
+    [text] = texts("yaml", page)
     assert synthesise(signal_mission_from_text(text)).status == "optimal"
-    first, *more = blocks("python", page)
+    first, *more = texts("python", page)
     answer = python("-W", "error", "-c", "".join([first, *more]), folder=ROOT, PYTHONUTF8="1")
     assert (answer.code, answer.err) == (0, "")
     # what is printed is what the comments say
@@ -50,9 +45,9 @@ RULES = ROOT / "environments" / "sweeps" / "office_rules.yaml"
 
 
 def test_the_table_of_a_sweep_is_what_is_printed(tmp_path):
-    axes, _ = blocks("yaml", SWEEPS)
+    axes, _ = texts("yaml", SWEEPS)
     assert axes in RULES.read_text(encoding="utf-8")
-    [shown] = [text for text in blocks("", SWEEPS) if text.startswith("formula ")]
+    [shown] = [text for text in texts("", SWEEPS) if text.startswith("formula ")]
     table = str(tmp_path / "rules.csv")
     done = here("sweep", str(RULES), "-o", table)
     seconds = re.compile(r" +\d+\.\d\d$", re.MULTILINE)
@@ -61,37 +56,56 @@ def test_the_table_of_a_sweep_is_what_is_printed(tmp_path):
 
 @pytest.mark.long
 def test_the_examples_of_sweeps_run(tmp_path):
-    _, listed = blocks("yaml", SWEEPS)
+    _, listed = texts("yaml", SWEEPS)
     (tmp_path / "sweeps").mkdir()
     for name in ("office.yaml", "office_closed.yaml"):
         (tmp_path / name).write_text((RULES.parents[1] / name).read_text(encoding="utf-8"))
     place = tmp_path / "sweeps" / "listed.yaml"
     place.write_text(listed)
     assert [row["status"] for row in sweep(place)] == ["infeasible", "optimal", "infeasible"]
-    [text] = blocks("python", SWEEPS)
+    [text] = texts("python", SWEEPS)
     answer = python("-W", "error", "-c", text, folder=ROOT, PYTHONUTF8="1")
     said = re.findall(r"^print.*# (.*)$", text, re.MULTILINE)
     assert (answer.code, answer.err, answer.out.splitlines()) == (0, "", said)
 
 
-CONSOLES = [text for text in blocks("") if text.startswith(PROMPT)]
+CONSOLES = [pair for text in texts("") for pair in commands(text)]
+EXPLAINED = (ROOT / "docs" / "explanations.md").read_text(encoding="utf-8")
+LONGER = [
+    pair
+    for text in texts("", EXPLAINED)
+    for pair in commands(text)
+    if "environments/" in pair[0] and "--time-limit" not in pair[0]
+]
 
 
-@pytest.mark.parametrize("text", CONSOLES, ids=lambda text: text.split("\n")[0])
-def test_consoles_show_what_is_printed(text, monkeypatch):
-    command, shown = text.removeprefix(PROMPT).split("\n", maxsplit=1)
-    if command.startswith("plan"):
+def see(command: str, shown: str) -> None:
+    """Run a command; what is shown may be the beginning of what it prints."""
+    if command.startswith("tsplan plan"):
         # which of several best plans is found may differ; what is said of it may not
-        shown = shown.split("\n\n")[0] + "\n"
+        shown = shown.split("\n\n", maxsplit=1)[0] + "\n"
+    elif "there is a plan\n" in shown and "\n..." not in shown:
+        shown = "\n".join(shown.splitlines()[:5])  # the rest is about the plan that was found
+    done = run_command(command, ROOT)
+    assert is_shown(f"{shown}...", done.out), done.out
+
+
+@pytest.mark.parametrize(("command", "shown"), CONSOLES, ids=[pair[0] for pair in CONSOLES])
+def test_consoles_show_what_is_printed(command, shown, monkeypatch):
     monkeypatch.setenv("COLUMNS", "110")
-    answer = here(*shlex.split(command), folder=ROOT)
-    # what is shown may be the beginning, and leaves out what stands for "..."
-    rules = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-    assert doctest.OutputChecker().check_output(f"{shown}...", answer.out, rules), answer.out
+    see(command, shown)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("command", "shown"), LONGER, ids=[pair[0] for pair in LONGER])
+def test_explanations_are_what_is_printed(command, shown, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "100")
+    see(command, shown)
 
 
 def test_there_are_consoles_and_the_files_it_names_are_there():
     assert len(CONSOLES) >= 2
+    assert len(LONGER) >= 8
     named = {path for path in re.findall(r"\]\(([^)#]+)", README) if "://" not in path}
     named |= set(re.findall(r"environments/[\w/]+\.yaml", README))
     assert sorted(path for path in named if not (ROOT / path).exists()) == []
