@@ -1,4 +1,4 @@
-"""The reference of the library: a directive for the names of a group, and docstrings as written.
+"""The references: directives for the names of a group and for the commands, docstrings as written.
 
 Docstrings here end with their examples, without a heading, and a property's is a sentence, which
 may have a colon. Napoleon would take the first for more errors and the second for a type.
@@ -6,6 +6,7 @@ may have a colon. Napoleon would take the first for more errors and the second f
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, ClassVar
 
 from docutils import nodes
@@ -13,9 +14,12 @@ from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
 import tsplan
+from tsplan.cli.arguments import parser
+from tsplan.cli.parser_words import commands_of
 from tsplan.public_names import GROUPS
 
 if TYPE_CHECKING:
+    from argparse import ArgumentParser
     from collections.abc import Iterator
 
     from sphinx.application import Sphinx
@@ -54,6 +58,23 @@ def _kind(value: object) -> str:
     return "exception" if issubclass(value, BaseException) else "class"
 
 
+class Commands(SphinxDirective):
+    """Every command of the command line, with what `tsplan help COMMAND` prints."""
+
+    def run(self) -> list[nodes.Node]:
+        """A section for each command."""
+        return [_section(name, command) for name, command in commands_of(parser()).items()]
+
+
+def _section(name: str, command: ArgumentParser) -> nodes.Node:
+    command.formatter_class = partial(command.formatter_class, width=88)
+    text = command.format_help()
+    title = f"tsplan {name}"
+    section = nodes.section(ids=[nodes.make_id(title)])
+    section += [nodes.title("", title), nodes.literal_block(text, text, language="none")]
+    return section
+
+
 def _with_heading(
     _: Sphinx, what: str, name: str, __: object, ___: object, lines: list[str]
 ) -> None:
@@ -75,6 +96,7 @@ def _as_written(_: Sphinx, ____: str, name: str, __: object, ___: object, lines:
 def setup(app: Sphinx) -> dict[str, bool]:
     """Add the directive, and the functions before and after napoleon's."""
     app.add_directive("public-names", PublicNames)
+    app.add_directive("command-line", Commands)
     app.connect("autodoc-process-docstring", _with_heading, priority=400)
     app.connect("autodoc-process-docstring", _as_written, priority=600)
     return {"parallel_read_safe": True}

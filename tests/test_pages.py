@@ -66,5 +66,6 @@ def test_every_group_of_names_has_its_reference():
     told = {
         page.stem: re.findall(r"^\.\. public-names:: (\w+)$", page.read_text("utf-8"), re.MULTILINE)
         for page in DOCS.glob("api/*.md")
+        if page.stem != "command_line"
     }
     assert told == {group.lower(): [group] for group in GROUPS}
