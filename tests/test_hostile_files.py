@@ -9,6 +9,7 @@ import pytest
 
 import tsplan
 from tsplan.document.kinds import kind_of_text
+from tsplan.limits import MOST_LETTERS
 from tsplan.ts.io.grey_image import MOST_DOTS
 from tsplan.ts.io.map_files import load_map
 from tsplan.ts.io.map_settings import MapSettings
@@ -58,6 +59,13 @@ def test_tags_of_yaml_are_never_called(folder, load, text):
 @pytest.mark.parametrize("formula", [CALL, "sum(a) >= " + CALL, "F[0," + CALL + "] a"])
 def test_formulas_are_parsed_and_never_evaluated_as_code(folder, formula):
     refused(folder / "m.yaml", MISSION.format(formula), tsplan.load_mission)
+
+
+def test_formulas_without_end_are_refused_before_they_are_read(folder):
+    long = "!" * (MOST_LETTERS + 1)
+    said = refused(folder / "m.yaml", MISSION.format(long), tsplan.load_mission)
+    assert "a formula of 2,000,001 characters; at most 2,000,000 are read" in said
+    assert len(said) < 1000
 
 
 def test_sums_of_signals_and_guards_are_no_code(folder):

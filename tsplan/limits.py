@@ -27,6 +27,9 @@ MOST_COST = 1e20
 LARGEST = 10**15 - 1
 """Any other whole number, such as a capacity or a number of agents in a formula."""
 
+MOST_LETTERS = 2_000_000
+"""Characters of a formula: reading takes some 20 microseconds and 0.7 kB for each."""
+
 DIGITS = 40
 """Digits of a whole number that are read as one; longer ones mean nothing here."""
 

@@ -13,6 +13,7 @@ from antlr4 import CommonTokenStream, PredictionMode
 from antlr4.ListTokenSource import ListTokenSource
 
 from tsplan.errors import Finding, FormulaError
+from tsplan.limits import MOST_LETTERS
 from tsplan.logic.parser.count_reader import CountReader
 from tsplan.logic.parser.given import Given
 from tsplan.logic.parser.signal_reader import SignalReader
@@ -63,6 +64,9 @@ def read(text: str, language: str, given: Given) -> Written:
     if not text.strip():
         remedy = "write a formula; 'true' asks for nothing"
         raise FormulaError([source.finding(0, "the formula is empty", remedy)])
+    if len(text) > MOST_LETTERS:
+        what = f"a formula of {len(text):,} characters; at most {MOST_LETTERS:,} are read"
+        raise FormulaError([source.finding(0, what, "say it with fewer, as by labels and windows")])
     generated = grammar(language)
     reader = READERS[language](source, given)
     streams = Streams(source, generated.lexer, generated.parser, WEIGHTED[type(reader)])
