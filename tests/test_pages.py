@@ -11,7 +11,11 @@ from tsplan.public_names import GROUPS
 
 DOCS = ROOT / "docs"
 FOLLOWED = sorted(
-    [*DOCS.glob("tutorials/*.md"), *DOCS.glob("coming_from/*.md"), DOCS / "own_constraints.md"]
+    [
+        *DOCS.glob("tutorials/*.md"),
+        *DOCS.glob("coming_from/*.md"),
+        *(DOCS / f"{name}.md" for name in ("own_constraints", "starting")),
+    ]
 )
 RUN = ("sh", "console", "python")
 
