@@ -17,8 +17,9 @@ def boxes(figure):
     for ax in figure.findobj(Axes):
         for axis in (ax.xaxis, ax.yaxis):
             low, high = sorted(axis.get_view_interval())
-            ticks = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)
-            hidden |= {id(label) for place, label in ticks if not low <= place <= high}
+            ticks = axis.get_major_ticks()
+            unseen = [tick for tick in ticks if not low <= tick.get_loc() <= high]
+            hidden |= {id(label) for tick in unseen for label in (tick.label1, tick.label2)}
             hidden.add(id(axis.offsetText))
             hidden |= {id(label) for label in axis.get_ticklabels() if not ax.axison}
     return [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tsplan.checking.plan_check import certify
+from tsplan.draw.step_axes import DWELL, HALF
 from tsplan.draw.tracks import tracks
 from tsplan.mission import Mission
 from tsplan.plans.moves import Move
@@ -85,10 +86,10 @@ def test_tracks_are_agents_and_groups_class_by_class(mission, plan):
     assert [(track.name, track.end) for track in found] == [
         ("boat-1", 5),
         ("boat-2", 5),
-        ("drone (400)", 2),
-        ("drone (800)", 5),
-        ("drone (100)", 5),
-        ("drone (300)", 5),
+        ("drone 1 (400)", 2),
+        ("drone 2 (800)", 5),
+        ("drone 3 (100)", 5),
+        ("drone 4 (300)", 5),
     ]
     assert [list(track.ways(4)) for track in found[1:4:2]] == [[(3, 4)], [(1, 1)]]
     last = found[1].stops[-1]
@@ -114,11 +115,24 @@ def test_the_page_has_everybody_where_the_plan_does(mission, plan):
 def test_the_map_has_paths_of_robots_and_of_groups(mission, plan):
     pytest.importorskip("matplotlib")
     _, ax = plan.plot(mission)
-    assert {"path:boat-2", "path:drone (800)", "path:drone (300)"} <= gids(ax)
+    assert {"path:boat-2", "path:drone 2 (800)", "path:drone 4 (300)"} <= gids(ax)
     assert sum(artist.get_gid() == "start" for artist in ax.get_children()) == 3
     legend = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert legend[:3] == ["boat-2", "drone (800)", "drone (300)"]
+    assert legend[:3] == ["boat-2", "drone 2 (800)", "drone 4 (300)"]
     assert "1 never moves" in legend
+
+
+def bars(ax):
+    """What each bar of a timeline means, from when to when it reaches, and its row."""
+    return [
+        (
+            bar.get_gid(),
+            round(bar.get_x(), 9),
+            round(bar.get_x() + bar.get_width(), 9),
+            round(bar.get_y() + bar.get_height() / 2),
+        )
+        for bar in ax.patches
+    ]
 
 
 def test_the_timeline_has_rows_of_robots_and_of_groups(mission, plan):
@@ -127,19 +141,16 @@ def test_the_timeline_has_rows_of_robots_and_of_groups(mission, plan):
     assert rows(ax) == [
         "boat-1",
         "boat-2",
-        "drone (400)",
-        "drone (800)",
-        "drone (100)",
-        "drone (300)",
+        "drone 1 (400)",
+        "drone 2 (800)",
+        "drone 3 (100)",
+        "drone 4 (300)",
     ]
-    bars = [
-        (b.get_gid(), b.get_x() + 0.5, b.get_width(), round(b.get_y() + 0.41)) for b in ax.patches
-    ]
-    assert ("home", 0, 2, 2) in bars  # until the group splits
-    assert ("home", 2, 1, 2) not in bars
-    assert ("reef", 2, 3, 3) in bars
-    assert ("home", 2, 3, 4) in bars
-    assert ("on the way", 3, 2, 1) in bars
+    found = bars(ax)
+    assert ("home", -HALF, 2 - DWELL, 2) in found  # until the group splits
+    assert ("reef", 2 - DWELL, 4 + HALF, 3) in found
+    assert ("home", 2 - DWELL, 4 + HALF, 4) in found
+    assert ("on the way", 2 + DWELL, 4 + HALF, 1) in found
 
 
 def test_the_flow_has_bands_of_robots_and_of_swarms(mission, plan):
@@ -170,7 +181,7 @@ def test_a_swarm_without_paths_has_a_timeline_of_its_groups(mission, plan):
     pytest.importorskip("matplotlib")
     alone = Plan("feasible", plan.mission, 4, "gap", moves={"drone": MOVES}, groups=plan.groups)
     _, ax = alone.plot(mission, view="timeline")
-    assert rows(ax) == ["drone (400)", "drone (800)", "drone (100)", "drone (300)"]
+    assert rows(ax) == ["drone 1 (400)", "drone 2 (800)", "drone 3 (100)", "drone 4 (300)"]
 
 
 def test_the_requirements_count_robots_and_swarms(mission, plan):

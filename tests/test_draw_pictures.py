@@ -13,7 +13,8 @@ from tests.command_line import printed
 from tests.legible import assert_legible
 from tests.seeds import sampled
 from tests.walks import walking, wandering
-from tsplan import Mission, load_map, load_mission
+from tests.yards import YARD, bars, named, texts, yard
+from tsplan import load_map, load_mission
 from tsplan.draw.canvas import text_size
 from tsplan.draw.layout import duration_words, places
 from tsplan.draw.map import usual_duration
@@ -23,13 +24,14 @@ from tsplan.draw.path_map import MOST_PATHS, strands_of
 from tsplan.draw.picture_files import save
 from tsplan.draw.requirement_chart import shown_rows
 from tsplan.draw.row_chart import MOST_ROWS
-from tsplan.draw.swarm_bands import bands_of, draw_flows, flows_of, row_order
-from tsplan.draw.timeline import MOST_AGENTS, draw_timeline, keys_of, rows_of
-from tsplan.draw.timeline import MOST_PATHS as MOST_TIMELINES
+from tsplan.draw.step_axes import DWELL, HALF
+from tsplan.draw.swarm_bands import bands_of, draw_flows, flows_of, map_durations, row_order
+from tsplan.draw.timeline import draw_timeline, keys_of
+from tsplan.draw.timeline_rows import MOST_AGENTS, rows_of
+from tsplan.draw.timeline_rows import MOST_PATHS as MOST_TIMELINES
 from tsplan.draw.tracks import tracks
 from tsplan.draw.views import VIEWS, draw_page, draw_view
 from tsplan.errors import InputError, PlanError
-from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.outcomes import MissionRef
 from tsplan.plans.plan import Plan
@@ -44,61 +46,6 @@ from matplotlib.figure import Figure  # noqa: E402
 ENVIRONMENTS = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(path.stem for path in ENVIRONMENTS.glob("*_*.yaml"))
 QUICK = ("farm_harvest", "office_cleaning")
-
-YARD = TransitionSystem.build(
-    [
-        State("gate", frozenset({"way", "in"}), at=(0, 0)),
-        State("shed", frozenset({"store"}), at=(4, 0)),
-        State("field", frozenset({"crop"}), shape=((6, -1), (8, -1), (8, 1), (6, 1)), color="tan"),
-        State("hill", at=(4, 3)),
-    ],
-    [
-        Edge("gate", "shed", 2),
-        Edge("shed", "gate", 2),
-        Edge("shed", "field", 2),
-        Edge("field", "shed", 2),
-        Edge("field", "hill", {"cart": 1, "default": 3}),
-        *(Edge(name, name) for name in ("gate", "shed", "field", "hill")),
-    ],
-    name="yard",
-)
-
-
-def yard():
-    """Three agents: one goes to the field by the shed and on to the hill, two to the shed."""
-    mission = Mission.of(
-        map=YARD,
-        team=[Group.of("cart", {"gate": 1}, ["haul"]), Group.of("man", {"gate": 2}, ["look"])],
-        formula=[
-            "F[0,4] sum(crop,haul) >= 1",
-            "F[2,6] G[0,1] sum(store) >= 2",
-            "G[0,8] sum(in) <= 3",
-        ],
-        language="mtl",
-        horizon=8,
-        name="yard work",
-    )
-    cart = ((0, 0, "gate"), (2, 2, "shed"), (4, 6, "field"), (7, 8, "hill"))
-    men = ((0, 1, "gate"), (3, 8, "shed"))
-    haul, look = frozenset({"haul"}), frozenset({"look"})
-    agents = (
-        AgentPlan("cart-1", "cart", haul, cart),
-        AgentPlan("man-1", "man", look, men),
-        AgentPlan("man-2", "man", look, men),
-    )
-    plan = Plan("feasible", MissionRef("yard work", ""), 8, "gap", agents=agents)
-    return mission, plan
-
-
-def texts(ax, *, legend=False):
-    """Everything written in axes, or in their legend."""
-    found = ax.get_legend().get_texts() if legend else ax.texts
-    return [text.get_text() for text in found if text.get_text()]
-
-
-def named(ax, name):
-    """The artists of a kind."""
-    return [artist for artist in ax.get_children() if artist.get_gid() == name]
 
 
 def face(artist):
@@ -206,15 +153,16 @@ def test_too_many_paths_become_one_strand_a_class(agents):
 def test_the_timeline_has_a_bar_for_each_stay_and_way():
     mission, plan = yard()
     figure, ax = plan.plot(mission, view="timeline")
-    bars = [
-        (b.get_gid(), b.get_x() + 0.5, b.get_width(), round(b.get_y() + 0.41)) for b in ax.patches
-    ]
+    found = bars(ax)
     for row, agent in enumerate(plan.agents):
         for first, last, state in agent.stays:
-            assert (state, first, last - first + 1, row) in bars
-    assert ("on the way", 1, 1, 0) in bars
-    assert ("on the way", 3, 1, 0) in bars
-    assert sum(bar[0] == "on the way" for bar in bars) == 4
+            begin = first - DWELL if first else -HALF
+            end = last + DWELL if last < plan.horizon else last + HALF
+            assert (state, begin, end, row) in found
+    assert ("on the way", DWELL, 2 - DWELL, 0) in found
+    assert ("on the way", 2 + DWELL, 4 - DWELL, 0) in found
+    assert ("on the way", 6 + DWELL, 7 - DWELL, 0) in found  # from one step to the next
+    assert sum(bar[0] == "on the way" for bar in found) == 5
     way = next(b for b in ax.patches if b.get_gid() == "on the way")
     assert (face(way), way.get_hatch()) == (TRAVEL.colour, TRAVEL.hatch)
     field = next(b for b in ax.patches if b.get_gid() == "field")
@@ -262,7 +210,8 @@ def test_rows_are_agents_then_paths_then_classes():
     share = many.counts(states=["r0c0"])[0] / 200
     points = base.get_paths()[0].vertices
     for step in range(41):
-        here = points[np.isclose(points[:, 0], step - 0.5) | np.isclose(points[:, 0], step + 0.5)]
+        near = np.abs(points[:, 0] - step) < HALF + 1e-9
+        here = points[near & (np.abs(points[:, 0] - step) > DWELL - 1e-9)]
         thick = max(here[:, 1]) - min(here[:, 1])
         assert thick >= 0.82 * share[step] - 1e-9
 
@@ -277,7 +226,9 @@ def test_requirements_show_counts_needs_windows_and_witnesses():
     for place, (row, line, need) in enumerate(zip(rows, lines, needs, strict=True)):
         heights = place + 0.94 - line.get_ydata()
         most = max(row.counts.max(), row.bound, 1)
-        assert np.allclose(heights[:-1] / 0.78 * most, row.counts)
+        assert np.allclose(heights / 0.78 * most, np.repeat(row.counts, 2))
+        reach = np.stack([np.arange(9) - DWELL, np.arange(9) + DWELL], axis=1).ravel()
+        assert np.allclose(line.get_xdata()[1:-1], reach[1:-1])
         assert need.get_ydata()[0] == pytest.approx(place + 0.94 - 0.78 * row.bound / most)
     spans = [(p.get_x() + 0.5, p.get_width(), int(p.get_y())) for p in named(ax, "window")]
     assert spans == [(0, 5, 0), (2, 6, 1), (0, 9, 2)]
@@ -310,7 +261,7 @@ def test_flows_are_the_moves_of_all_agents():
         (1, "gate", "shed", 2),
         *((step, "shed", "shed", 2) for step in range(3, 8)),
     )
-    bands = bands_of(flows, YARD)
+    bands = bands_of(flows, map_durations(YARD))
     cart = [b for b in bands if b.class_name == "cart" and b.source[0] != b.target[0]]
     assert [(b.source, b.target) for b in cart] == [
         (("gate", 0), ("shed", 2)),
@@ -325,7 +276,7 @@ def test_stacks_are_as_high_as_agents_are_there_and_have_no_gaps(seed):
     team = [("a", {"r0c0": 9, "r1c1": 4}, []), ("b", {"r0c0": 5}, [])]
     mission, _ = wandering(system, team)
     plan = walking(mission, seed)
-    bands = bands_of(flows_of(plan), mission.system)
+    bands = bands_of(flows_of(plan), map_durations(mission.system))
     assert sorted(row_order(bands)) == sorted({*plan.states, *(b.target[0] for b in bands)})
     counts = plan.counts(states=plan.states)
     row = {state: number for number, state in enumerate(plan.states)}
@@ -348,8 +299,8 @@ def test_the_flow_diagram_draws_each_band_as_thick_as_its_agents():
     (stays,) = named(ax, "stays:man")
     (moves,) = named(ax, "moves:man")
     (ribbon,) = moves.get_paths()
-    assert ribbon.vertices[[0, 3]][:, 0].tolist() == [1, 3]
-    assert ribbon.vertices[7][1] - ribbon.vertices[0][1] == 2
+    assert ribbon.vertices[[0, 1, 4, 5]][:, 0].tolist() == [1, 1 + DWELL, 3 - DWELL, 3]
+    assert ribbon.vertices[11][1] - ribbon.vertices[0][1] == 2
     assert len(stays.get_paths()) == 6
     assert {tick.get_text() for tick in ax.get_yticklabels()} == {"gate", "shed", "field", "hill"}
     assert texts(ax, legend=True) == ["cart", "man"]

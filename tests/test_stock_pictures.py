@@ -118,10 +118,10 @@ def test_the_dashed_line_is_as_high_as_the_need():
     taken = named(ax, "taken")
     assert [line.get_xdata().tolist() for line in taken][:2] == [[2.5, 3.5], [3.5, 4.5]]
     stock = named(ax, "stock")[1]  # brick at wall: all three are taken
-    assert taken[0].get_ydata()[0] == pytest.approx(stock.get_ydata()[3])
+    assert taken[0].get_ydata()[0] == pytest.approx(stock.get_ydata()[2 * 3])
     water = named(ax, "stock")[4]  # half of it is taken at step 4
     base = water.get_ydata()[0]
-    assert base - taken[1].get_ydata()[0] == pytest.approx((base - water.get_ydata()[4]) / 2)
+    assert base - taken[1].get_ydata()[0] == pytest.approx((base - water.get_ydata()[2 * 4]) / 2)
 
 
 def test_what_is_not_there_is_seen_to_be_missing():

@@ -6,11 +6,12 @@ import pytest
 
 import tsplan
 from tests.fence_missions import fence
+from tests.legible import assert_legible
 from tsplan.draw.palette import Palette, classes_of
 from tsplan.draw.path_map import strands_of
-from tsplan.draw.timeline import rows_of
+from tsplan.draw.swarm_bands import REBUILT, bands_of, durations_of, flows_of
+from tsplan.draw.timeline_rows import rows_of
 from tsplan.draw.tracks import tracks
-from tsplan.errors import InputError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.viewer.freight import rebuildings
@@ -120,9 +121,22 @@ def test_what_is_not_done_in_time_is_told_too() -> None:
     page_data(mission, plan)
 
 
-def test_there_is_no_flow_of_structures(mission: Mission, plan: Plan) -> None:
-    with pytest.raises(InputError, match="no flow of one class"):
-        plan.plot(mission, view="flow")
+def test_the_flow_of_structures_counts_their_modules(mission: Mission, plan: Plan) -> None:
+    flows = flows_of(plan, mission)
+    (change,) = plan.rebuilt
+    (made,) = (each for each in plan.structures if each.id in change.made)
+    waits = [(step, "dock", "dock", 3) for step in range(change.step, made.first)]
+    assert list(flows[REBUILT]) == waits
+    assert list(flows) == ["single", "line", REBUILT]
+    bands = bands_of(flows, durations_of(plan, mission.system))
+    for step in range(plan.horizon):
+        there = sum(b.count for b in bands if b.source[1] <= step < b.target[1])
+        assert there == len(mission.agents)
+    figure, ax = plan.plot(mission, view="flow")
+    assert ax.get_title(loc="left").endswith("(modules)")
+    drawn = {artist.get_gid() for artist in ax.collections}
+    assert {"stays:line", "moves:line", f"stays:{REBUILT}"} <= drawn
+    assert_legible(figure)
 
 
 def test_notebooks_show_modules(plan: Plan) -> None:

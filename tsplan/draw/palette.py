@@ -62,6 +62,15 @@ class Paint:
         return STROKES[HATCHES.index(self.hatch) % len(STROKES)] if self.hatch in HATCHES else "-"
 
 
+def pale(colour: str) -> str:
+    """The colour of what was planned, where what happened has the colour itself.
+
+    >>> pale("#2f5f9e")
+    '#97afcf'
+    """
+    return mixed(colour, "#ffffff", 0.5)
+
+
 PLAIN = Paint("#dedede")
 """States without any label."""
 

@@ -18,6 +18,7 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, TINY, WHITE, Entry, Picture
 from tsplan.draw.colours import lightness, mixed
+from tsplan.draw.focus import WHOLE, Focus
 from tsplan.draw.map import DrawnMap, arrow_heads, base, finish
 from tsplan.draw.palette import HUES, STROKES, Paint, Palette, paints
 from tsplan.draw.starts import draw_starts
@@ -75,7 +76,7 @@ class Strand:
     passages: Mapping[Pair, Passage]
 
 
-def draw_paths(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
+def draw_paths(plan: Plan, mission: Mission, ax: Any = None, focus: Focus = WHOLE) -> Picture:
     """The paths on the mission's map, with the steps at which the agents arrive.
 
     Up to `MOST_PATHS` different paths have lines of their own, beyond that each class has one.

@@ -11,14 +11,29 @@ from collections.abc import Sequence
 from types import MappingProxyType
 from typing import Any
 
-import numpy as np
-
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
-from tsplan.draw.palette import BAD, GOOD
-from tsplan.draw.row_chart import RowChart, foremost, height_of_rows, row_axes
-from tsplan.draw.step_axes import CHOSEN, MISSED, NEED, WINDOW, shade_steps
-from tsplan.explanation.why.requirements import Requirement
+from tsplan.draw.focus import HAPPENED, WHOLE, Focus
+from tsplan.draw.palette import BAD, GOOD, pale
+from tsplan.draw.row_chart import (
+    RowChart,
+    foremost,
+    height_of_rows,
+    profile,
+    row_axes,
+    row_height,
+)
+from tsplan.draw.step_axes import (
+    CHOSEN,
+    MISSED,
+    NEED,
+    WINDOW,
+    Prepared,
+    completed,
+    mark_step,
+    shade_steps,
+)
+from tsplan.explanation.why.requirements import Requirement, measured, trace_of
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.words import number
@@ -26,25 +41,48 @@ from tsplan.words import number
 _ROW = 0.42  # inches of one row
 _TALL = 0.78  # of a row, what the largest count takes
 _COUNT = "#2f5f9e"
+_LINE = 1.2 * SMALL  # points of a line of words beside a row
+_PLANNED = MappingProxyType({"color": pale(_COUNT), "linestyle": "--", "linewidth": 1.0})
 _WITNESS = MappingProxyType({"color": DARK, "marker": "v", "markersize": 3.5})
 
 
-def draw_requirements(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
+def draw_requirements(
+    plan: Plan, mission: Mission, ax: Any = None, focus: Focus = WHOLE
+) -> Picture:
     """The chart of all atoms of the mission's goal and of what it prefers.
 
-    Raises PlanError for a plan without paths or of another mission.
+    What happened has a line of its own, and what was planned is pale then. Raises PlanError for a
+    plan without paths or of another mission.
     """
+    return completed(prepare_requirements(plan, mission, ax, focus))
+
+
+def prepare_requirements(plan: Plan, mission: Mission, ax: Any, focus: Focus) -> Prepared:
+    """The same, with what is left to be drawn."""
     every = plan.requirements(mission)
     rows = shown_rows(every)
     hidden = len(every) - len(rows)
     more = f" ({hidden} more with agents to spare)" if hidden else ""
     title = f"{plan.mission.name or mission.name}: count against need{more}"
     wide = max((_beside(row)[2] for row in rows), default=0.0)
-    chart = RowChart(title, [row.title for row in rows], _entries(rows), _ROW, 0.55, wide)
-    figure, ax = row_axes(ax, plan.horizon, chart)
-    for place, row in enumerate(rows):
-        _draw_row(ax, place, row)
-    return figure, ax
+    happened = [executed_counts(focus.executed, mission, row) for row in rows]
+    entries = _entries(rows, executed=focus.executed is not None)
+    chart = RowChart(title, [row.title for row in rows], entries, _ROW, 0.55, wide)
+    figure, ax = row_axes(ax, focus.until(plan), chart)
+
+    def fill() -> None:
+        for place, (row, counts) in enumerate(zip(rows, happened, strict=True)):
+            _draw_row(ax, place, row, counts)
+        mark_step(ax, focus.step)
+
+    return (figure, ax), fill
+
+
+def executed_counts(executed: Plan | None, mission: Mission, row: Requirement) -> Any:
+    """What a row counts in what happened, at every step up to its end; None without it."""
+    if executed is None:
+        return None
+    return measured(row.atom, trace_of(executed, mission, row.atom))
 
 
 def shown_rows(rows: Sequence[Requirement]) -> tuple[Requirement, ...]:
@@ -57,9 +95,10 @@ def height_of(rows: Sequence[Requirement]) -> float:
     return height_of_rows(len(rows), _ROW)
 
 
-def _draw_row(ax: Any, place: int, row: Requirement) -> None:
-    """One atom between `place` (above) and `place + 1` (below)."""
-    most = max(int(row.counts.max()), row.bound, 1)
+def _draw_row(ax: Any, place: int, row: Requirement, happened: Any) -> None:
+    """One atom between `place` (above) and `place + 1` (below), and what `happened` if known."""
+    shown = row.counts if happened is None else happened
+    most = max(int(row.counts.max()), int(shown.max()), row.bound, 1)
     base = place + 0.94
 
     def height(count: Any) -> Any:
@@ -72,12 +111,16 @@ def _draw_row(ax: Any, place: int, row: Requirement) -> None:
         shade_steps(ax, place, (first, last), paint, meaning)
         ax.plot([first], [place + 0.1], gid="witness", **_WITNESS)
     ax.axhline(base, color=LINE, linewidth=0.5)
-    steps = np.arange(len(row.counts) + 1) - 0.5
-    counts = np.append(row.counts, row.counts[-1])
-    ax.fill_between(steps, base, height(counts), step="post", color=_COUNT, alpha=0.28, linewidth=0)
-    ax.step(steps, height(counts), where="post", color=_COUNT, linewidth=1.1, gid="count")
-    ax.plot([steps[0], steps[-1]], [height(row.bound)] * 2, gid="need", **NEED)
-    _write_spare(ax, base - _TALL / 2, row)
+    steps, counts = profile(shown)
+    ax.fill_between(steps, base, height(counts), color=_COUNT, alpha=0.28, linewidth=0)
+    ax.plot(steps, height(counts), color=_COUNT, linewidth=1.1, gid="count")
+    if happened is not None:
+        steps, counts = profile(row.counts)
+        ax.plot(steps, height(counts), gid="planned count", **_PLANNED)
+    ends = ax.get_xlim()
+    ax.plot(ends, [height(row.bound)] * 2, gid="need", **NEED)
+    if row_height(ax) >= 2 * _LINE:
+        _write_spare(ax, base - _TALL / 2, row)
 
 
 def _fails(row: Requirement) -> bool:
@@ -109,12 +152,13 @@ def _beside(row: Requirement) -> tuple[str, str, float]:
     return words, most, wide / POINTS + 0.1
 
 
-def _entries(rows: Sequence[Requirement]) -> list[Entry]:
+def _entries(rows: Sequence[Requirement], *, executed: bool) -> list[Entry]:
     if not rows:
         return []
     failing = [_fails(row) for row in rows]
     return [
-        Entry.line("agents counted", color=_COUNT, linewidth=1.1),
+        Entry.line(f"agents counted{HAPPENED if executed else ''}", color=_COUNT, linewidth=1.1),
+        *([Entry.line("agents counted, planned", **_PLANNED)] if executed else []),
         Entry.line("need", **NEED),
         Entry.patch("can be asked for", facecolor=WINDOW),
         *([] if all(failing) else [Entry.patch("satisfied here", facecolor=CHOSEN)]),

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar
+
+import numpy as np
+import numpy.typing as npt
 
 from tsplan.draw import canvas
 from tsplan.draw.canvas import POINTS, SMALL, Entry, Picture
-from tsplan.draw.step_axes import name_rows, step_axes
+from tsplan.draw.step_axes import DWELL, HALF, name_rows, step_axes
 
 T = TypeVar("T")
+Numbers: TypeAlias = npt.NDArray[np.float64]
 
 MOST_ROWS = 40
 """Rows that are drawn; of more, those that matter most."""
@@ -43,7 +47,6 @@ def row_axes(ax: Any, horizon: int, chart: RowChart) -> Picture:
     figure, ax = step_axes(ax, horizon, inches, chart.entries, chart.beside)
     ax.set_ylim(len(words) or 1, 0)
     name_rows(ax, [place + chart.middle for place in range(len(words))], words, chart.title)
-    canvas.settle(figure)
     return figure, ax
 
 
@@ -59,6 +62,26 @@ def foremost(rows: Sequence[T], rank: Callable[[T], tuple[Any, ...]]) -> tuple[T
     return tuple(rows[n] for n in sorted(first[:MOST_ROWS]))
 
 
+def row_height(ax: Any) -> float:
+    """Points that a row of a chart takes."""
+    rows = abs(ax.get_ylim()[0] - ax.get_ylim()[1])
+    return float(canvas.extent(ax)[1] / rows)
+
+
 def height_of_rows(count: int, tall: float) -> float:
     """Inches that so many rows take."""
     return max(tall * min(count, MOST_ROWS), 0.8)
+
+
+def profile(values: Any) -> tuple[Numbers, Numbers]:
+    """A line over the steps: level around each step, and between two from the one to the other.
+
+    So no value is said of the time at which those who move are on the way.
+
+    >>> [numbers.round(2).tolist() for numbers in profile([1, 3])]
+    [[-0.5, 0.35, 0.65, 1.5], [1.0, 1.0, 3.0, 3.0]]
+    """
+    steps = np.arange(len(values))
+    places = np.stack([steps - DWELL, steps + DWELL], axis=1).ravel()
+    places[0], places[-1] = -HALF, len(values) - HALF
+    return places, np.repeat(np.asarray(values, dtype=np.float64), 2)

@@ -7,22 +7,30 @@ their own, and bands that arrive together are one stack again. Moves are paler t
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from operator import attrgetter
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw import canvas
-from tsplan.draw.canvas import DARK, LINE, SMALL, TINY, Entry, Picture
+from tsplan.draw.canvas import DARK, LINE, SMALL, Entry, Picture
+from tsplan.draw.focus import WHOLE, Focus
 from tsplan.draw.matplotlib_loading import library
-from tsplan.draw.palette import Paint, paints
-from tsplan.draw.step_axes import name_rows, names_width, step_axes
+from tsplan.draw.palette import TRAVEL, TRAVEL_STRIPE, Paint, Palette, paints
+from tsplan.draw.step_axes import (
+    DWELL,
+    Prepared,
+    completed,
+    mark_step,
+    name_rows,
+    names_width,
+    step_axes,
+)
 from tsplan.draw.tracks import MoveTuple, Track, by_class, tracks
-from tsplan.errors import Finding, InputError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.ts import TransitionSystem
@@ -41,6 +49,13 @@ _STAY, _MOVE = 1.0, 0.55  # opacity
 _MOST_ORDERED = 400  # states up to which the rows are ordered by the flow
 
 Node: TypeAlias = tuple[str, int]
+Flows: TypeAlias = Mapping[str, Iterable[MoveTuple]]
+
+Duration: TypeAlias = Callable[[str, str, str], int]
+"""The steps that a class takes from a state to another."""
+
+REBUILT = "being rebuilt"
+"""The class of modules while they are part of no structure."""
 
 _SOURCE, _TARGET = attrgetter("source"), attrgetter("target")
 
@@ -60,66 +75,142 @@ class Band:
     arrives: int = 0
 
 
-def draw_swarm(plan: Plan, mission: Mission, ax: Any = None) -> Picture:
-    """The split and merge diagram of a plan.
+class Flow(NamedTuple):
+    """What a diagram shows: the moves by class, up to a step, and its title."""
 
-    Raises PlanError for a plan without paths or of another mission, and InputError for one of
-    structures.
+    moves: Flows
+    horizon: int
+    title: str
+
+
+def draw_swarm(plan: Plan, mission: Mission, ax: Any = None, focus: Focus = WHOLE) -> Picture:
+    """The split and merge diagram of a plan, or of what happened where that is given.
+
+    Structures of modules are bands as wide as they have modules, in the colour of their
+    configuration; what is being rebuilt is striped. Raises PlanError for a plan without paths or of
+    another mission.
     """
+    return completed(prepare_swarm(plan, mission, ax, focus))
+
+
+def prepare_swarm(plan: Plan, mission: Mission, ax: Any, focus: Focus) -> Prepared:
+    """The same, with what is left to be drawn; the bands are those of the chosen classes."""
     refuse_misfit(plan, mission)
-    if plan.structures:
-        what = "structures that become others have no flow of one class"
-        raise InputError([Finding(what, "look at the paths, or at the timeline")])
+    shown = plan if focus.executed is None else focus.executed
+    flows = flows_of(shown, mission, focus)
     name = plan.mission.name or mission.name
-    return draw_flows(flows_of(plan), mission.system, plan.horizon, ax, name)
+    what = "what happened, " if focus.executed is not None else ""
+    unit = " (modules)" if shown.structures else ""
+    flow = Flow(flows, focus.until(plan), f"{name}: {what}who splits and merges where{unit}")
+    paints_of = {**Palette.of(mission).classes, REBUILT: TRAVEL}
+    durations = durations_of(shown, mission.system)
+    return _prepared(flow, durations, {name: paints_of[name] for name in flows}, (ax, focus.step))
 
 
 def draw_flows(
-    flows: Mapping[str, Iterable[MoveTuple]],
-    system: TransitionSystem,
-    horizon: int,
-    ax: Any = None,
-    name: str = "",
+    flows: Flows, system: TransitionSystem, horizon: int, ax: Any = None, name: str = ""
 ) -> Picture:
     """The diagram of flows by class: every edge entered at every step, waits included.
 
     Durations are those of the map for the class; the title has the map's name if none is given.
     """
-    bands = bands_of(flows, system)
+    flow = Flow(flows, horizon, f"{name or system.name}: who splits and merges where")
+    return completed(_prepared(flow, map_durations(system), paints(flows), (ax, None)))
+
+
+def _prepared(
+    flow: Flow,
+    duration: Duration,
+    given: Mapping[str, Paint],
+    on: tuple[Any, float | None],
+) -> Prepared:
+    """The axes of a diagram, on given ones, and what draws its bands; perhaps with a moment."""
+    bands = bands_of(flow.moves, duration)
     order = row_order(bands)
     sizes = _sizes(bands)
     feet, middles, whole = _rows(sizes, order)
-    given = paints(flows)
     tall = min(max(_ROW * len(order), _LOWEST), _HIGHEST)
     inches = _WIDTH + names_width(order, _LONGEST), tall
-    figure, ax = step_axes(ax, horizon, inches, _entries(given) if len(given) > 1 else [])
-    ax.set_xlim(0, horizon or 1)
+    figure, ax = step_axes(on[0], flow.horizon, inches, _entries(given) if len(given) > 1 else [])
     ax.set_ylim(whole, 0)
-    size = min(SMALL, canvas.extent(ax)[1] / len(order) / 1.15)
-    named = size >= TINY  # all names or none
     words = [canvas.shortened(state, _LONGEST) for state in order]
-    title = f"{name or system.name}: who splits and merges where"
-    name_rows(ax, middles if named else (), words if named else (), title, size)
-    if not named:
+    if not name_rows(ax, middles, words, flow.title):
         ax.set_ylabel(f"{len(order):,} states", fontsize=SMALL)
-    canvas.settle(figure)
-    for class_name, paint in given.items():
-        _draw_bands(ax, [b for b in bands if b.class_name == class_name], feet, paint)
-    _write_counts(ax, (sizes, _changed(bands, sizes)), feet, horizon)
-    return figure, ax
+
+    def fill() -> None:
+        for class_name, paint in given.items():
+            some = [band for band in bands if band.class_name == class_name]
+            _draw_bands(ax, some, feet, (paint, flow.horizon))
+        _write_counts(ax, (sizes, _changed(bands, sizes)), feet, flow.horizon)
+        mark_step(ax, on[1])
+
+    return (figure, ax), fill
 
 
-def flows_of(plan: Plan) -> dict[str, tuple[MoveTuple, ...]]:
-    """The flows of a plan by class: the moves of swarms, and those of all other agents' stays."""
+def flows_of(
+    plan: Plan, mission: Mission | None = None, focus: Focus = WHOLE
+) -> dict[str, tuple[MoveTuple, ...]]:
+    """The flows of a plan by class: the moves of swarms, and those of all other agents' stays.
+
+    Of structures, whose classes are configurations, it is their modules that are counted; those
+    that are being rebuilt are a class of their own. With a mission the classes come in the order in
+    which pictures list them.
+    """
     flows: dict[str, tuple[MoveTuple, ...]] = {}
-    for name, group in by_class(tracks(plan)).items():
+    walked = (track for track in focus.chosen(tracks(plan, mission)) if track.ids)
+    for name, group in by_class(walked).items():
         counts: Counter[tuple[int, str, str]] = Counter()
         for track in group:
             for use in _uses(track):
-                counts[use] += track.count
+                counts[use] += track.width
         inside = sorted(use for use in counts if use[0] < plan.horizon)
         flows[name] = tuple((*use, counts[use]) for use in inside)
-    return flows | dict[str, tuple[MoveTuple, ...]](plan.moves)
+    if not focus.agents:
+        flows |= dict[str, tuple[MoveTuple, ...]](plan.moves)
+    else:
+        flows |= {name: plan.moves[name] for name in focus.agents if name in plan.moves}
+    if plan.structures and not focus.agents:
+        flows[REBUILT] = tuple(_rebuilding(plan))
+    if mission is not None:
+        order = (*Palette.of(mission).classes, REBUILT)
+        flows = {name: flows[name] for name in order if flows.get(name)}
+    return flows
+
+
+def _rebuilding(plan: Plan) -> Iterator[MoveTuple]:
+    """The waits of modules while they are part of no structure."""
+    structures = {each.id: each for each in plan.structures}
+    for change in plan.rebuilt:
+        begins = [structures[name].first for name in change.made if name in structures]
+        modules = sum(len(structures[name].modules) for name in change.parts)
+        for step in range(change.step, min(begins, default=plan.horizon)):
+            yield step, change.state, change.state, modules
+
+
+def map_durations(system: TransitionSystem) -> Duration:
+    """How long a class takes along an edge, by the map."""
+
+    def duration(name: str, source: str, target: str) -> int:
+        edge = system.edges.get((source, target))
+        return (edge.duration_for(name) if edge else None) or 1
+
+    return duration
+
+
+def durations_of(plan: Plan, system: TransitionSystem) -> Duration:
+    """How long a class takes along an edge: as structures are seen to, else by the map."""
+    by_map = map_durations(system)
+    seen = {
+        (track.class_name, here.state, there.state): there.first - here.last
+        for track in (tracks(plan) if plan.structures else ())
+        for here, there in pairwise(track.stops)
+        if there.first <= plan.horizon
+    }
+
+    def duration(name: str, source: str, target: str) -> int:
+        return seen.get((name, source, target)) or by_map(name, source, target)
+
+    return duration
 
 
 def _uses(track: Track) -> Iterator[tuple[int, str, str]]:
@@ -130,9 +221,7 @@ def _uses(track: Track) -> Iterator[tuple[int, str, str]]:
         yield here.last, here.state, there.state
 
 
-def bands_of(
-    flows: Mapping[str, Iterable[MoveTuple]], system: TransitionSystem
-) -> tuple[Band, ...]:
+def bands_of(flows: Flows, duration: Duration) -> tuple[Band, ...]:
     """The bands with their places in the stacks: ordered by where they go to and come from.
 
     Bands of one class lie together, so that a class is one piece of every stack.
@@ -140,8 +229,7 @@ def bands_of(
     bare = []
     for name, moves in flows.items():
         for step, source, target, count in moves:
-            edge = system.edges.get((source, target))
-            arrival = step + ((edge.duration_for(name) if edge else None) or 1)
+            arrival = step + duration(name, source, target)
             bare.append(Band(name, (source, step), (target, arrival), count))
     rank = {state: number for number, state in enumerate(row_order(bare))}
     classes = {name: number for number, name in enumerate(flows)}
@@ -203,27 +291,43 @@ def _rows(
     return feet, [feet[state] + most[state] / 2 for state in order], y
 
 
-def _draw_bands(ax: Any, bands: Sequence[Band], feet: Mapping[str, float], paint: Paint) -> None:
+def _draw_bands(
+    ax: Any, bands: Sequence[Band], feet: Mapping[str, float], look_of: tuple[Paint, int]
+) -> None:
+    """All bands of a class in its paint, up to the horizon."""
+    paint, horizon = look_of
     for waits, opacity in ((True, _STAY), (False, _MOVE)):
         some = [b for b in bands if (b.source[0] == b.target[0]) == waits]
         look: dict[str, Any] = {"facecolors": paint.colour, "hatch": paint.hatch or None}
         # a line around closes the seams, and steep bands never vanish
-        look |= {"edgecolors": paint.colour, "linewidths": 0.4, "alpha": opacity}
+        edge = TRAVEL_STRIPE if paint == TRAVEL else paint.colour
+        look |= {"edgecolors": edge, "linewidths": 0.4, "alpha": opacity}
         kind = f"{'stays' if waits else 'moves'}:{bands[0].class_name if bands else ''}"
         look |= {"zorder": 3 if waits else 2, "gid": visible(kind)}
-        canvas.add_collection(ax, "PathCollection", [_ribbon(b, feet) for b in some], **look)
+        canvas.add_collection(
+            ax, "PathCollection", [_ribbon(b, feet, horizon) for b in some], **look
+        )
 
 
-def _ribbon(band: Band, feet: Mapping[str, float]) -> Any:
-    """The outline of a band: two curves that leave and arrive horizontally."""
-    x0, x1 = band.source[1], band.target[1]
-    y0, y1 = feet[band.source[0]] + band.leaves, feet[band.target[0]] + band.arrives
+def _ribbon(band: Band, feet: Mapping[str, float], horizon: int) -> Any:
+    """The outline of a band: two curves that leave and arrive horizontally.
+
+    Between `DWELL` after the step at which it leaves and as long before the one at which it arrives
+    it is on the way; at the ends of time stacks are as long as at other steps.
+    """
+    (here, step), (there, arrival) = band.source, band.target
+    begin = step or -DWELL
+    end = arrival if arrival != horizon else horizon + DWELL
+    x0, x1 = step + DWELL, arrival - DWELL
+    y0, y1 = feet[here] + band.leaves, feet[there] + band.arrives
     a, b = x0 + _BEND * (x1 - x0), x1 - _BEND * (x1 - x0)
     low, high = y0 + band.count, y1 + band.count
-    points = [(x0, y0), (a, y0), (b, y1), (x1, y1), (x1, high), (b, high), (a, low), (x0, low)]
+    points = [(begin, y0), (x0, y0), (a, y0), (b, y1), (x1, y1), (end, y1)]
+    back = [(end, high), (x1, high), (b, high), (a, low), (x0, low), (begin, low)]
     path = library("path").Path
-    curve = [path.CURVE4] * 3
-    return path([*points, (x0, y0)], [path.MOVETO, *curve, path.LINETO, *curve, path.CLOSEPOLY])
+    line, curve = path.LINETO, [path.CURVE4] * 3
+    codes = [path.MOVETO, line, *curve, line, line, line, *curve, line, path.CLOSEPOLY]
+    return path([*points, *back, (begin, y0)], codes)
 
 
 def _write_counts(
@@ -236,7 +340,7 @@ def _write_counts(
     """
     sizes, new = stacks
     width, height = canvas.extent(ax)
-    across, upward = width / (horizon or 1), height / abs(np.diff(ax.get_ylim())[0])
+    across, upward = width / (horizon + 1), height / abs(np.diff(ax.get_ylim())[0])
     free: dict[str, float] = {}  # from where on a row has no number yet
     for (state, step), size in sorted(sizes.items(), key=lambda item: item[0][1]):
         if sizes.get((state, step - 1)) == size or size * upward < SMALL or step > horizon:
@@ -246,9 +350,9 @@ def _write_counts(
         until = step
         while sizes.get((state, until + 1)) == size:
             until += 1
-        begin = max(step, free.get(state, -1.0)) + 2 / across
-        if begin + wide > min(until, horizon):
-            begin = min(max(step - wide / 2, 2 / across), horizon - wide - 2 / across)
+        begin = max(step - DWELL, free.get(state, -1.0)) + 2 / across
+        if begin + wide > min(until, horizon) + DWELL:
+            begin = min(max(step - wide / 2, -DWELL), horizon + DWELL - wide)
             if (state, step) not in new or begin < free.get(state, -1.0) + 2 / across:
                 continue
         free[state] = begin + wide

@@ -1,7 +1,8 @@
 """Who is where when: a row for each agent, or each path, or each class of a large team.
 
 A stay covers every step at which the agent is at its state, so a bar from 2 to 5 means steps 2, 3,
-4 and 5; the way between two stays is hatched. Swarms whose agents have no paths have a row for
+4 and 5; the way between two stays is hatched, from shortly after the one to shortly before the
+other step. Swarms whose agents have no paths have a row for
 each group, as long as it lasts. Modules have a strip below their bars that shows in what structures
 they are.
 """
@@ -9,38 +10,56 @@ they are.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import accumulate
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from tsplan.checking.fitting import refuse_misfit, refuse_pathless
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, SMALL, Entry, Picture
+from tsplan.draw.focus import WHOLE, Focus
 from tsplan.draw.palette import PLAIN, TRAVEL, Paint, Palette, paints
-from tsplan.draw.step_axes import HALF, name_rows, names_width, step_axes
-from tsplan.draw.tracks import Track, agents_of, by_class, single, tracks
+from tsplan.draw.step_axes import (
+    DWELL,
+    HALF,
+    Prepared,
+    completed,
+    mark_step,
+    name_rows,
+    names_width,
+    step_axes,
+)
+from tsplan.draw.timeline_rows import Row, paired, rows_of
+from tsplan.draw.tracks import Track, agents_of, by_class, tracks
 from tsplan.errors import Finding, PlanError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.plans.presence import interval_counts
 from tsplan.words import visible
 
-MOST_AGENTS = 24
-"""Agents up to which each has a row of its own."""
-
-MOST_PATHS = 60
-"""Different paths up to which each has a row; beyond, each class has one band."""
-
 _WIDTH = 7.0  # inches of the steps
 _ROW = 0.21  # inches of one row
+_PAIR = 0.3  # and of one with what was planned, too
 _BAND = 1.1  # inches of a class's band
 _LONGEST = 26  # characters of a row's name
 _MOST_ENTRIES = 20
 _THICK = 0.82  # of a row
 _STRIP = 0.22  # of a row, for the structure that a module is part of
+_PALE = 0.45  # opacity of what was planned
+
+
+class Slot(NamedTuple):
+    """Which part of a row bars take: from its middle down to theirs, and their height."""
+
+    middle: float
+    height: float
+
+
+_ALL = Slot(0.0, _THICK)
+_EXECUTED, _PLANNED = Slot(-0.13, 0.56), Slot(0.29, 0.22)
 
 
 @dataclass(frozen=True)
@@ -53,69 +72,95 @@ class Key:
 
 Keys = Mapping[str, Key]
 
+IDLE = Key("never moving", PLAIN)
+"""What stands for the states of those who never move, where they have one row."""
 
-def draw_timeline(plan: Plan, mission: Mission | None = None, ax: Any = None) -> Picture:
+
+def draw_timeline(
+    plan: Plan, mission: Mission | None = None, ax: Any = None, focus: Focus = WHOLE
+) -> Picture:
     """When each agent, path, group or class is where.
 
-    With the mission, colours stand for labels, as on the map; without it, for states. Raises
+    With the mission, colours stand for labels, as on the map; without it, for states. Where it is
+    known what happened, that has the bars, and what was planned a thin pale one below each. Raises
     PlanError for a plan without paths or of another mission.
     """
-    if mission is None:
-        refuse_pathless(plan)
-    else:
-        refuse_misfit(plan, mission)
-    moving = tracks(plan, mission, modules=True)
-    if not moving:
-        what = "the plan has no paths of single agents, which a timeline shows"
-        raise PlanError([Finding(what, "look at its flow, or make paths: plan --agents")])
-    keys = keys_of(moving, plan.horizon, mission)
-    rows = rows_of(plan, moving)
+    return completed(prepare_timeline(plan, mission, ax, focus))
+
+
+def prepare_timeline(plan: Plan, mission: Mission | None, ax: Any, focus: Focus) -> Prepared:
+    """The same, with what is left to be drawn."""
+    rows, moving = table_of(plan, mission, focus)
+    horizon = focus.until(plan)
+    before = planned_tracks(plan, mission, focus)
+    keys = keys_of([*moving, *before], horizon, mission)
     classes = by_class(moving)
-    words = [canvas.shortened(row.name, _LONGEST) for row in rows] or [
+    words = [canvas.shortened(row.shown.name, _LONGEST) for row in rows] or [
         f"{canvas.shortened(name, _LONGEST)}\n{agents_of(group):,} agents"
         for name, group in classes.items()
     ]
     shapes = shapes_of(moving, mission) if rows else {}
-    entries = [*_entries(moving, plan.horizon, keys), *_shape_entries(shapes)]
-    left = names_width([row.name for row in rows] or list(classes), _LONGEST)
-    inches = _WIDTH + left, height_of(plan, moving)
-    figure, ax = step_axes(ax, plan.horizon, inches, entries)
+    entries = [*_entries(moving, horizon, keys), *_shape_entries(shapes)]
+    if before:
+        entries.append(Entry.nothing("pale, below: planned"))
+    left = names_width([row.shown.name for row in rows] or list(classes), _LONGEST)
+    figure, ax = step_axes(ax, horizon, (_WIDTH + left, rows_height(rows, moving)), entries)
     ax.set_ylim(len(words) - HALF, -HALF)
     what = "who is where" if rows else "how many are where"
     name_rows(ax, range(len(words)), words, f"{plan.mission.name}: {what}")
-    canvas.settle(figure)
-    if rows:
-        _draw_rows(ax, rows, keys, plan.horizon)
-        _draw_lives(ax, rows, shapes)
+
+    def fill() -> None:
+        if rows:
+            _draw_rows(ax, rows, keys, horizon)
+            _draw_lives(ax, [row.shown for row in rows], shapes, horizon)
+        elif before:
+            _draw_bands(ax, moving, keys, (horizon, _EXECUTED, False))
+            _draw_bands(ax, before, keys, (horizon, _PLANNED, True))
+        else:
+            _draw_bands(ax, moving, keys, (horizon, _ALL, False))
+        mark_step(ax, focus.step)
+
+    return (figure, ax), fill
+
+
+def table_of(
+    plan: Plan, mission: Mission | None, focus: Focus = WHOLE
+) -> tuple[tuple[Row, ...], tuple[Track, ...]]:
+    """The rows of a timeline, none where classes have bands, and all tracks that it shows.
+
+    Raises PlanError for a plan without paths or of another mission.
+    """
+    shown = plan if focus.executed is None else focus.executed
+    if mission is None:
+        refuse_pathless(shown)
     else:
-        _draw_bands(ax, moving, keys, plan.horizon)
-    return figure, ax
+        refuse_misfit(shown, mission)
+    moving = focus.chosen(tracks(shown, mission, modules=True))
+    if not moving:
+        what = "the plan has no paths of single agents, which a timeline shows"
+        raise PlanError([Finding(what, "look at its flow, or make paths: plan --agents")])
+    rows = rows_of(shown, moving)
+    if focus.executed is None:
+        return tuple(Row(row) for row in rows), moving
+    return paired(rows, planned_tracks(plan, mission, focus)), moving
 
 
-def rows_of(plan: Plan, moving: Sequence[Track]) -> tuple[Track, ...]:
-    """The rows, class by class; none for a team with too many paths."""
-    if sum(len(track.ids) or 1 for track in moving) <= MOST_AGENTS:
-        alone = tuple(single(moving))
-        order = {name: place for place, name in enumerate(by_class(moving))}
-        place = {agent.id: place for place, agent in enumerate(plan.agents)}
-        return tuple(
-            sorted(alone, key=lambda t: (order[t.class_name], place.get(t.name, len(place))))
-        )
-    return path_rows(moving) if len(moving) <= MOST_PATHS else ()
+def planned_tracks(plan: Plan, mission: Mission | None, focus: Focus) -> tuple[Track, ...]:
+    """What was planned, where what happened is shown beside it."""
+    if focus.executed is None:
+        return ()
+    return focus.chosen(tracks(plan, mission, modules=True))
 
 
-def path_rows(moving: Sequence[Track]) -> tuple[Track, ...]:
-    """A row for each track, named by its first agents and their number."""
-    return tuple(
-        replace(track, name=f"{track.short} ({track.count})") if len(track.ids) > 1 else track
-        for track in moving
-    )
-
-
-def height_of(plan: Plan, moving: Sequence[Track]) -> float:
+def height_of(plan: Plan, mission: Mission | None = None, focus: Focus = WHOLE) -> float:
     """Inches that the rows of a plan take."""
-    rows = rows_of(plan, moving)
-    return max(_ROW * len(rows) + 0.1 if rows else _BAND * len(by_class(moving)), 0.8)
+    return rows_height(*table_of(plan, mission, focus))
+
+
+def rows_height(rows: Sequence[Row], moving: Sequence[Track]) -> float:
+    """Inches that some rows take, or the bands of the classes where there are none."""
+    row = _ROW if not any(row.planned for row in rows) else _PAIR
+    return max(row * len(rows) + 0.1 if rows else _BAND * len(by_class(moving)), 0.8)
 
 
 def keys_of(moving: Sequence[Track], horizon: int, mission: Mission | None) -> Keys:
@@ -142,24 +187,64 @@ def keys_of(moving: Sequence[Track], horizon: int, mission: Mission | None) -> K
     return {state: named[painted[state]] if labels[state] else nowhere for state in states}
 
 
-def _draw_rows(ax: Any, rows: Sequence[Track], keys: Keys, horizon: int) -> None:
-    ends = accumulate(Counter(row.class_name for row in rows).values())
+def _draw_rows(ax: Any, rows: Sequence[Row], keys: Keys, horizon: int) -> None:
+    ends = accumulate(Counter(row.shown.class_name for row in rows).values())
     for end in [*ends][:-1]:
         ax.axhline(end - HALF, color=LINE, linewidth=0.5)
-    width, height = canvas.extent(ax)
-    across, tall = width / (horizon + 1), height / len(rows)
-    size = min(SMALL, 0.75 * tall)
+    tall = canvas.extent(ax)[1] / len(rows)
     for place, row in enumerate(rows):
-        for first, last in row.ways(horizon):
-            _bar(ax, place, (first, last), TRAVEL, "on the way")
-        for first, last, state, _ in row.stays(horizon):
-            _bar(ax, place, (first, last), keys[state].paint, state)
-            words, room = visible(state), across * (last - first + 1) - 3
-            if size >= SMALL * 0.7 and canvas.text_size(words, size)[0] < room:
-                look = {"fontsize": size, "color": keys[state].paint.ink}
-                look |= {"ha": "center", "va": "center_baseline"}
-                above = place - _STRIP / 2 * bool(row.lives)
-                ax.text((first + last) / 2, above, canvas.plain(words), **look)
+        slot = _ALL if row.planned is None else _EXECUTED
+        if row.planned is not None:
+            _draw_track(ax, row.planned, keys, (place, _PLANNED, horizon))
+        size = min(SMALL, 0.75 * tall * slot.height / _THICK)
+        _draw_track(ax, row.shown, keys, (place, slot, horizon))
+        if size >= SMALL * 0.7:
+            _write_stays(ax, row.shown, keys, (place + slot.middle, size, horizon))
+
+
+def _draw_track(ax: Any, row: Track, keys: Keys, where: tuple[int, Slot, int]) -> None:
+    """The bars of a row: what happened in their colours, and what was planned paler."""
+    place, slot, horizon = where
+    style = {"height": slot.height}
+    if slot is _PLANNED:
+        style |= {"alpha": _PALE}
+    said = "planned " if slot is _PLANNED else ""
+    for left, come in row.journeys(horizon):
+        reach = left + DWELL, come - DWELL if come <= horizon else horizon + HALF
+        _bar(ax, place + slot.middle, reach, TRAVEL, f"{said}on the way", **style)
+    for state, reach in stay_reaches(row, horizon):
+        paint = keys.get(state, IDLE).paint
+        _bar(ax, place + slot.middle, reach, paint, f"{said}{state}", **style)
+
+
+def stay_reaches(row: Track, horizon: int) -> Iterator[tuple[str, tuple[float, float]]]:
+    """The state of each stay, and from when to when its bar reaches.
+
+    At the ends of time a bar reaches the end of the axis, and a group that splits or meets others
+    where it stays reaches them.
+    """
+    end = min(row.end - 1, horizon)
+    for first, last, state, _ in row.stops:
+        if first > end:
+            return
+        if last >= horizon:
+            until = horizon + HALF
+        else:
+            until = row.end - DWELL if last > end else last + DWELL
+        yield state, (first - (DWELL if first else HALF), until)
+
+
+def _write_stays(ax: Any, row: Track, keys: Keys, where: tuple[float, float, int]) -> None:
+    """The names of states on the bars that have room for them."""
+    place, size, horizon = where
+    across = canvas.extent(ax)[0] / abs(ax.get_xlim()[1] - ax.get_xlim()[0])
+    for state, (begin, end) in stay_reaches(row, horizon):
+        words = visible(state)
+        if canvas.text_size(words, size)[0] < across * (end - begin) - 3:
+            look = {"fontsize": size, "color": keys.get(state, IDLE).paint.ink}
+            look |= {"ha": "center", "va": "center_baseline"}
+            above = place - _STRIP / 2 * bool(row.lives)
+            ax.text((begin + end) / 2, above, canvas.plain(words), **look)
 
 
 def shapes_of(found: Iterable[Track], mission: Mission | None = None) -> Mapping[str, Paint]:
@@ -169,12 +254,14 @@ def shapes_of(found: Iterable[Track], mission: Mission | None = None) -> Mapping
     return {name: given[name] for name in names}
 
 
-def _draw_lives(ax: Any, rows: Sequence[Track], shapes: Mapping[str, Paint]) -> None:
+def _draw_lives(ax: Any, rows: Sequence[Track], shapes: Mapping[str, Paint], horizon: int) -> None:
     """A strip below each module's bars, in the colour of the structure that it is part of."""
     for place, row in enumerate(rows):
         for life in row.lives:
             paint, below = shapes[life.configuration], place + (_THICK - _STRIP) / 2
-            _bar(ax, below, life[:2], paint, life.id, height=_STRIP)
+            begin = life.first - (DWELL if life.first else HALF)
+            end = life.last + (DWELL if life.last < horizon else HALF)
+            _bar(ax, below, (begin, end), paint, life.id, height=_STRIP)
 
 
 def _shape_entries(shapes: Mapping[str, Paint]) -> list[Entry]:
@@ -186,37 +273,47 @@ def _shape_entries(shapes: Mapping[str, Paint]) -> list[Entry]:
 def _bar(
     ax: Any,
     place: float,
-    steps: tuple[float, float],
+    reach: tuple[float, float],
     paint: Paint,
     meaning: str,
-    *,
-    height: float = _THICK,
+    **look: float,
 ) -> None:
-    first, last = steps
-    style = canvas.area(paint) | {"height": height, "gid": visible(meaning)}
-    ax.barh(place, last - first + 1, left=first - HALF, **style)
+    begin, end = reach
+    style = canvas.area(paint) | {"gid": visible(meaning)} | look
+    ax.barh(place, end - begin, left=begin, **style)
 
 
-def _draw_bands(ax: Any, moving: Sequence[Track], keys: Keys, horizon: int) -> None:
-    """One band for each class: its share at the states of each colour, the rest on the way."""
-    edges = np.arange(horizon + 2) - HALF
+def _draw_bands(
+    ax: Any, moving: Sequence[Track], keys: Keys, where: tuple[int, Slot, bool]
+) -> None:
+    """One band for each class: its share at the states of each colour, the rest on the way.
+
+    Between two steps, which are columns of their own, only those are at a state who stay there.
+    """
+    horizon, slot, planned = where
+    moments = 2 * horizon
+    steps = np.arange(horizon + 1)
+    edges = np.stack([steps - DWELL, steps + DWELL], axis=1).ravel()
+    edges[0], edges[-1] = -HALF, horizon + HALF
     row = {key: number for number, key in enumerate(dict.fromkeys(keys.values()))}
     for place, (name, group) in enumerate(by_class(moving).items()):
         everybody = agents_of(group)
         intervals = (
-            (row[keys[state]], first, last, track.count)
+            (row[keys[state]], 2 * first, 2 * last, track.count)
             for track in group
             for first, last, state, _ in track.stays(horizon)
         )
-        counts = interval_counts(intervals, len(row), horizon)
-        floor = np.zeros(horizon + 1, dtype=np.int64)
+        counts = interval_counts(intervals, len(row), moments)
+        floor = np.zeros(moments + 1, dtype=np.int64)
         away = Key("on the way", TRAVEL), everybody - counts.sum(axis=0)
+        foot = place + slot.middle + slot.height / 2
         for key, there in [*zip(row, counts, strict=True), away]:
-            low, high = (place + _THICK * (HALF - n / everybody) for n in (floor, floor + there))
+            low, high = (foot - slot.height * n / everybody for n in (floor, floor + there))
             floor = floor + there
             if there.any():
                 low, high = np.append(low, low[-1]), np.append(high, high[-1])
                 look = canvas.area(key.paint) | {"linewidth": 0.3, "step": "post"}
+                look |= {"alpha": _PALE} if planned else {}
                 ax.fill_between(edges, low, high, gid=visible(f"{name}: {key.words}"), **look)
 
 

@@ -104,14 +104,28 @@ class Track:
         """Whether they are there: agents always are, parts of a swarm while they last."""
         return self.stops[0].first <= time < self.end
 
-    def at(self, time: float) -> Whereabouts:
-        """Where they are at a time between 0 and the horizon, not only at whole steps."""
-        place = max(0, bisect_right(self.stops, time, key=lambda stop: stop.first) - 1)
+    def at(self, time: float, dwell: float = 0.0) -> Whereabouts:
+        """Where they are at a time between 0 and the horizon, not only at whole steps.
+
+        They leave so much after a step, and arrive so much before one, as `dwell` says.
+        """
+        before = bisect_right(self.stops, time + dwell, key=lambda stop: stop.first) - 1
+        place = max(0, before)
         here = self.stops[place]
-        if time <= here.last or place + 1 == len(self.stops):
+        if time <= here.last + dwell or place + 1 == len(self.stops):
             return Whereabouts(here, here, 0.0)
         there = self.stops[place + 1]
-        return Whereabouts(here, there, (time - here.last) / (there.first - here.last))
+        begin, end = here.last + dwell, there.first - dwell
+        return Whereabouts(here, there, (time - begin) / (end - begin))
+
+    def only(self, wanted: frozenset[str]) -> Track | None:
+        """The track of some of its agents, named by their ids or by their class; None without."""
+        if self.class_name in wanted or wanted & {*self.modules}:
+            return self
+        ids = tuple(name for name in self.ids if name in wanted)
+        if not ids:
+            return None
+        return replace(self, count=len(ids), name=names(ids), ids=ids)
 
     def stays(self, horizon: int) -> tuple[Stop, ...]:
         """The stops up to the horizon, as far as the track lasts."""
@@ -123,6 +137,18 @@ class Track:
     def ways(self, horizon: int) -> Iterator[tuple[int, int]]:
         """The steps, first and last, at which they are between two states."""
         return (gap for gap in self._gaps(horizon) if not self.lives or self._whole(gap))
+
+    def journeys(self, horizon: int) -> Iterator[tuple[int, int]]:
+        """The steps at which they leave a state and come to another, even if these are neighbours.
+
+        One that is not over at the horizon ends after it.
+        """
+        last = min(self.end - 1, horizon)
+        for here, there in pairwise(self.stops):
+            gap = here.last + 1, there.first - 1
+            moved = here.state != there.state and (gap[0] > gap[1] or not self.lives)
+            if here.last <= last and (moved or (gap[0] <= gap[1] and self._whole(gap))):
+                yield here.last, min(there.first, horizon + 1)
 
     def rebuilt(self, horizon: int) -> Iterator[tuple[int, int]]:
         """The steps, first and last, at which a module is part of no structure."""
@@ -244,8 +270,11 @@ def _of_swarm(
             raise PlanError([Finding(what, _OTHER)])
         durations[move.source, move.target] = duration
     groups = lanes(starts, moves, durations, plan.horizon)
-    for lane in sorted(groups, key=lambda lane: lane.stays[0].first):
-        yield Track(name, lane.count, f"{name} ({lane.count:,})", (), tuple(lane.stays), lane.end)
+    ordered = sorted(groups, key=lambda lane: lane.stays[0].first)
+    for number, lane in enumerate(ordered, 1):
+        called = f"{name} {number}" if len(ordered) > 1 else name  # equal groups are told apart
+        words = f"{called} ({lane.count:,})"
+        yield Track(name, lane.count, words, (), tuple(lane.stays), lane.end)
 
 
 def agents_of(found: Iterable[Track]) -> int:

@@ -9,7 +9,8 @@ from itertools import chain
 
 from tsplan.draw.palette import HUES, PLAIN, Paint
 from tsplan.draw.text_placement import Box, Placement
-from tsplan.draw.timeline import keys_of, path_rows, rows_of
+from tsplan.draw.timeline import IDLE, keys_of
+from tsplan.draw.timeline_rows import path_rows, rows_of
 from tsplan.draw.tracks import agents_of, tracks
 from tsplan.logic.nodes import Formula
 from tsplan.logic.text import operator_text
@@ -189,7 +190,7 @@ def timeline_svg(plan: Plan) -> str:
             parts.append(_bar(place_on, "", fill="url(#tsplan-way)"))
         for first, last, state, _ in row.stays(plan.horizon):
             place_on = (left + first * step, y, (last - first + 1) * step)
-            parts += _stay(place_on, state, keys[state].paint)
+            parts += _stay(place_on, state, keys.get(state, IDLE).paint)
     bottom = 8 + len(shown) * _ROW
     parts += step_numbers(plan.horizon, left, step, bottom)
     if hidden:
