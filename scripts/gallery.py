@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import tsplan
-from tsplan.draw.picture_files import save
+from tsplan.draw.picture_files import save_picture
 from tsplan.draw.views import draw_page
 from tsplan.plans.outcomes import Status
 from tsplan.plans.plan import Plan
@@ -93,7 +93,7 @@ def _draw(place: Path, mission: tsplan.Mission, plan: Plan) -> None:
     """Write the pictures of a mission; `place` is their common path."""
     for kind in _kinds(mission, plan):
         figure = _figure(mission, plan, kind)
-        save(figure, place.with_name(f"{place.name}{kind}.png"), resolution=DPI)
+        save_picture(figure, place.with_name(f"{place.name}{kind}.png"), dpi=DPI)
 
 
 def _figure(mission: tsplan.Mission, plan: Plan, kind: str) -> Any:

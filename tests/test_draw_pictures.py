@@ -20,11 +20,11 @@ from tsplan.draw.layout import duration_words, places
 from tsplan.draw.map import usual_duration
 from tsplan.draw.matplotlib_loading import PlotUnavailableError
 from tsplan.draw.palette import PLAIN, TRAVEL, Palette
-from tsplan.draw.path_map import MOST_PATHS, strands_of
-from tsplan.draw.picture_files import save
+from tsplan.draw.picture_files import save_picture
 from tsplan.draw.requirement_chart import shown_rows
 from tsplan.draw.row_chart import MOST_ROWS
 from tsplan.draw.step_axes import DWELL, HALF
+from tsplan.draw.strands import MOST_PATHS, strands_of
 from tsplan.draw.swarm_bands import bands_of, draw_flows, flows_of, map_durations, row_order
 from tsplan.draw.timeline import draw_timeline, keys_of
 from tsplan.draw.timeline_rows import MOST_AGENTS, rows_of
@@ -395,15 +395,15 @@ def test_text_is_measured_as_it_is_drawn():
 def test_files_are_of_the_kind_they_are_named(tmp_path):
     figure, _ = YARD.plot()
     for name, begin in (("a.png", b"\x89PNG"), ("b.pdf", b"%PDF"), ("c", b"\x89PNG")):
-        save(figure, tmp_path / name)
+        save_picture(figure, tmp_path / name)
         assert (tmp_path / name).read_bytes().startswith(begin)
-    save(figure, tmp_path / "d.svg")
+    save_picture(figure, tmp_path / "d.svg")
     drawn = (tmp_path / "d.svg").read_text(encoding="utf-8")
     assert "<svg" in drawn
     assert "<image" not in drawn
     assert "dc:date" not in drawn
     with pytest.raises(InputError, match=r"use \.png, \.svg or \.pdf"):
-        save(figure, tmp_path / "e.bmp")
+        save_picture(figure, tmp_path / "e.bmp")
 
 
 def test_the_global_state_of_matplotlib_is_left_alone():

@@ -11,9 +11,9 @@ import pytest
 
 from tests.command_line import printed
 from tsplan.cli import main
+from tsplan.draw.badges import three_digits
 from tsplan.draw.matplotlib_loading import MissingLettersWarning
-from tsplan.draw.picture_files import content, save
-from tsplan.draw.starts import three_digits
+from tsplan.draw.picture_files import content, save_picture
 from tsplan.mission import Group, Mission
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.outcomes import MissionRef
@@ -107,8 +107,8 @@ def test_letters_that_no_font_has_are_named_once(tmp_path) -> None:
     said: list[str] = []
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        save(plan(chosen).plot(chosen)[0], tmp_path / "p.png", tell=said.append)
-        save(plan(chosen).plot(chosen)[0], tmp_path / "p.svg", tell=said.append)
+        save_picture(plan(chosen).plot(chosen)[0], tmp_path / "p.png", tell=said.append)
+        save_picture(plan(chosen).plot(chosen)[0], tmp_path / "p.svg", tell=said.append)
         pace = Pace(fps=1, seconds_per_step=1, size=(300, 200))
         animate(chosen, plan(chosen), tmp_path / "p.gif", pace, said.append)
     assert len(said) == 2
@@ -117,7 +117,7 @@ def test_letters_that_no_font_has_are_named_once(tmp_path) -> None:
     assert said[0].endswith("they are boxes; an .svg file keeps its text as text")
     assert "p.gif" in said[1]
     with pytest.warns(MissingLettersWarning, match="no font here has"):
-        save(chosen.system.plot()[0], tmp_path / "q.png")
+        save_picture(chosen.system.plot()[0], tmp_path / "q.png")
 
 
 def test_agents_of_a_moving_picture_stand_clear_of_the_names() -> None:
@@ -138,7 +138,7 @@ def test_other_warnings_are_passed_on(tmp_path, monkeypatch) -> None:
 
     monkeypatch.setattr(figure, "savefig", warning)
     with pytest.warns(RuntimeWarning, match="something else"):
-        save(figure, tmp_path / "p.png")
+        save_picture(figure, tmp_path / "p.png")
 
 
 def test_the_command_names_lost_letters_in_one_sentence(tmp_path, capsys) -> None:
@@ -167,8 +167,8 @@ def test_the_backend_of_the_environment_is_none_of_ours(backend: str, tmp_path) 
     code = (
         "import sys\n"
         "from tsplan.ts.builders import grid\n"
-        "from tsplan.draw.picture_files import save\n"
-        f"save(grid(2, 2).plot()[0], {str(tmp_path / 'p.png')!r})\n"
+        "from tsplan.draw.picture_files import save_picture\n"
+        f"save_picture(grid(2, 2).plot()[0], {str(tmp_path / 'p.png')!r})\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
         "import os, matplotlib\n"
         f"assert os.environ['MPLBACKEND'] == {backend!r}\n"

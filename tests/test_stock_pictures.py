@@ -13,9 +13,10 @@ from tests.deliveries import GARDEN, building, site
 from tests.legible import assert_legible
 from tsplan.checking.plan_check import certify
 from tsplan.draw.palette import Palette
-from tsplan.draw.path_map import load_texts, strands_of
+from tsplan.draw.path_map import load_texts
 from tsplan.draw.row_chart import MOST_ROWS
 from tsplan.draw.stock_chart import beside, shown_rows
+from tsplan.draw.strands import strands_of
 from tsplan.draw.tracks import tracks
 from tsplan.draw.views import draw_page
 from tsplan.errors import InputError

@@ -8,7 +8,7 @@ import tsplan
 from tests.fence_missions import fence
 from tests.legible import assert_legible
 from tsplan.draw.palette import Palette, classes_of
-from tsplan.draw.path_map import strands_of
+from tsplan.draw.strands import strands_of
 from tsplan.draw.swarm_bands import REBUILT, bands_of, durations_of, flows_of
 from tsplan.draw.timeline_rows import rows_of
 from tsplan.draw.tracks import tracks

@@ -20,6 +20,7 @@ from tsplan.version import VERSION
 if TYPE_CHECKING:  # each under its own name, so that type checkers see it as public
     from tsplan.checking.assignment import assign as assign
     from tsplan.checking.check_report import Report as Report
+    from tsplan.draw.picture_files import save_picture as save_picture
     from tsplan.errors import Finding as Finding
     from tsplan.errors import FormulaError as FormulaError
     from tsplan.errors import InputError as InputError

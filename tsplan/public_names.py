@@ -83,6 +83,7 @@ GROUPS: Mapping[str, Mapping[str, tuple[str, ...]]] = MappingProxyType(
             "writers.exporter": ("export",),
         },
         "Pictures": {
+            "draw.picture_files": ("save_picture",),
             "viewer.animation": ("animate",),
             "viewer.movie": ("Movie",),
         },

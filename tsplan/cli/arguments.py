@@ -30,6 +30,8 @@ class Exit(IntEnum):
 MOST_FRAMES = 50  # a second; players of GIFs show no more
 MOST_JOBS = 1000  # processes side by side
 LEAST_SIDE, MOST_SIDE = 200, 4000  # dots of a moving picture
+LEAST_SHEET, MOST_SHEET = 2, 100  # inches of a picture
+MOST_DOTS = 1200  # per inch
 
 _CODES = """exit codes of plan: 0 a verified plan, 2 bad input or usage, 3 infeasible,
 4 no plan within the limits, 5 internal or solver failure,
@@ -303,9 +305,17 @@ def _show(commands: Commands) -> None:
     )
     why = "print why the formula holds: where each part does, by whom or by how much"
     add("--why", action="store_true", help=why)
+    add("--step", type=_moment, metavar="K", help="step to look at: who is where then")
+    who = "ids or classes, with commas between them, whose paths and rows to draw (default: all)"
+    add("--agents", type=_names, action="extend", default=[], metavar="IDS", help=who)
+    add("--executed", type=Path, metavar="PLAN", help=_EXECUTED)
+    add("--size", type=_sheet, metavar="WxH", help="in inches, as in 7x4.5 (default: as it needs)")
+    add("--dpi", type=_dots, metavar="N", help="dots per inch of a .png file (default 150)")
+    add("--dark", action="store_true", help="on a dark ground")
 
 
 _OF_PLAN = "mission of the plan (default: looked for beside it)"
+_EXECUTED = "what really happened, as the file of a plan: shown beside what was planned"
 
 
 def _view(commands: Commands) -> None:
@@ -315,6 +325,8 @@ def _view(commands: Commands) -> None:
     add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
     what = "write the page here and open nothing"
     add("-o", "--output", type=Path, metavar="HTML", help=what)
+    add("--step", type=_moment, metavar="K", help="step at which the page opens")
+    add("--executed", type=Path, metavar="PLAN", help=_EXECUTED)
 
 
 def _animate(commands: Commands) -> None:
@@ -419,6 +431,14 @@ def _size(text: str) -> tuple[int, int]:
     return size
 
 
+def _sheet(text: str) -> tuple[float, float]:
+    width, cross, height = text.lower().partition("x")
+    if not cross:
+        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not WIDTHxHEIGHT, as in 7x4.5")
+    side = _reader(Range(LEAST_SHEET, MOST_SHEET))
+    return side(width), side(height)
+
+
 def _ends(text: str) -> tuple[str, tuple[float, float]]:
     name, _, ends = text.rpartition("=")
     low, colon, high = ends.partition(":")
@@ -437,4 +457,6 @@ _jobs = _reader(Range(1, MOST_JOBS, whole=True))
 _threads = _reader(OPTIONS["threads"])
 _seed = _reader(OPTIONS["seed"])
 _runs = _reader(OPTIONS["runs"])
+_moment = _reader(Range(0, LARGEST))
+_dots = _reader(Range(1, MOST_DOTS))
 _frames = _reader(Range(1, MOST_FRAMES, whole=True))

@@ -121,6 +121,25 @@ def result_to_show(options: argparse.Namespace, what: str) -> tuple[Result, AnyM
     return result, mission
 
 
+def executed_plan(path: Path | None, mission: Mission | None) -> Plan | None:
+    """What really happened, from its file, which is one of a plan; None where none is given.
+
+    Raises InputError for another file, and PlanError for one that does not fit the mission.
+    """
+    if path is None:
+        return None
+    result = load_result(path)
+    if not isinstance(result, Plan):
+        what = "what happened is told by a plan, and this is a trajectory"
+        raise InputError([Finding(what, "give a file of a plan", str(path))])
+    refuse_pathless(result, str(path))
+    if mission is None:
+        return result
+    result = with_groups(result, mission)
+    refuse_impossible(result, mission, str(path))
+    return result
+
+
 def mission_beside(path: Path, result: Result) -> AnyMission | None:
     """The mission of a plan or trajectory, found by its digest among the YAML files beside it."""
     for other in sorted([*path.parent.glob("*.yaml"), *path.parent.glob("*.yml")]):

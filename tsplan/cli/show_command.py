@@ -8,13 +8,23 @@ from typing import TYPE_CHECKING, Any, cast
 
 from tsplan.checking.fitting import refuse_pathless
 from tsplan.cli.arguments import Exit
-from tsplan.cli.inputs import any_mission_of, files_of, fitted, mission_beside, refuse_place
+from tsplan.cli.inputs import (
+    any_mission_of,
+    executed_plan,
+    files_of,
+    fitted,
+    mission_beside,
+    refuse_place,
+)
 from tsplan.cli.output import remark, say
 from tsplan.document.files import beginning
 from tsplan.document.kinds import MISSION, SIGNALS, kind_of_data
+from tsplan.draw.canvas import new_figure
+from tsplan.draw.focus import Focus
 from tsplan.draw.map import draw_map
 from tsplan.draw.matplotlib_loading import PlotUnavailableError, library
-from tsplan.draw.picture_files import kind_of, save
+from tsplan.draw.night import darkened
+from tsplan.draw.picture_files import RESOLUTION, kind_of, save_picture
 from tsplan.draw.starts import draw_mission
 from tsplan.draw.timeline import draw_timeline
 from tsplan.draw.trajectory_views import draw_trajectory
@@ -36,6 +46,7 @@ if TYPE_CHECKING:
 
     from tsplan.signals.result_check import AnyMission
 
+_WINDOW = (10.0, 8.0)  # inches
 _SCREENLESS = frozenset({"agg", "pdf", "ps", "svg", "cairo", "template"})
 
 
@@ -49,7 +60,9 @@ def run(options: argparse.Namespace) -> Exit:
     elif options.output is None:
         with _own_backend():
             plt = _window()
-            _draw(options, plt.figure(figsize=(10, 8), layout="constrained"))
+            size = options.size or _WINDOW
+            figure = plt.figure(figsize=size, dpi=options.dpi, layout="constrained")
+            _painted(options, figure)
             plt.show()
     return Exit.DONE
 
@@ -71,12 +84,20 @@ def _own_backend() -> Iterator[None]:
 def _save(options: argparse.Namespace) -> None:
     kind_of(options.output)
     _refuse_inputs(options, None)
-    save(_draw(options, None), options.output, tell=remark)
+    figure = None if options.size is None else new_figure(*options.size)
+    dpi = options.dpi or RESOLUTION
+    save_picture(_painted(options, figure), options.output, dpi=dpi, tell=remark)
+
+
+def _painted(options: argparse.Namespace, figure: Any) -> Any:
+    """The picture, light or dark."""
+    drawn = _draw(options, figure)
+    return darkened(drawn) if options.dark else drawn
 
 
 def _refuse_inputs(options: argparse.Namespace, mission: AnyMission | None) -> None:
     """Do not draw over what is drawn."""
-    inputs = [options.file, options.mission, *files_of(mission)]
+    inputs = [options.file, options.mission, options.executed, *files_of(mission)]
     refuse_place(options.output, "the picture", inputs)
 
 
@@ -108,6 +129,7 @@ def _draw(options: argparse.Namespace, figure: Any) -> Any:
     ax = None if figure is None else figure.add_subplot()
     if _is_plan(options.file):
         return _draw_result(options, figure, ax)
+    _refuse_focus(options, "none")
     kind = kind_of_data(map_document(options.file).data)
     if kind in (MISSION, SIGNALS):
         drawn = any_mission_of(options.file)
@@ -122,21 +144,44 @@ def _draw_result(options: argparse.Namespace, figure: Any, ax: Any) -> Any:
     """A view of a plan or a trajectory; what can be seen without the mission where it is away."""
     result = load_result(options.file)
     lost = options.mission is None and mission_beside(options.file, result) is None
+    if isinstance(result, Trajectory):
+        _refuse_focus(options, "a trajectory")
     if lost and isinstance(result, Trajectory):
         return _draw_signals(result, None, options.view, figure)
     if lost and isinstance(result, Plan) and options.view in (None, "timeline"):
         refuse_pathless(result, str(options.file))
-        return draw_timeline(result, None, ax)[0]
+        return draw_timeline(result, None, ax, _focus(options, result, None))[0]
     result, mission = fitted(options.file, result, options.mission)
     _refuse_inputs(options, mission)
     if isinstance(mission, SignalMission):
         return _draw_signals(cast("Trajectory", result), mission, options.view, figure)
     plan, view = cast("Plan", result), options.view or PAGE
+    focus = _focus(options, plan, mission)
     if view != PAGE:
-        return draw_view(plan, mission, view, ax)[0]
+        return draw_view(plan, mission, view, ax, focus)[0]
     if figure is not None:
         figure.clear()
-    return draw_page(plan, mission, figure)[0]
+    return draw_page(plan, mission, figure, focus)[0]
+
+
+def _focus(options: argparse.Namespace, plan: Plan, mission: Mission | None) -> Focus:
+    """What is looked at, as the options say."""
+    executed = executed_plan(options.executed, mission)
+    focus = Focus.of(options.step, options.agents, executed)
+    focus.refuse_beyond(plan)
+    return focus
+
+
+def _refuse_focus(options: argparse.Namespace, what: str) -> None:
+    """Options that are about plans of teams alone do not go unheeded."""
+    given = {
+        "--step": options.step is not None,
+        "--agents": bool(options.agents),
+        "--executed": options.executed is not None,
+    }
+    for name in (name for name, there in given.items() if there):
+        words = f"{name} is about a plan, and this is {what}"
+        raise InputError([Finding(words, "give the file that 'plan -o' wrote", str(options.file))])
 
 
 def _draw_signals(

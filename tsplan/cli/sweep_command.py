@@ -12,7 +12,7 @@ from tsplan.cli.inputs import refuse_place, refuse_solver
 from tsplan.cli.output import attempted, console, remark, say_json
 from tsplan.cli.sweep_progress import SweepProgress
 from tsplan.draw.matplotlib_loading import library
-from tsplan.draw.picture_files import kind_of, save
+from tsplan.draw.picture_files import kind_of, save_picture
 from tsplan.errors import Finding, InputError
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.plans.summary import print_parts
@@ -100,7 +100,7 @@ def _executor(options: argparse.Namespace) -> AbstractContextManager[Executor | 
 
 def _plot(sweeping: Sweeping, options: argparse.Namespace) -> None:
     if options.plot is not None and sweeping.rows:
-        save(draw_sweep(sweeping.results)[0], options.plot, tell=remark)
+        save_picture(draw_sweep(sweeping.results)[0], options.plot, tell=remark)
 
 
 def _show(sweeping: Sweeping, options: argparse.Namespace) -> None:

@@ -18,6 +18,9 @@ TEXT = 8.0
 SMALL, TINY = 6.5, 5.0
 
 LINE, DARK, WHITE = "#8c8c8c", "#333333", "#ffffff"
+SOFT = "#666666"
+"""Words of less weight: the palest grey that can be read well on white, and so does its mirror on a
+dark ground."""
 
 POINTS = 72.0  # points of an inch
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from tsplan.draw import canvas
-from tsplan.draw.canvas import DARK, LINE, SMALL, WHITE, Entry, Picture
+from tsplan.draw.canvas import DARK, LINE, SMALL, SOFT, WHITE, Entry, Picture
 from tsplan.draw.edge_layout import Places, Point, spacing
 from tsplan.draw.layout import bounds, links, places
 from tsplan.draw.matplotlib_loading import library
@@ -111,7 +111,7 @@ def finish(drawn: DrawnMap, title: str, used: Collection[tuple[str, str]] = ()) 
             continue
         begin, end = map(drawn.frame.at, drawn.line(source, target))
         centres = [begin + (end - begin) * share for share in (0.5, 0.4, 0.6, 0.3, 0.7)]
-        drawn.write_free(text, centres, SMALL, color="#666666", bbox=canvas.halo(), zorder=5)
+        drawn.write_free(text, centres, SMALL, color=SOFT, bbox=canvas.halo(), zorder=5)
     canvas.set_title(drawn.ax, title)
     return drawn.figure, drawn.ax
 

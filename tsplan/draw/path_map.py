@@ -9,9 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from itertools import pairwise
-from types import MappingProxyType
 from typing import Any
 
 from tsplan.checking.fitting import refuse_misfit
@@ -20,19 +17,19 @@ from tsplan.draw.canvas import DARK, TINY, WHITE, Entry, Picture
 from tsplan.draw.colours import lightness, mixed
 from tsplan.draw.focus import WHOLE, Focus
 from tsplan.draw.map import DrawnMap, arrow_heads, base, finish
-from tsplan.draw.palette import HUES, STROKES, Paint, Palette, paints
+from tsplan.draw.moment_map import draw_moment, moment_of
+from tsplan.draw.palette import Paint, Palette, pale
 from tsplan.draw.starts import draw_starts
 from tsplan.draw.state_labels import StateLabel
+from tsplan.draw.strands import Drawing, Pair, Passage, Strand, drawing_of, lanes_of
 from tsplan.draw.text_placement import Box, direction
-from tsplan.draw.tracks import Track, agents_of, by_class, tracks
+from tsplan.draw.tracks import Track
+from tsplan.explanation.why.stock_lines import stock_lines
 from tsplan.mission import Mission
-from tsplan.plans.cargo_rows import AgentLoads, loads_of
+from tsplan.plans.cargo_rows import loads_of
 from tsplan.plans.plan import Plan
-from tsplan.plans.supplies import Loads, load_words, together
+from tsplan.plans.supplies import load_words, together
 from tsplan.words import visible
-
-MOST_PATHS = len(HUES) * len(STROKES) - 8
-"""Distinct paths that are drawn one by one; more cannot be told apart."""
 
 _GAP = 2.6  # points from lane to lane
 _BROADEST = 22.0  # points that all lanes of one direction may take
@@ -47,108 +44,56 @@ _TEXT = TINY + 0.8
 _APART = (1.0, 5.0)  # points from the lanes to a mark
 _FURTHER = (*_APART, 8.5, 16.0)  # and to a load, which may stand below the marks
 _LONGEST = 32  # characters of a line of what is carried
+_FAINT = 0.3  # opacity of lines that badges stand on
 _MOST_LOADS = 3  # that are written at one passage
-
-Pair = tuple[str, str]
-_EMPTY: AgentLoads = MappingProxyType({})
-
-
-@dataclass
-class Passage:
-    """Uses of an edge by one strand: how many agents in all, and when they arrive.
-
-    `arrivals` have a step up to the horizon each, and whether the agents rest there then; `loads`
-    what they carry along the edge, by the step of arrival.
-    """
-
-    agents: int = 0
-    arrivals: list[tuple[int, bool]] = field(default_factory=list)
-    loads: dict[int, Loads] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Strand:
-    """One line on the map: a path that agents share, or all paths of a class."""
-
-    words: str
-    paint: Paint
-    agents: int
-    passages: Mapping[Pair, Passage]
 
 
 def draw_paths(plan: Plan, mission: Mission, ax: Any = None, focus: Focus = WHOLE) -> Picture:
     """The paths on the mission's map, with the steps at which the agents arrive.
 
-    Up to `MOST_PATHS` different paths have lines of their own, beyond that each class has one.
-    Raises PlanError for a plan without paths or of another mission.
+    Up to `MOST_PATHS` different paths have lines of their own, beyond that each class has one. At a
+    step that is looked at, badges say who is where, and the lines are faint. Beside what happened
+    the lines of what was planned are pale and dashed. Raises PlanError for a plan without paths or
+    of another mission.
     """
     refuse_misfit(plan, mission)
     palette = Palette.of(mission)
-    moving = tracks(plan, mission)
-    strands, joined = strands_of(moving, plan.horizon, palette, loads_of(plan.cargo))
-    drawn = base(palette, ax, _entries(moving, strands, joined=joined))
-    draw_starts(drawn, mission, palette.classes if joined else {})
+    drawing = drawing_of(plan, mission, palette, focus)
+    strands, joined = drawing.strands, drawing.joined
+    drawn = base(palette, ax, _entries(drawing, focus))
+    now = focus.step is not None
+    if now:
+        _draw_now(drawn, mission, drawing, focus)
+    else:
+        draw_starts(drawn, mission, palette.classes if joined else {})
     lanes = lanes_of(strands)
     for number, strand in enumerate(strands):
-        _draw_strand(drawn, strand, [_shift(lanes[pair], number) for pair in strand.passages])
-    if not joined and not drawn.dense:
+        shifts = [_shift(lanes[pair], number) for pair in strand.passages]
+        _draw_strand(drawn, strand, shifts, faint=now)
+    if not (joined or drawn.dense or now):
         _mark_arrivals(drawn, strands, lanes)
-    if not drawn.dense and _few_loads(strands):
+    if not drawn.dense and not now and _few_loads(strands):
         _mark_loads(drawn, strands, lanes, joined=joined)
-    return finish(drawn, f"{plan.mission.name or mission.name}: paths", lanes)
+    moment = f", step {focus.step:g}" if focus.step is not None else ""
+    return finish(drawn, f"{plan.mission.name or mission.name}: paths{moment}", lanes)
 
 
-def strands_of(
-    found: Sequence[Track], horizon: int, palette: Palette, loads: AgentLoads = _EMPTY
-) -> tuple[tuple[Strand, ...], bool]:
-    """The lines to draw, one for each track that leaves its start or, joined, for each class.
+def _draw_now(drawn: DrawnMap, mission: Mission, drawing: Drawing, focus: Focus) -> None:
+    """Badges at the step that is looked at, in the colours of the lines."""
+    classes = drawn.palette.classes if drawing.joined else {}
+    own = {
+        name: strand.paint
+        for strand in drawing.strands
+        if not strand.planned
+        for name in strand.names
+    }
 
-    The second value says whether they are joined. `loads` are what agents carry (`loads_of`).
-    """
-    moving = [track for track in found if track.moves]
-    if len(moving) <= MOST_PATHS:
-        given = paints(str(number) for number in range(len(moving)))
-        return tuple(
-            Strand(track.short, paint, track.width, _passages([track], horizon, loads))
-            for track, paint in zip(moving, given.values(), strict=True)
-        ), False
-    strands = []
-    for name, group in by_class(moving).items():
-        apart = bool(group[0].ids)
-        agents = agents_of(group if apart else (one for one in found if one.class_name == name))
-        words = f"{agents:,} {name} {'on' if apart else 'in'} {len(group):,} "
-        words += "paths" if apart else "groups"
-        passages = _passages(group, horizon, loads)
-        strands.append(Strand(words, palette.classes[name], agents, passages))
-    return tuple(strands), True
+    def paint_of(track: Track) -> Paint:
+        return classes.get(track.class_name) or own.get(track.name, Paint(WHITE))
 
-
-def lanes_of(strands: Sequence[Strand]) -> Mapping[Pair, tuple[int, ...]]:
-    """The numbers of the strands on each directed edge, from the middle of the way outwards."""
-    lanes: dict[Pair, list[int]] = {}
-    for number, strand in enumerate(strands):
-        for pair in strand.passages:
-            lanes.setdefault(pair, []).append(number)
-    return {pair: tuple(numbers) for pair, numbers in lanes.items()}
-
-
-def _passages(group: Sequence[Track], horizon: int, loads: AgentLoads) -> Mapping[Pair, Passage]:
-    found: dict[Pair, Passage] = {}
-    for track in group:
-        last = track.stays(horizon)[-1].first
-        for here, there in pairwise(track.stops):
-            if here.state == there.state:
-                continue
-            passage = found.setdefault((here.state, there.state), Passage())
-            passage.agents += track.width
-            own = track.load(here.last, loads)
-            if own:
-                before = passage.loads.get(there.first, {})
-                passage.loads[there.first] = together([before, own])
-            if there.first <= horizon:
-                rests = there.last > there.first or there.first == last
-                passage.arrivals.append((there.first, rests))
-    return found
+    step, loads = focus.step or 0.0, loads_of(drawing.plan.cargo)
+    stocks = stock_lines(drawing.plan, mission)
+    draw_moment(drawn, moment_of(drawing.tracks, step, paint_of, loads), stocks, step)
 
 
 def _shift(lane: tuple[int, ...], number: int) -> float:
@@ -177,25 +122,30 @@ def _clearance(label: StateLabel, centre: complex, along: complex) -> float:
     return min(across, upward) + 1.5
 
 
-def _draw_strand(drawn: DrawnMap, strand: Strand, shifts: Sequence[float]) -> None:
+def _draw_strand(
+    drawn: DrawnMap, strand: Strand, shifts: Sequence[float], *, faint: bool = False
+) -> None:
     """All lanes of a strand, and their arrow heads."""
     ends = (_ends(drawn, *lane) for lane in zip(strand.passages, shifts, strict=True))
     lines = [(drawn.frame.back(begin), drawn.frame.back(end)) for begin, end in ends]
     thin = _THIN if drawn.dense else 1.0
     widths = [thin * _width(passage.agents) for passage in strand.passages.values()]
     style: dict[str, Any] = {
-        "linestyles": strand.paint.stroke,
-        "gid": visible(f"path:{strand.words}"),
+        "linestyles": strand.stroke,
+        "gid": visible(f"{'planned' if strand.planned else 'path'}:{strand.words}"),
+        "alpha": _FAINT if faint else None,
     }
-    layers = [(strand.paint.colour, 0.0, 4.0)]
-    if lightness(strand.paint.colour) >= _LIGHT:  # a thin grey border, or it drowns in pale shapes
+    layers = [(strand.colour, 0.0, 4.0)]
+    if (
+        lightness(strand.colour) >= _LIGHT and not strand.planned
+    ):  # a thin grey border, or it drowns in pale shapes
         layers.insert(0, ("#808080", 0.6, 3.9))
     for colour, more, layer in layers:
         style |= {"colors": colour, "linewidths": [width + more for width in widths]}
         canvas.add_collection(drawn.ax, "LineCollection", lines, zorder=layer, **style)
-    if not drawn.dense:
+    if not drawn.dense and not faint:
         head = max(_HEAD, 2.0 * max(widths, default=0.0))
-        arrow_heads(drawn, lines, 0.93, (strand.paint.colour, head))
+        arrow_heads(drawn, lines, 0.93, (strand.colour, head))
 
 
 def _width(agents: int) -> float:
@@ -207,8 +157,9 @@ def _mark_arrivals(
     drawn: DrawnMap, strands: Sequence[Strand], lanes: Mapping[Pair, tuple[int, ...]]
 ) -> None:
     """The steps of arrival beside the lanes, where there is room."""
-    every = sum(len(strand.passages) for strand in strands) <= _MOST_MARKS
-    for strand in strands:
+    real = [strand for strand in strands if not strand.planned]
+    every = sum(len(strand.passages) for strand in real) <= _MOST_MARKS
+    for strand in real:
         colour = _ink(strand)
         for pair, passage in strand.passages.items():
             steps = sorted({step for step, rests in passage.arrivals if rests or every})
@@ -227,7 +178,8 @@ def _ink(strand: Strand) -> str:
 
 def _few_loads(strands: Sequence[Strand]) -> bool:
     """Whether something is carried, along so few ways that all of them can say so."""
-    return 0 < sum(bool(p.loads) for s in strands for p in s.passages.values()) <= _MOST_MARKS
+    real = [strand for strand in strands if not strand.planned]
+    return 0 < sum(bool(p.loads) for s in real for p in s.passages.values()) <= _MOST_MARKS
 
 
 def _mark_loads(
@@ -238,7 +190,7 @@ def _mark_loads(
     joined: bool,
 ) -> None:
     """What is carried along each way, beside its lanes where there is room, in one line or more."""
-    for strand in strands:
+    for strand in (strand for strand in strands if not strand.planned):
         style: dict[str, Any] = {
             "color": _ink(strand),
             "zorder": 5,
@@ -294,14 +246,20 @@ def _beside(
         yield from (begin + (end - begin) * share for share in (0.8, 0.65, 0.5, 0.35, 0.2))
 
 
-def _entries(moving: Sequence[Track], strands: Sequence[Strand], *, joined: bool) -> list[Entry]:
+def _entries(drawing: Drawing, focus: Focus) -> list[Entry]:
     """The legend: each strand, the agents that never move, and what the numbers are."""
+    strands, joined, moving = drawing.strands, drawing.joined, drawing.tracks
+    real = [strand for strand in strands if not strand.planned]
     shown = []
-    for strand in strands:
-        look = {"color": strand.paint.colour, "linestyle": strand.paint.stroke}
+    for strand in real:
+        look = {"color": strand.colour, "linestyle": strand.stroke}
         shown.append(Entry.line(strand.words, linewidth=_width(strand.agents), **look))
+    if len(real) < len(strands):
+        dashed = {"color": pale(DARK), "linestyle": "--"}
+        shown.append(Entry.line("planned", linewidth=_width(1), **dashed))
     badge = {"marker": "o", "markersize": 8, "color": WHITE, "markeredgecolor": DARK}
-    shown.append(Entry.line("agents that start there", **badge))
+    where = "that start there" if focus.step is None else f"there at step {focus.step:g}"
+    shown.append(Entry.line(f"agents {where}", **badge))
     end = max((track.end for track in moving), default=0)
     whole = (
         track for track in moving if track.ids and (track.stops[0].first, track.end) == (0, end)
@@ -311,10 +269,13 @@ def _entries(moving: Sequence[Track], strands: Sequence[Strand], *, joined: bool
         shown.append(Entry.nothing(f"{idle:,} never {'moves' if idle == 1 else 'move'}"))
     if any(track.modules for track in moving):
         shown.append(Entry.nothing("of a structure: (its modules)"))
+    return [*shown, *(_number_entries(real, joined=joined) if focus.step is None else ())]
+
+
+def _number_entries(strands: Sequence[Strand], *, joined: bool) -> Iterator[Entry]:
+    """What the numbers beside the lines are."""
     if strands:
-        what = "the more agents, the wider" if joined else "numbers: steps of arrival"
-        shown.append(Entry.nothing(what))
+        yield Entry.nothing("the more agents, the wider" if joined else "numbers: steps of arrival")
     if _few_loads(strands):
         what = "all that is carried" if joined else "what is carried"
-        shown.append(Entry.nothing(f"numbers with names: {what}"))
-    return shown
+        yield Entry.nothing(f"numbers with names: {what}")

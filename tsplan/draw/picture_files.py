@@ -20,14 +20,16 @@ KINDS = ("png", "svg", "pdf")
 _STYLE = {"svg.fonttype": "none", "svg.hashsalt": "tsplan"}
 
 
-def save(
-    figure: Any,
+def save_picture(
+    picture: Any,
     path: str | Path,
     *,
-    resolution: float = RESOLUTION,
+    dpi: float = RESOLUTION,
     tell: Callable[[str], object] | None = None,
 ) -> None:
-    """Write a figure to a file of the kind that its name ends with, PNG without an ending.
+    """Write a picture to a file of the kind that its name ends with, PNG without an ending.
+
+    `picture` is a figure, or what `plot` returns; `dpi` are the dots per inch of a PNG file.
 
     The file is written whole or not at all, and without the date, so that equal pictures are equal
     files where matplotlib allows it. The text of an SVG file stays text. Letters that no font could
@@ -35,7 +37,8 @@ def save(
     for another ending or a place that cannot be written.
     """
     place = Path(path)
-    write_whole(place, content(figure, kind_of(place), resolution, tell, place))
+    figure = picture[0] if isinstance(picture, tuple) else picture
+    write_whole(place, content(figure, kind_of(place), dpi, tell, place))
 
 
 def kind_of(path: Path) -> str:

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Any
 
 from tsplan.draw import canvas
-from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
+from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, SOFT, Entry, Picture
 from tsplan.draw.focus import HAPPENED, WHOLE, Focus
 from tsplan.draw.palette import BAD, GOOD, pale
 from tsplan.draw.row_chart import (
@@ -30,7 +30,7 @@ from tsplan.draw.step_axes import (
     WINDOW,
     Prepared,
     completed,
-    mark_step,
+    finish_steps,
     shade_steps,
 )
 from tsplan.explanation.why.requirements import Requirement, measured, trace_of
@@ -51,38 +51,36 @@ def draw_requirements(
 ) -> Picture:
     """The chart of all atoms of the mission's goal and of what it prefers.
 
-    What happened has a line of its own, and what was planned is pale then. Raises PlanError for a
-    plan without paths or of another mission.
+    Where it is known what happened, it is that which is judged, and what was planned is a pale
+    line. Raises PlanError for a plan without paths or of another mission.
     """
     return completed(prepare_requirements(plan, mission, ax, focus))
 
 
 def prepare_requirements(plan: Plan, mission: Mission, ax: Any, focus: Focus) -> Prepared:
     """The same, with what is left to be drawn."""
-    every = plan.requirements(mission)
+    every = (focus.executed or plan).requirements(mission)
     rows = shown_rows(every)
     hidden = len(every) - len(rows)
     more = f" ({hidden} more with agents to spare)" if hidden else ""
     title = f"{plan.mission.name or mission.name}: count against need{more}"
     wide = max((_beside(row)[2] for row in rows), default=0.0)
-    happened = [executed_counts(focus.executed, mission, row) for row in rows]
+    planned = [planned_counts(plan, mission, row) if focus.executed else None for row in rows]
     entries = _entries(rows, executed=focus.executed is not None)
     chart = RowChart(title, [row.title for row in rows], entries, _ROW, 0.55, wide)
     figure, ax = row_axes(ax, focus.until(plan), chart)
 
     def fill() -> None:
-        for place, (row, counts) in enumerate(zip(rows, happened, strict=True)):
+        for place, (row, counts) in enumerate(zip(rows, planned, strict=True)):
             _draw_row(ax, place, row, counts)
-        mark_step(ax, focus.step)
+        finish_steps(ax, focus.step)
 
     return (figure, ax), fill
 
 
-def executed_counts(executed: Plan | None, mission: Mission, row: Requirement) -> Any:
-    """What a row counts in what happened, at every step up to its end; None without it."""
-    if executed is None:
-        return None
-    return measured(row.atom, trace_of(executed, mission, row.atom))
+def planned_counts(plan: Plan, mission: Mission, row: Requirement) -> Any:
+    """What a plan gives at every step of what a row of another plan counts."""
+    return measured(row.atom, trace_of(plan, mission, row.atom))
 
 
 def shown_rows(rows: Sequence[Requirement]) -> tuple[Requirement, ...]:
@@ -95,10 +93,10 @@ def height_of(rows: Sequence[Requirement]) -> float:
     return height_of_rows(len(rows), _ROW)
 
 
-def _draw_row(ax: Any, place: int, row: Requirement, happened: Any) -> None:
-    """One atom between `place` (above) and `place + 1` (below), and what `happened` if known."""
-    shown = row.counts if happened is None else happened
-    most = max(int(row.counts.max()), int(shown.max()), row.bound, 1)
+def _draw_row(ax: Any, place: int, row: Requirement, planned: Any) -> None:
+    """One atom between `place` (above) and `place + 1` (below), and perhaps what was `planned`."""
+    before = row.counts if planned is None else planned
+    most = max(int(row.counts.max()), int(before.max()), row.bound, 1)
     base = place + 0.94
 
     def height(count: Any) -> Any:
@@ -111,11 +109,11 @@ def _draw_row(ax: Any, place: int, row: Requirement, happened: Any) -> None:
         shade_steps(ax, place, (first, last), paint, meaning)
         ax.plot([first], [place + 0.1], gid="witness", **_WITNESS)
     ax.axhline(base, color=LINE, linewidth=0.5)
-    steps, counts = profile(shown)
+    steps, counts = profile(row.counts)
     ax.fill_between(steps, base, height(counts), color=_COUNT, alpha=0.28, linewidth=0)
     ax.plot(steps, height(counts), color=_COUNT, linewidth=1.1, gid="count")
-    if happened is not None:
-        steps, counts = profile(row.counts)
+    if planned is not None:
+        steps, counts = profile(planned)
         ax.plot(steps, height(counts), gid="planned count", **_PLANNED)
     ends = ax.get_xlim()
     ax.plot(ends, [height(row.bound)] * 2, gid="need", **NEED)
@@ -130,8 +128,8 @@ def _fails(row: Requirement) -> bool:
 def _write_spare(ax: Any, y: float, row: Requirement) -> None:
     """How many agents there are to spare, and the largest count, right of the row."""
     spare, most, _ = _beside(row)
-    colour = LINE if row.slack is None else (GOOD if row.slack >= 0 else BAD)
-    for words, shift, paint in ((spare, -0.55, colour), (most, 0.55, LINE)):
+    colour = SOFT if row.slack is None else (GOOD if row.slack >= 0 else BAD)
+    for words, shift, paint in ((spare, -0.55, colour), (most, 0.55, SOFT)):
         ax.annotate(
             words, (1.0, y), xycoords=("axes fraction", "data"), xytext=(4, -shift * SMALL * 1.2),
             textcoords="offset points", fontsize=SMALL, va="center", color=paint,

@@ -32,6 +32,8 @@ WINDOW, CHOSEN, MISSED = "#ececec", "#bcd3ee", "#f4c3bd"
 NEED = MappingProxyType({"color": DARK, "linestyle": (0, (4, 2)), "linewidth": 0.9})
 """The line of what is asked for."""
 
+_MOST_TICKS = 14
+
 NOW = MappingProxyType({"color": "#0b62c4", "linewidth": 1.1, "zorder": 7})
 """The line of the step that is looked at."""
 
@@ -53,7 +55,6 @@ def step_axes(
     across, tall = inches
     figure, ax = canvas.axes(ax, across + canvas.legend_width(entries, tall), tall + REST)
     ax.set_xlim(-HALF, horizon + HALF)
-    ax.xaxis.set_major_locator(library("ticker").MaxNLocator(nbins=14, integer=True))
     ax.tick_params(axis="x", labelsize=SMALL, length=2.5, width=0.6)
     ax.set_xlabel("step", fontsize=SMALL)
     for side in ("top", "right", "left"):
@@ -87,8 +88,13 @@ def name_rows(ax: Any, middles: Sequence[float], words: Sequence[str], title: st
     return named
 
 
-def mark_step(ax: Any, step: float | None) -> None:
-    """A line through a chart at the step that is looked at, if there is one."""
+def finish_steps(ax: Any, step: float | None) -> None:
+    """As many steps below a chart as have room, and a line at the one that is looked at, if any."""
+    last = canvas.text_size(f"{ax.get_xlim()[1]:.0f}", SMALL)[0]
+    room = int(canvas.extent(ax)[0] / (last + SMALL))
+    ax.xaxis.set_major_locator(
+        library("ticker").MaxNLocator(nbins=max(1, min(_MOST_TICKS, room)), integer=True)
+    )
     if step is not None:
         ax.axvline(step, gid="now", **NOW)
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from tsplan.draw import canvas
-from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, Entry, Picture
+from tsplan.draw.canvas import DARK, LINE, POINTS, SMALL, SOFT, Entry, Picture
 from tsplan.draw.focus import HAPPENED, WHOLE, Focus
 from tsplan.draw.palette import pale
 from tsplan.draw.row_chart import (
@@ -33,7 +33,7 @@ from tsplan.draw.step_axes import (
     NEED,
     Prepared,
     completed,
-    mark_step,
+    finish_steps,
     shade_steps,
 )
 from tsplan.errors import Finding, InputError
@@ -83,7 +83,7 @@ def prepare_stocks(plan: Plan, mission: Mission, ax: Any, focus: Focus) -> Prepa
     def fill() -> None:
         for place, row in enumerate(rows):
             _draw_row(ax, place, row, planned.get((row.state, row.resource.name)))
-        mark_step(ax, focus.step)
+        finish_steps(ax, focus.step)
 
     return (figure, ax), fill
 
@@ -189,7 +189,7 @@ def taken_at(row: StockLine, step: int) -> float:
 
 def _write_beside(ax: Any, y: float, row: StockLine) -> None:
     """What is taken in all, and how much there is at most and at the end, right of the row."""
-    for words, shift, paint in zip(beside(row), (0.55, -0.55), (DARK, LINE), strict=True):
+    for words, shift, paint in zip(beside(row), (0.55, -0.55), (DARK, SOFT), strict=True):
         ax.annotate(
             words, (1.0, y), xycoords=("axes fraction", "data"), xytext=(4, shift * SMALL * 1.2),
             textcoords="offset points", fontsize=SMALL, va="center", color=paint,

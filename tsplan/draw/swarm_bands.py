@@ -25,7 +25,7 @@ from tsplan.draw.step_axes import (
     DWELL,
     Prepared,
     completed,
-    mark_step,
+    finish_steps,
     name_rows,
     names_width,
     step_axes,
@@ -142,7 +142,7 @@ def _prepared(
             some = [band for band in bands if band.class_name == class_name]
             _draw_bands(ax, some, feet, (paint, flow.horizon))
         _write_counts(ax, (sizes, _changed(bands, sizes)), feet, flow.horizon)
-        mark_step(ax, on[1])
+        finish_steps(ax, on[1])
 
     return (figure, ax), fill
 

@@ -27,7 +27,7 @@ from tsplan.draw.step_axes import (
     HALF,
     Prepared,
     completed,
-    mark_step,
+    finish_steps,
     name_rows,
     names_width,
     step_axes,
@@ -118,7 +118,7 @@ def prepare_timeline(plan: Plan, mission: Mission | None, ax: Any, focus: Focus)
             _draw_bands(ax, before, keys, (horizon, _PLANNED, True))
         else:
             _draw_bands(ax, moving, keys, (horizon, _ALL, False))
-        mark_step(ax, focus.step)
+        finish_steps(ax, focus.step)
 
     return (figure, ax), fill
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
@@ -10,6 +10,7 @@ from tsplan.checking.fitting import refuse_misfit
 from tsplan.draw.canvas import Picture, new_figure, settle
 from tsplan.draw.focus import WHOLE, Focus
 from tsplan.draw.map import height_of as map_height
+from tsplan.draw.night import darkened
 from tsplan.draw.path_map import draw_paths
 from tsplan.draw.policy_map import draw_policy
 from tsplan.draw.requirement_chart import draw_requirements, prepare_requirements
@@ -62,23 +63,48 @@ def draw_plan(
     mission: Mission | None = None,
     view: str = "",
     ax: Any = None,
-    focus: Focus = WHOLE,
+    *,
+    step: float | None = None,
+    agents: str | Iterable[str] = (),
+    executed: Plan | None = None,
+    dark: bool = False,
+    size: tuple[float, float] | None = None,
 ) -> Picture:
     """One of the `VIEWS`: the paths unless named; without a mission the timeline, all there is.
+
+    `step` is a moment to look at, between 0 and the horizon: badges on the map say who is where,
+    and a line goes through the charts. `agents` are ids, or names of classes, whose paths and rows
+    are drawn. `executed` is what really happened, as another plan of the mission, beside which what
+    was planned is pale. `dark` paints on a dark ground, `size` is in inches, across and down.
 
     The view `PAGE` is a figure with several axes, for which none can be given. Raises InputError
     for a view that does not exist or needs the mission, and for a step or an agent that the plan
     does not have, and PlanError for a plan without paths or of another mission.
     """
-    if view == PAGE and ax is not None:
-        raise InputError([Finding("a page has axes of its own", "leave out ax")])
+    focus = Focus.of(step, agents, executed)
+    if ax is not None and (view == PAGE or dark or size is not None):
+        what = "a page has axes of its own" if view == PAGE else "dark and size are of a figure"
+        raise InputError([Finding(what, "leave out ax")])
+    figure = new_figure(*size) if size is not None else None
+    drawn = _drawn(plan, mission, view, (figure, ax), focus)
+    if dark:
+        darkened(drawn[0])
+    return drawn
+
+
+def _drawn(
+    plan: Plan, mission: Mission | None, view: str, on: tuple[Any, Any], focus: Focus
+) -> Picture:
+    """A view on a given figure or axes, or on a figure of its own."""
+    figure, ax = on
     if mission is not None and view == PAGE:
-        return draw_page(plan, mission, None, focus)
-    if mission is not None:
-        return draw_view(plan, mission, view or ("policy" if plan.policies else "paths"), ax, focus)
-    if view not in ("", "timeline"):
+        return draw_page(plan, mission, figure, focus)
+    if mission is None and view not in ("", "timeline"):
         remedy = "give the mission too: plan.plot(mission, ...)"
         raise InputError([Finding(f"the view '{view}' needs the map of the mission", remedy)])
+    ax = ax if figure is None else figure.add_subplot()
+    if mission is not None:
+        return draw_view(plan, mission, view or ("policy" if plan.policies else "paths"), ax, focus)
     focus.refuse_beyond(plan)
     return draw_timeline(plan, None, ax, focus)
 

@@ -299,18 +299,22 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
         return display.explain(self, self.needed_mission(mission, "explain"))
 
     def plot(
-        self, mission: Mission | None = None, *, view: str = "", ax: Any = None
+        self, mission: Mission | None = None, *, view: str = "", ax: Any = None, **look: Any
     ) -> display.Picture:
         """A picture of the plan: its matplotlib figure and axes.
 
         `view` is one of `paths` (the default with a mission; of policies `policy`), `timeline` (the
         default, and all that there is, without one), `requirements`, `stocks` (of a mission with
         resources), `flow` and `map`; or `page`, which has several below each other. Without `ax`
-        there is a figure of its own that pyplot does not know; a page always has one. Raises
+        there is a figure of its own that pyplot does not know; a page always has one.
+
+        The `look` may have a `step` to look at, which may lie between two steps; `agents`, ids or
+        names of classes, whose paths and rows are drawn; a plan of what really happened as
+        `executed`, beside which this one is pale; `dark=True`; and a `size` in inches. Raises
         PlotUnavailableError without matplotlib, InputError for an unknown view and one that the
         mission has nothing for, and PlanError for a plan without paths or of another mission.
         """
-        return display.draw_plan(self, self.known_mission(mission), view, ax)
+        return display.draw_plan(self, self.known_mission(mission), view, ax, **look)
 
     def requirements(self, mission: Mission | None = None) -> tuple[display.Requirement, ...]:
         """What the formula's atoms ask of the counts and what the plan gives, over all steps.
