@@ -6,6 +6,7 @@ same.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -87,3 +88,10 @@ def duration_words(there: Duration, back: Duration) -> str:
     every = [n for d in (there, back) for n in (d.values() if isinstance(d, Mapping) else (d,))]
     least, most = min(every), max(every)
     return str(least) if least == most else f"{least}-{most}"
+
+
+def usual_duration(system: TransitionSystem) -> str:
+    """The words of the duration of most edges, which are not repeated on each; else one step."""
+    words = Counter(link.words for link in links(system))
+    most, number = words.most_common(1)[0] if words else ("1", 1)
+    return most if 2 * number > words.total() else "1"

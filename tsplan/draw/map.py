@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,7 +10,7 @@ from typing import Any
 from tsplan.draw import canvas
 from tsplan.draw.canvas import DARK, LINE, SMALL, SOFT, WHITE, Entry, Picture
 from tsplan.draw.edge_layout import Places, Point, spacing
-from tsplan.draw.layout import bounds, links, places
+from tsplan.draw.layout import bounds, links, places, usual_duration
 from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Palette
 from tsplan.draw.state_labels import DOT, StateLabel, state_labels
@@ -138,13 +137,6 @@ def _unmarked(system: TransitionSystem) -> list[Entry]:
     usual = usual_duration(system)
     style = {"color": LINE, "linewidth": 0.9}
     return [] if usual == "1" else [Entry.line(f"{usual} steps if not marked", **style)]
-
-
-def usual_duration(system: TransitionSystem) -> str:
-    """The words of the duration of most edges, which are not repeated on each; else one step."""
-    words = Counter(link.words for link in links(system))
-    most, number = words.most_common(1)[0] if words else ("1", 1)
-    return most if 2 * number > words.total() else "1"
 
 
 def _draw_shapes(drawn: DrawnMap) -> None:

@@ -66,7 +66,7 @@ def pale(colour: str) -> str:
     """The colour of what was planned, where what happened has the colour itself.
 
     >>> pale("#2f5f9e")
-    '#97afcf'
+    '#97afce'
     """
     return mixed(colour, "#ffffff", 0.5)
 

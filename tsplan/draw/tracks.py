@@ -123,8 +123,8 @@ class Track:
         if self.class_name in wanted or wanted & {*self.modules}:
             return self
         ids = tuple(name for name in self.ids if name in wanted)
-        if not ids:
-            return None
+        if not ids or len(ids) == len(self.ids):
+            return self if ids else None
         return replace(self, count=len(ids), name=names(ids), ids=ids)
 
     def stays(self, horizon: int) -> tuple[Stop, ...]:

@@ -323,13 +323,17 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
         """
         return display.requirements(self, self.needed_mission(mission, "requirements"))
 
-    def view(self, mission: Mission | None = None, path: str | Path | None = None) -> Path:
+    def view(
+        self, mission: Mission | None = None, path: str | Path | None = None, **look: Any
+    ) -> Path:
         """Show the plan in the browser: one page that plays it, whose path is returned.
 
-        With a `path` the page is written there and no browser is opened. Raises as `explain`.
+        With a `path` the page is written there and no browser is opened. The `look` may have a
+        `step` at which it opens, and a plan of what really happened as `executed`, which is shown
+        beside this one. Raises as `explain`, and InputError for a step that is not there.
         """
         place = None if path is None else Path(path)
-        return display.show_page(self.needed_mission(mission, "view"), self, place)
+        return display.show_page(self.needed_mission(mission, "view"), self, place, **look)
 
     def animate(
         self, path: str | Path | None = None, mission: Mission | None = None, **pace: Any

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from tsplan.signals.trajectory import Trajectory
     from tsplan.viewer.scene import Size
 
+_ALLOWED = "allow-scripts allow-downloads"  # downloads: of the picture that the page saves
 _HEIGHT = 640  # pixels of the page in a notebook
 
 
@@ -48,7 +49,7 @@ class Movie(Displayed):
         """The page in a frame of its own, where it reaches nothing of the notebook."""
         text = escape(page(self.mission, self.result))
         style = f"width:100%;height:{_HEIGHT}px;border:0"
-        return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{text}"></iframe>'
+        return f'<iframe sandbox="{_ALLOWED}" style="{style}" srcdoc="{text}"></iframe>'
 
     def __repr__(self) -> str:
         return f"<Movie of {self.result.mission.name!r}: {self.result.horizon} steps>"

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any, TypeAlias
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.draw.layout import links, places
+from tsplan.draw.layout import links, places, usual_duration
 from tsplan.draw.palette import PLAIN, Paint, Palette, classes_of
+from tsplan.draw.timeline_rows import is_idle, paired
 from tsplan.draw.tracks import Track, tracks
 from tsplan.explanation.why.stock_lines import StockLine, stock_lines
 from tsplan.mission import Mission
@@ -30,55 +31,126 @@ MOST_IDS = 20_000
 """Agents up to which each one's own name goes into the page; above, only their bundles' names."""
 
 
-def page_data(mission: Mission, plan: Plan) -> Json:
-    """Everything the page needs to know; raises PlanError for a plan that does not fit the map."""
-    refuse_misfit(plan, mission)
-    system = mission.system
-    moving = with_slots(tracks(plan, mission, moving=True))
-    places_of = {state: place for place, state in enumerate(system.states)}
-    paints = Palette.of(mission).classes
-    kind = {name: place for place, name in enumerate(paints)}
-    loads = loads_of(plan.cargo)
-    named = sum(track.count for track in moving) <= MOST_IDS
+def page_data(mission: Mission, plan: Plan, executed: Plan | None = None) -> Json:
+    """Everything the page needs to know; raises PlanError for a plan that does not fit the map.
+
+    Where it is known what happened, everything is told of that, and what was planned beside it.
+    """
+    shown = plan if executed is None else executed
+    for each in {id(plan): plan, id(shown): shown}.values():
+        refuse_misfit(each, mission)
     endless = infinite_word(plan)
+    moving, before = _pairs(mission, plan, shown)
+    places_of = {state: place for place, state in enumerate(mission.system.states)}
+    parts = [part_data(part, places_of) for part in formula_parts(mission, shown)]
+    if executed is not None:
+        _add_planned(parts, formula_parts(mission, plan))
+    said = outcome(plan)
     return {
-        "title": plan.mission.name or mission.name or system.name or "plan",
-        "outcome": outcome(plan),
+        "title": plan.mission.name or mission.name or mission.system.name or "plan",
+        "outcome": said if executed is None else f"what happened, beside the {said}",
         "facts": [
             {"text": fact_words(item, endless), "about": objective_line(item, endless)}
             for item in plan.objective
         ],
-        "horizon": plan.horizon,
-        "map": map_data(system),
-        "classes": [
-            {
-                "name": group.words(name) if group.modules else name,
-                "capabilities": list(group.capabilities),
-                "agents": None if group.modules else group.agents,
-                "color": paints[name].colour,
-                "mark": kind[name],
-            }
-            for name, group in classes_of(mission).items()
-        ],
+        "horizon": max(plan.horizon, shown.horizon),
+        "map": map_data(mission.system),
+        "classes": _classes(mission),
+        **_moves(mission, shown, moving),
+        "planned": _moves(mission, plan, before) if executed is not None else None,
+        "formula": parts,
+    }
+
+
+def _classes(mission: Mission) -> list[Json]:
+    paints = Palette.of(mission).classes
+    return [
+        {
+            "name": group.words(name) if group.modules else name,
+            "capabilities": list(group.capabilities),
+            "agents": None if group.modules else group.agents,
+            "color": paints[name].colour,
+            "mark": place,
+        }
+        for place, (name, group) in enumerate(classes_of(mission).items())
+    ]
+
+
+def _pairs(mission: Mission, plan: Plan, shown: Plan) -> tuple[list[Track], list[Track | None]]:
+    """The tracks of what is shown, and for each that of the plan for the same agents, if any.
+
+    Further tracks of the plan come after all others.
+    """
+    found = tracks(shown, mission, moving=True)
+    if shown is plan:
+        return [*found], []
+    planned = tracks(plan, mission, moving=True)
+    rows = paired(found, planned)
+    seen = {name for row in rows for name in row.shown.ids}
+    before = [
+        row.planned
+        and (row.planned.only(frozenset(row.shown.ids)) if row.shown.ids else row.planned)
+        for row in rows
+    ]
+    kept = {row.planned.name for row in rows if row.planned and not row.planned.ids}
+    rest = [
+        track for track in planned if not seen.intersection(track.ids) and track.name not in kept
+    ]
+    return [row.shown for row in rows], [*before, *rest]
+
+
+def _same_agents(planned: Track, shown: Track) -> Track | None:
+    """Of a track those agents that another one has."""
+    return planned.only(frozenset(shown.ids)) if shown.ids else planned
+
+
+def _moves(mission: Mission, plan: Plan, found: Sequence[Track | None]) -> Json:
+    """Who moves when, what they carry and what lies where."""
+    moving = [track for track in found if track is not None]
+    slotted = iter(with_slots(moving))
+    places_of = {state: place for place, state in enumerate(mission.system.states)}
+    kind = {name: place for place, name in enumerate(Palette.of(mission).classes)}
+    loads = loads_of(plan.cargo)
+    named = sum(track.count for track in moving) <= MOST_IDS
+    return {
         "tracks": [
-            {
-                "class": kind[track.class_name],
-                "count": track.count,
-                "name": track.name,
-                "ids": list(track.ids) if named else [],
-                "end": track.end,
-                "stops": _flat(track, places_of),
-                "loads": _carried(track, loads),
-            }
-            for track in moving
+            None if track is None else _track(next(slotted), kind, places_of, loads, named=named)
+            for track in found
         ],
         "freights": [
             [places_of[item.source], places_of[item.target], item.left, item.come, item.words]
             for item in (*freights(moving, loads), *rebuildings(plan, mission))
         ],
         "stocks": [stock_data(line, places_of) for line in stock_lines(plan, mission)],
-        "formula": [part_data(part, places_of) for part in formula_parts(mission, plan)],
     }
+
+
+def _track(
+    track: Track,
+    kind: Mapping[str, int],
+    places_of: Mapping[str, int],
+    loads: AgentLoads,
+    *,
+    named: bool,
+) -> Json:
+    return {
+        "class": kind[track.class_name],
+        "count": track.count,
+        "name": track.name,
+        "ids": list(track.ids) if named else [],
+        "end": track.end,
+        "idle": is_idle(track),
+        "stops": _flat(track, places_of),
+        "loads": _carried(track, loads),
+    }
+
+
+def _add_planned(parts: Sequence[Json], planned: Sequence[Part]) -> None:
+    """Give each chart of what happened the counts that were planned."""
+    for part, before in zip(parts, planned, strict=True):
+        counts = {chart.text: chart.counts for chart in before.charts}
+        for chart in part["charts"]:
+            chart["planned"] = counts.get(chart["text"])
 
 
 def _flat(track: Track, place: Mapping[str, int]) -> list[int]:
@@ -125,16 +197,18 @@ def map_data(system: TransitionSystem) -> Json:
     where = places(system)
     paints = Palette(system).states
     states = [_state(state, where[name], paints[name]) for name, state in system.states.items()]
+    usual = usual_duration(system)
     edges = [
         {
             "from": number[source],
             "to": number[target],
-            "words": "" if words == "1" else words,
+            "words": "" if words == usual else words,
             "oneWay": one_way,
         }
         for source, target, one_way, words in links(system)
     ]
-    return {"name": system.name, "states": states, "edges": edges}
+    told = "" if usual == "1" else f"{usual} steps if not marked"
+    return {"name": system.name, "states": states, "edges": edges, "usual": told}
 
 
 def _state(state: State, at: tuple[float, float], paint: Paint) -> Json:

@@ -17,6 +17,7 @@ from hashlib import sha256
 from importlib.resources import files
 from typing import Any, cast
 
+from tsplan.errors import Finding, InputError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.signals.signal_mission import SignalMission
@@ -26,22 +27,29 @@ from tsplan.viewer.signal_page import signal_page_data
 from tsplan.words import visible
 
 _SCRIPTS = (
-    "paint model player camera map markers supplies mapview timeline formula chart agents signals "
-    "main"
+    "paint model player camera map markers supplies mapview fold timeline formula chart agents "
+    "signals beside link picture main"
 )
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 _UNSAFE = {ord(mark): f"\\u{ord(mark):04x}" for mark in "<>&\u2028\u2029"}
 
 
-def page(mission: Mission | SignalMission, result: Plan | Trajectory) -> str:
+def page(
+    mission: Mission | SignalMission, result: Plan | Trajectory, executed: Plan | None = None
+) -> str:
     """The whole page of a plan or a trajectory as HTML text.
 
-    Raises PlanError for one without paths or signals, or that does not fit its mission.
+    Where it is known what really happened, as another plan, both are there side by side. Raises
+    PlanError for one without paths or signals, or that does not fit its mission, and InputError for
+    an executed plan beside a trajectory.
     """
     if isinstance(result, Trajectory):
+        if executed is not None:
+            what = "what happened is told by a plan, and beside it is a trajectory"
+            raise InputError([Finding(what, "leave it out, or give the plan")])
         data = signal_page_data(cast("SignalMission", mission), result)
     else:
-        data = page_data(cast("Mission", mission), result)
+        data = page_data(cast("Mission", mission), result, executed)
     style, script = _source("viewer.css"), _program()
     parts = {
         "policy": _policy(style, script),

@@ -3,10 +3,13 @@
 const LISTED = 200; // rows of the list; a filter finds the others
 
 class AgentList {
-  constructor(model, choice, player) {
+  constructor(model, choice, player, { fold, planned }) {
     this.model = model;
     this.choice = choice;
     this.player = player;
+    this.fold = fold;
+    this.planned = planned;
+    fold.listeners.push(() => this.fill());
     this.list = document.getElementById("agents");
     this.filter = document.getElementById("filter");
     this.chosen = document.getElementById("chosen");
@@ -26,7 +29,8 @@ class AgentList {
     const { model } = this;
     const wanted = this.filter.value.trim().toLowerCase();
     const found = [];
-    for (let m = 0; m < model.tracks.length; m += 1) {
+    const all = wanted || this.choice.state >= 0 || this.fold.open;
+    for (const m of all ? this.fold.order : this.fold.movers) {
       if (this.choice.state >= 0 && model.stateOf(m) !== this.choice.state) continue;
       const held = !wanted || this.texts[m].includes(wanted) || model.whereabouts(m).toLowerCase().includes(wanted);
       if (held) found.push(m);
@@ -42,8 +46,21 @@ class AgentList {
     const rest = found.length - LISTED;
     if (rest > 0) this.list.append(element("p", "", `and ${rest} more; type to find them`));
     if (!found.length) this.list.append(element("p", "", this.nobody()));
+    if (this.fold.folds && this.choice.state < 0 && !this.filter.value) this.list.append(this.folded());
     this.showChoice();
   }
+
+  /* The button that shows and hides those who never move. */
+  folded() {
+    const button = element("button", "fold", this.fold.words);
+    button.type = "button";
+    button.setAttribute("aria-expanded", String(this.fold.open));
+    button.addEventListener("click", () => this.fold.toggle());
+    return button;
+  }
+
+  /* Where a track is, and where it was to be if that is somewhere else. */
+  words(m) { return this.model.whereabouts(m) + plannedWords(this.model, this.planned, m); }
 
   nobody() {
     if (this.choice.state < 0) return "no agent fits";
@@ -55,16 +72,17 @@ class AgentList {
     const button = element("button");
     button.type = "button";
     button.setAttribute("aria-pressed", "false");
-    const where = element("span", "where", this.model.whereabouts(m));
+    const where = element("span", "where", this.words(m));
     button.append(swatch(this.model.classes[track.class]), element("span", "name", track.name), where);
     button.addEventListener("click", () => this.choice.chooseTrack(m));
     this.rows.set(m, { button, where });
     return button;
   }
 
-  /* New places for the rows, once for each half step; the list itself where a place filters it. */
+  /* New places for the rows at each step, and once between two; the list itself where a place
+     filters it. */
   update(time) {
-    const step = Math.floor(2 * time);
+    const step = Number.isInteger(time) ? 2 * time : 2 * Math.floor(time) + 1;
     if (step === this.step) return;
     this.step = step;
     if (this.choice.state >= 0 || this.filter.value) {
@@ -75,7 +93,7 @@ class AgentList {
       }
     }
     for (const [m, { where }] of this.rows) {
-      const words = this.model.whereabouts(m);
+      const words = this.words(m);
       if (where.textContent !== words) where.textContent = words;
     }
     this.markStay();

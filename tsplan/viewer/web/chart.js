@@ -19,6 +19,7 @@ class Charts {
     for (const chart of node.charts) this.add(chart);
     if (node.hidden) this.place.append(element("p", "key", `and ${node.hidden} more counts`));
     this.place.append(element("p", "key", "blue: the window \u00b7 green: the steps chosen \u00b7 dashed: the need"));
+    if (this.plots.some((plot) => plot.chart.planned)) this.place.append(element("p", "key", "pale: as it was planned"));
     this.paint();
     this.move(this.player.shown);
   }
@@ -40,7 +41,7 @@ class Charts {
       this.player.seek(Math.round(this.step(event.offsetX)));
     });
     this.place.append(figure);
-    this.plots.push({ chart, canvas, line, now, shown: -1 });
+    this.plots.push({ chart, canvas, line, now });
   }
 
   x(step) { return this.left + (step * (this.width - this.left - 8)) / Math.max(1, this.horizon); }
@@ -63,7 +64,8 @@ class Charts {
     this.paintSpans(context, chart.possible, theme.shade, [top, bottom]);
     this.paintSpans(context, chart.needed, theme.witness, [top, bottom]);
     this.paintAxes(context, [least, most], [y, bottom], chart.smooth);
-    this.paintCounts(context, chart, y);
+    if (chart.planned) this.paintCounts(context, chart.planned, y, true);
+    this.paintCounts(context, chart.counts, y);
     context.strokeStyle = theme.good;
     context.lineWidth = 1.6;
     context.setLineDash([5, 4]);
@@ -104,39 +106,51 @@ class Charts {
     }
   }
 
-  /* `counts` are [step, count] from each change on; smooth ones go from step to step. */
-  paintCounts(context, { counts, smooth }, y) {
+  /* `counts` are [step, count] from each change on. Between two steps the line goes from the one
+     to the other: who moves is on the way then. */
+  paintCounts(context, counts, y, planned = false) {
     context.strokeStyle = theme.accent;
-    context.lineWidth = 1.8;
+    context.globalAlpha = planned ? 0.5 : 1;
+    context.setLineDash(planned ? [4, 3] : []);
+    context.lineWidth = planned ? 1.4 : 1.8;
     context.lineJoin = "round";
     context.beginPath();
     counts.forEach(([step, count], i) => {
-      if (smooth) {
-        context.lineTo(this.x(step), y(count));
-        return;
-      }
-      const begin = Math.max(0, step - 0.5);
-      const end = i + 1 < counts.length ? counts[i + 1][0] - 0.5 : this.horizon;
-      context.lineTo(this.x(begin), y(count));
-      context.lineTo(this.x(end), y(count));
+      if (i) context.lineTo(this.x(step - 1), y(counts[i - 1][1]));
+      context.lineTo(this.x(step), y(count));
     });
+    context.lineTo(this.x(this.horizon), y(counts[counts.length - 1][1]));
     context.stroke();
+    context.globalAlpha = 1;
+    context.setLineDash([]);
   }
 
   move(time) {
-    const step = Math.round(time);
     for (const plot of this.plots) {
       plot.line.style.transform = `translateX(${this.x(time)}px)`;
-      if (plot.shown === step) continue;
-      plot.shown = step;
-      plot.now.textContent = `${numberWords(countAt(plot.chart.counts, step))} at step ${step}`;
+      const words = countWords(plot.chart, time);
+      if (plot.now.textContent !== words) plot.now.textContent = words;
     }
   }
 }
 
+/* How many there are now, and between two steps before and after them. */
+function countWords({ counts, planned, smooth }, time) {
+  const [before, after] = [Math.floor(time), Math.ceil(time)];
+  const [from, to] = [countAt(counts, before), countAt(counts, after)];
+  if (smooth) {
+    const value = from + (to - from) * (time - before);
+    return `${numberWords(value)} at step ${Number(time.toFixed(1))}`;
+  }
+  const meant = planned && before === after ? ` (planned: ${numberWords(countAt(planned, before))})` : "";
+  if (before === after) return `${numberWords(from)} at step ${before}${meant}`;
+  const words = from === to ? numberWords(from) : `${numberWords(from)} \u2192 ${numberWords(to)}`;
+  return `${words} from step ${before} to ${after}`;
+}
+
 /* The least and the largest number that a chart shows; counts begin at 0. */
 function rangeOf(chart) {
-  const values = chart.counts.map(([, count]) => count).concat(chart.bound);
+  const values = [...chart.counts, ...(chart.planned || [])].map(([, count]) => count).concat(chart.bound);
   if (!chart.smooth) return [0, values.reduce((a, b) => Math.max(a, b), 1)];
   const [least, most] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
   const air = 0.06 * (most - least) || 0.5;

@@ -45,6 +45,7 @@ class Page {
     this.player = new Player(data.horizon);
     this.fillHeader();
     Object.assign(this, data.signals ? signalViews(data, this) : this.planViews());
+    this.picture = new Picture(this);
     this.formula = new FormulaTree(data.formula, this.choice);
     this.charts = new Charts(data.horizon, this.player);
     this.clock = document.getElementById("clock");
@@ -55,14 +56,33 @@ class Page {
     this.followSettings();
     new Keys(this);
     this.onTime();
+    new StepLink(this.player);
   }
 
   planViews() {
     const { choice, player } = this;
-    const model = new Model(this.data);
-    const map = new MapView(model, choice);
-    const timeline = new Timeline(model, map.ground.colours, choice, player);
-    return { model, map, timeline, agents: new AgentList(model, choice, player) };
+    const { data } = this;
+    const model = new Model(data);
+    const planned = data.planned ? plannedModel(data) : null;
+    document.body.classList.toggle("both", planned !== null);
+    const map = new MapView(model, choice, document.getElementById("map-canvas"));
+    const maps = [map];
+    if (planned) {
+      const other = new MapView(planned, new PlannedChoice(choice, data.planned.tracks, data.tracks.length), document.getElementById("planned-canvas"));
+      yoke(map.camera, other.camera);
+      maps.unshift(other);
+    }
+    const fold = new Fold(model.tracks);
+    const timeline = new Timeline(model, map.ground.colours, choice, player, { fold, planned });
+    return { model, planned, map, maps, fold, timeline, agents: new AgentList(model, choice, player, { fold, planned }) };
+  }
+
+  /* What the marks stand for, and how long edges without a number take. */
+  legendEntries() {
+    const entries = this.data.classes.filter((kind) => kind.name)
+      .map((kind) => ({ kind, words: kind.agents === null ? kind.name : `${kind.agents} ${kind.name}` }));
+    const usual = this.data.map ? this.data.map.usual : "";
+    return usual ? [...entries, { kind: null, words: usual }] : entries;
   }
 
   fillHeader() {
@@ -89,13 +109,14 @@ class Page {
   fillLegend() {
     const legend = document.getElementById("legend");
     legend.replaceChildren();
-    for (const kind of this.data.classes) {
+    const entries = this.legendEntries();
+    for (const { kind, words } of entries) {
       const entry = element("span");
-      const words = kind.agents === null ? kind.name : `${kind.agents} ${kind.name}`;
-      entry.append(swatch(kind), document.createTextNode(words));
+      if (kind) entry.append(swatch(kind));
+      entry.append(document.createTextNode(words));
       legend.append(entry);
     }
-    legend.hidden = !this.data.classes.some((kind) => kind.name);
+    legend.hidden = entries.length === 0;
   }
 
   bindControls() {
@@ -120,6 +141,7 @@ class Page {
     on("zoom-out", "click", () => this.map.camera.zoom(1 / 1.4));
     on("zoom-fit", "click", () => this.map.camera.fit());
     on("theme", "click", () => this.switchTheme());
+    on("save", "click", () => this.picture.save());
     on("help-open", "click", () => this.help.showModal());
     on("help-close", "click", () => this.help.close());
     this.help = document.getElementById("help");
@@ -149,7 +171,7 @@ class Page {
     this.paintClasses();
     this.fillLegend();
     this.agents.fill();
-    this.map.refresh();
+    for (const map of this.maps) map.refresh();
     this.timeline.refresh();
     this.charts.paint();
   }
@@ -158,7 +180,8 @@ class Page {
     const { player, model } = this;
     const time = player.shown;
     model.seek(time);
-    this.map.paint();
+    if (this.planned) this.planned.seek(time);
+    for (const map of this.maps) map.paint();
     this.timeline.move();
     this.formula.update(time);
     this.charts.move(time);
@@ -190,10 +213,11 @@ class Page {
     }
     if (changed.includes("state")) this.agents.fill();
     if (changed.includes("track")) {
+      if (this.fold) this.fold.show(this.choice.track);
       this.agents.showChoice();
       if (this.choice.track >= 0) this.timeline.reveal(this.choice.track);
     }
-    this.map.refresh();
+    for (const map of this.maps) map.refresh();
     this.timeline.refresh();
   }
 }
@@ -202,7 +226,11 @@ class Page {
 class Keys {
   constructor(page) {
     const { player, choice, map } = page;
-    const track = (steps) => choice.set({ track: choice.neighbour(choice.track, steps, page.model.tracks.length) });
+    const order = page.fold ? page.fold.order : page.model.tracks.map((_, m) => m);
+    const track = (steps) => {
+      const place = choice.neighbour(order.indexOf(choice.track), steps, order.length);
+      choice.set({ track: place < 0 ? -1 : order[place] });
+    };
     const node = (steps) => choice.set({ node: choice.neighbour(choice.node, steps, choice.nodes.length) });
     this.page = page;
     this.actions = {
@@ -223,6 +251,7 @@ class Keys {
       n: () => node(1),
       p: () => node(-1),
       t: () => page.switchTheme(),
+      s: () => page.picture.save(),
       Escape: () => choice.nothing(),
       "?": () => page.help.showModal(),
     };
@@ -259,6 +288,9 @@ window.tsplanViewer = Object.freeze({
   speed: () => page.player.speed,
   chosen: () => ({ track: page.choice.track, state: page.choice.state, node: page.choice.node }),
   places: () => page.model.places(page.map),
+  planned: () => (page.planned ? page.planned.places(page.maps[0]) : null),
+  labels: () => (page.map.ground ? page.map.ground.written : []),
+  picture: () => page.picture.painted().toDataURL(),
   stateAt: (name) => page.map.placeOf(name),
   parts: () => page.choice.nodes.map((node, n) => ({ text: node.heading, status: page.formula.status(n, page.player.shown) })),
 });

@@ -13,6 +13,7 @@ class Ground {
     this.gap = this.spacing();
     this.regions = this.gather();
     this.canvas = document.createElement("canvas");
+    this.written = []; // words on the map, with the rectangles they take
   }
 
   extent() {
@@ -87,7 +88,34 @@ class Ground {
     this.paintShapes(context, camera, lit);
     this.paintEdges(context, camera, sizes);
     this.paintStates(context, camera, sizes, lit);
+    this.written = [];
     this.paintNames(context, camera, sizes);
+    this.paintDurations(context, camera);
+  }
+
+  /* Write words around a point where they hide no others; the baseline is their top or middle. */
+  write(context, words, x, y, colour, tall = 13) {
+    if (!words) return;
+    const half = context.measureText(words).width / 2 + 2;
+    const top = context.textBaseline === "top" ? y : y - tall / 2;
+    const box = { words, left: x - half, right: x + half, top, bottom: top + tall };
+    const free = this.written.every((other) =>
+      other.left >= box.right || box.left >= other.right || other.top >= box.bottom || box.top >= other.bottom);
+    if (!free) return;
+    this.written.push(box);
+    haloText(context, words, x, y, colour);
+  }
+
+  /* How long an edge takes, where that is not as on most of them. */
+  paintDurations(context, camera) {
+    context.font = `11px ${theme.font}`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    for (const edge of this.edges) {
+      if (!edge.words) continue;
+      const [ax, ay, bx, by] = this.ends(edge, camera);
+      if (Math.hypot(bx - ax, by - ay) > 44) this.write(context, edge.words, (ax + bx) / 2, (ay + by) / 2, theme.soft);
+    }
   }
 
   paintShapes(context, camera, lit) {
@@ -155,12 +183,6 @@ class Ground {
       context.lineTo(x - ux * size + (uy * size) / 2, y - uy * size - (ux * size) / 2);
       context.fill();
     }
-    if (edge.words && length > 44) {
-      context.font = `11px ${theme.font}`;
-      context.textAlign = "center";
-      context.textBaseline = "middle";
-      haloText(context, edge.words, (ax + bx) / 2, (ay + by) / 2, theme.soft);
-    }
   }
 
   paintStates(context, camera, sizes, lit) {
@@ -193,10 +215,10 @@ class Ground {
       const y = box ? box.top + 5 : camera.y(state.y) - sizes.circle - (both ? 30 : 17);
       context.textBaseline = "top";
       context.font = `600 12px ${theme.font}`;
-      haloText(context, fitted(context, state.name, width), middle, y, theme.ink);
+      this.write(context, fitted(context, state.name, width), middle, y, theme.ink);
       if (!both) continue;
       context.font = `11px ${theme.font}`;
-      haloText(context, fitted(context, words(state), width), middle, y + 14, theme.soft);
+      this.write(context, fitted(context, words(state), width), middle, y + 14, theme.soft);
     }
   }
 
@@ -204,14 +226,9 @@ class Ground {
   paintRegions(context, camera) {
     context.font = `600 11.5px ${theme.font}`;
     context.textBaseline = "middle";
-    const taken = [];
     for (const { label, x, y } of this.regions.slice(0, MOST_REGIONS)) {
-      const half = context.measureText(label).width / 2 + 3;
       const [px, py] = [camera.x(x), camera.y(y) - Math.min(16, 0.5 * this.gap * camera.scale)];
-      const free = taken.every((other) => Math.abs(other.px - px) > other.half + half || Math.abs(other.py - py) > 14);
-      if (!free) continue;
-      taken.push({ px, py, half });
-      haloText(context, label, px, py, theme.ink);
+      this.write(context, label, px, py, theme.ink, 14);
     }
   }
 
@@ -228,7 +245,7 @@ class Ground {
 
   /* The state at a point of the screen, -1 for none. */
   stateAt(px, py, camera) {
-    const reach = Math.max(9, this.sizes(camera).circle);
+    const reach = Math.max(touched() ? TARGET / 2 : 9, this.sizes(camera).circle);
     let best = -1;
     let nearest = reach;
     this.states.forEach((state, s) => {

@@ -1,10 +1,10 @@
 /* The map on the page: ground, the chosen agent's path, agents, pointing and clicking. */
 
 class MapView {
-  constructor(model, choice) {
+  constructor(model, choice, canvas) {
     this.model = model;
     this.choice = choice;
-    this.canvas = document.getElementById("map-canvas");
+    this.canvas = canvas;
     this.tip = document.getElementById("tip");
     this.ground = new Ground(model);
     this.markers = new Markers(model, this.ground);
@@ -111,7 +111,8 @@ class MapView {
     this.tip.textContent = track >= 0 ? this.aboutTrack(track) : this.aboutState(state);
     const left = Math.min(event.offsetX + 14, this.camera.width - this.tip.offsetWidth - 6);
     const top = Math.min(event.offsetY + 14, this.camera.height - this.tip.offsetHeight - 6);
-    this.tip.style.transform = `translate(${Math.max(4, left)}px, ${Math.max(4, top)}px)`;
+    const [right, down] = [this.canvas.offsetLeft, this.canvas.offsetTop];
+    this.tip.style.transform = `translate(${right + Math.max(4, left)}px, ${down + Math.max(4, top)}px)`;
   }
 
   under(event) {

@@ -219,7 +219,7 @@ class Markers {
   /* The track whose mark is nearest to a point, -1 if none is close. */
   trackAt(x, y) {
     let best = -1;
-    let nearest = this.radius + 5;
+    let nearest = Math.max(this.radius + 5, touched() ? TARGET / 2 : 0);
     for (let i = 0; i < this.hit; i += 1) {
       const distance = Math.hypot(this.hits[3 * i] - x, this.hits[3 * i + 1] - y);
       if (distance < nearest) [best, nearest] = [this.hits[3 * i + 2], distance];

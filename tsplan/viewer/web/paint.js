@@ -11,6 +11,11 @@ function readTheme() {
   theme.font = getComputedStyle(document.body).fontFamily;
 }
 
+/* Dots that a finger needs, and whether it is fingers that point here. */
+const TARGET = 44;
+
+function touched() { return matchMedia("(pointer: coarse)").matches; }
+
 /* Make a canvas as large as its place on the page, in the screen's own dots. */
 function fitCanvas(canvas) {
   return sizeCanvas(canvas, Math.max(1, canvas.clientWidth), Math.max(1, canvas.clientHeight));

@@ -13,7 +13,7 @@ function signalViews(data, { choice, player }) {
   const model = new SignalModel(data);
   const map = data.plane ? new PlaneView(model, choice) : new NoPlane();
   const timeline = new SignalRows(model, choice, player);
-  return { model, map, timeline, agents: new SignalList(model, choice) };
+  return { model, map, maps: data.plane ? [map] : [], timeline, agents: new SignalList(model, choice) };
 }
 
 /* Values at any time: signals go from step to step, controls stay until the next one. */
@@ -194,7 +194,7 @@ class PlaneView {
 /* Every signal in a row: its line between its least and greatest value. */
 class SignalRows extends Timeline {
   constructor(model, choice, player) {
-    super(model, [], choice, player, TALL);
+    super(model, [], choice, player, { row: TALL });
   }
 
   paintRow(context, m, top) {

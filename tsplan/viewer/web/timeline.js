@@ -3,10 +3,13 @@
 
 
 class Timeline {
-  constructor(model, colours, choice, player, row = 20) {
+  constructor(model, colours, choice, player, { row = touched() ? TARGET : 20, fold = new Fold(model.tracks), planned = null } = {}) {
     this.model = model;
     this.colours = colours;
     this.row = row;
+    this.fold = fold;
+    this.planned = planned;
+    fold.listeners.push(() => this.resize());
     this.choice = choice;
     this.player = player;
     this.rows = document.getElementById("rows");
@@ -15,12 +18,20 @@ class Timeline {
     this.playhead = document.getElementById("playhead");
     this.asked = false;
     this.measure();
-    document.getElementById("rows-height").style.height = `${model.tracks.length * this.row + 4}px`;
-    this.rows.style.height = `${Math.min(Math.max(172, 0.24 * window.innerHeight), Math.max(3, model.tracks.length) * this.row + 8)}px`;
+    this.resize();
     this.rows.addEventListener("scroll", () => this.refresh());
     this.follow(this.rows, true);
     this.follow(this.axis, false);
     new ResizeObserver(() => this.refresh()).observe(this.rows);
+  }
+
+  /* As high as the rows that there are, up to a share of the window. */
+  resize() {
+    const rows = this.fold.rows.length;
+    document.getElementById("rows-height").style.height = `${rows * this.row + 4}px`;
+    const most = Math.max(172, 0.24 * window.innerHeight);
+    this.rows.style.height = `${Math.min(most, Math.max(3, rows) * this.row + 8)}px`;
+    this.refresh();
   }
 
   measure() {
@@ -39,7 +50,9 @@ class Timeline {
       if (event.offsetX > this.whole) return; // the scroll bar
       if (choosing) {
         const row = Math.floor((event.clientY - this.canvas.getBoundingClientRect().top + this.rows.scrollTop) / this.row);
-        if (row >= 0 && row < this.model.tracks.length) this.choice.chooseTrack(row);
+        const track = this.fold.rows[row];
+        if (track === -1) this.fold.toggle();
+        else if (track !== undefined) this.choice.chooseTrack(track);
       }
       if (event.clientX - this.rows.getBoundingClientRect().left < this.names) return;
       this.player.pause();
@@ -66,8 +79,13 @@ class Timeline {
     this.hatch = context.createPattern(hatching(), "repeat");
     this.paintSpans(context, height);
     const from = Math.floor(this.rows.scrollTop / this.row);
-    const to = Math.min(this.model.tracks.length, from + Math.ceil(height / this.row) + 1);
-    for (let m = from; m < to; m += 1) this.paintRow(context, m, m * this.row - this.rows.scrollTop);
+    const { rows } = this.fold;
+    const to = Math.min(rows.length, from + Math.ceil(height / this.row) + 1);
+    for (let row = from; row < to; row += 1) {
+      const top = row * this.row - this.rows.scrollTop;
+      if (rows[row] < 0) this.paintFold(context, top);
+      else this.paintRow(context, rows[row], top);
+    }
     this.move();
   }
 
@@ -117,17 +135,38 @@ class Timeline {
     context.textBaseline = "middle";
     context.fillStyle = theme.ink;
     context.fillText(fitted(context, model.tracks[m].name, this.names - 30), 24, top + this.row / 2 + 0.5);
-    for (let i = model.begin[m]; i < model.begin[m + 1]; i += 1) this.paintStop(context, m, i, top);
+    this.paintStops(context, m, top);
   }
 
-  paintStop(context, m, i, top) {
-    const { model } = this;
-    const [bar, high] = [top + 3, this.row - 6];
+  /* What happened with what was planned in a pale strip below it, or what is planned alone. */
+  paintStops(context, m, top) {
+    const { model, planned } = this;
+    const both = planned && planned.tracks[m].count > 0;
+    const high = both ? Math.round(0.62 * this.row) : this.row - 6;
+    for (let i = model.begin[m]; i < model.begin[m + 1]; i += 1) this.paintStop(context, model, [m, i], [top + (both ? 2 : 3), high]);
+    if (!both) return;
+    context.globalAlpha = 0.5;
+    const below = top + high + 3;
+    for (let i = planned.begin[m]; i < planned.begin[m + 1]; i += 1) this.paintStop(context, planned, [m, i], [below, top + this.row - 1 - below], false);
+    context.globalAlpha = 1;
+  }
+
+  /* The row that stands for those who never move. */
+  paintFold(context, top) {
+    context.font = `12px ${theme.font}`;
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    context.fillStyle = theme.soft;
+    context.fillText(`${this.fold.open ? "\u25be" : "\u25b8"} ${this.fold.words}`, 8, top + this.row / 2 + 0.5);
+  }
+
+  paintStop(context, model, [m, i], [bar, high], named = true) {
     if (i > model.begin[m]) {
       const left = this.x(model.last[i - 1]);
       const right = this.x(Math.min(model.horizon, model.first[i]));
       context.fillStyle = this.hatch;
-      context.fillRect(left, bar + 3, right - left, high - 6);
+      const inset = Math.min(3, high / 4);
+      context.fillRect(left, bar + inset, right - left, high - 2 * inset);
     }
     if (model.first[i] > model.horizon) return;
     const state = model.state[i];
@@ -139,10 +178,10 @@ class Timeline {
     context.lineWidth = 1;
     context.strokeStyle = theme.edge;
     context.strokeRect(left + 0.5, bar + 0.5, wide - 1, high - 1);
-    if (wide < 26) return;
+    if (wide < 26 || !named) return;
     context.font = `11px ${theme.font}`;
     context.fillStyle = inkOn(colour);
-    context.fillText(fitted(context, model.states[state].name, wide - 8), left + 4, top + this.row / 2 + 0.5);
+    context.fillText(fitted(context, model.states[state].name, wide - 8), left + 4, bar + high / 2 + 0.5);
   }
 
   /* The playhead is an element of its own: moving it paints nothing again. */
@@ -152,7 +191,7 @@ class Timeline {
 
   /* Scroll a row into sight. */
   reveal(m) {
-    const top = m * this.row;
+    const top = this.fold.rows.indexOf(m) * this.row;
     if (top < this.rows.scrollTop) this.rows.scrollTop = top;
     else if (top + this.row > this.rows.scrollTop + this.rows.clientHeight) {
       this.rows.scrollTop = top + this.row - this.rows.clientHeight;
