@@ -101,10 +101,11 @@ class Browser:
         message, self._buffer = self._buffer.split(b"\0", 1)
         return json.loads(message)
 
-    def open(self, path):
-        """Load a file from disk and wait until it has been shown."""
+    def open(self, path, at=""):
+        """Load a file from disk, at a part of its address, and wait until it has been shown."""
+        self.ask("Page.navigate", url="about:blank")  # else a new part of an address loads nothing
         self.events.clear()
-        self.ask("Page.navigate", url=path.resolve().as_uri())
+        self.ask("Page.navigate", url=path.resolve().as_uri() + at)
         self._until(lambda heard: heard.get("method") == "Page.loadEventFired", "loading")
         self.frames(3)
 

@@ -14,11 +14,12 @@ from tests.walks import walking, wandering
 from tests.yards import bars, named, texts, yard
 from tsplan import InputError, load_mission, save_picture, save_plan
 from tsplan.cli import main
-from tsplan.draw.colours import lightness
+from tsplan.draw.canvas import DARK, WHITE
+from tsplan.draw.colours import NAMED, lightness, rgb
 from tsplan.draw.focus import Focus
 from tsplan.draw.moment_map import moment_of
 from tsplan.draw.night import GROUND, darkened, mirrored
-from tsplan.draw.palette import Paint, pale
+from tsplan.draw.palette import HUES, Paint, pale
 from tsplan.draw.requirement_chart import planned_counts
 from tsplan.draw.tracks import tracks
 from tsplan.draw.views import draw_page
@@ -215,6 +216,19 @@ def contrast(one, other):
         linear = np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
         lights.append(linear @ (0.2126, 0.7152, 0.0722))
     return (max(lights) + 0.05) / (min(lights) + 0.05)
+
+
+def test_words_on_all_colours_can_be_read_by_day_and_night():
+    def night(colour):
+        return colors.to_hex(mirrored(*(part / 255 for part in rgb(colour))))
+
+    for colour in (*NAMED.values(), *HUES):
+        bar, area = Paint(colour).soft, Paint(colour).pale
+        assert contrast(bar.ink, bar.colour) >= 4.5, colour
+        assert contrast(night(bar.ink), night(bar.colour)) >= 3.8, colour
+        assert contrast(night(DARK), night(area)) >= 4.5, colour
+        full = max(rgb(colour)) - min(rgb(colour)) > 150
+        assert contrast(night(bar.colour), night(WHITE)) >= (1.4 if full else 1), colour
 
 
 def test_mirrored_colours_keep_order_and_hue():

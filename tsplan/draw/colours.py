@@ -11,7 +11,7 @@ Rgb: TypeAlias = tuple[int, int, int]
 
 _HEX = re.compile(r"#([0-9a-f]{3}|[0-9a-f]{6})\Z")
 _MOST = 255
-_DARK = 60.0  # lightness below which text on a colour is white
+_DARK = 49.6  # lightness at which black and white are read equally well on a colour
 
 _WORDS = (files("tsplan.draw") / "css_colours.txt").read_text(encoding="utf-8")
 

@@ -55,7 +55,7 @@ def mirrored(red: float, green: float, blue: float) -> tuple[float, float, float
     """A colour, in parts of 0..1, with its lightness mirrored.
 
     >>> [round(part, 2) for part in mirrored(1.0, 1.0, 1.0)]
-    [0.1, 0.1, 0.1]
+    [0.09, 0.09, 0.09]
     >>> [round(part, 2) for part in mirrored(0.0, 0.0, 0.0)]
     [0.94, 0.94, 0.94]
     """

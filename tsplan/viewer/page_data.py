@@ -40,7 +40,7 @@ def page_data(mission: Mission, plan: Plan, executed: Plan | None = None) -> Jso
     for each in {id(plan): plan, id(shown): shown}.values():
         refuse_misfit(each, mission)
     endless = infinite_word(plan)
-    moving, before = _pairs(mission, plan, shown)
+    moving, before = _pairs(mission, plan, executed)
     places_of = {state: place for place, state in enumerate(mission.system.states)}
     parts = [part_data(part, places_of) for part in formula_parts(mission, shown)]
     if executed is not None:
@@ -76,13 +76,16 @@ def _classes(mission: Mission) -> list[Json]:
     ]
 
 
-def _pairs(mission: Mission, plan: Plan, shown: Plan) -> tuple[list[Track], list[Track | None]]:
+def _pairs(
+    mission: Mission, plan: Plan, executed: Plan | None
+) -> tuple[list[Track], list[Track | None]]:
     """The tracks of what is shown, and for each that of the plan for the same agents, if any.
 
-    Further tracks of the plan come after all others.
+    Further tracks of the plan come after all others. Without what happened there are those of the
+    plan alone.
     """
-    found = tracks(shown, mission, moving=True)
-    if shown is plan:
+    found = tracks(executed or plan, mission, moving=True)
+    if executed is None:
         return [*found], []
     planned = tracks(plan, mission, moving=True)
     rows = paired(found, planned)

@@ -1,13 +1,14 @@
-/* In which order tracks are listed: those that move first, and of many the others folded. */
+/* In which order tracks are listed: those that move first, and of many agents the others folded. */
 
-const MOST_UNFOLDED = 24; // tracks up to which all of them are listed
+const MOST_UNFOLDED = 24; // agents up to which all of them are listed
 
 class Fold {
   constructor(tracks) {
     this.tracks = tracks;
     const places = tracks.map((_, m) => m);
     const idle = places.filter((m) => tracks[m].idle);
-    this.foldable = tracks.length > MOST_UNFOLDED && idle.length > 1 ? idle : [];
+    const agents = tracks.reduce((sum, track) => sum + (track.count || 0), 0);
+    this.foldable = agents > MOST_UNFOLDED && idle.length > 1 ? idle : [];
     const folded = new Set(this.foldable);
     this.movers = this.foldable.length ? places.filter((m) => !folded.has(m)) : places;
     this.hidden = idle.reduce((sum, m) => sum + (folded.has(m) ? tracks[m].count : 0), 0);

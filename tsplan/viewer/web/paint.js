@@ -49,7 +49,7 @@ function lightness(colour) {
 }
 
 /* Black or white, whichever is easier to read on a colour. */
-function inkOn(colour) { return lightness(colour) > 0.3 ? "#10161e" : "#ffffff"; }
+function inkOn(colour) { return lightness(colour) > 0.196 ? "#10161e" : "#ffffff"; }
 
 /* A class's colour on the present ground: dark ones are lifted from a dark ground. */
 function lifted(colour) {

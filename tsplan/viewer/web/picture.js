@@ -25,6 +25,7 @@ class Picture {
     let left = 0;
     for (const map of maps) {
       context.drawImage(map, left, HEADER, map.clientWidth, map.clientHeight);
+      if (maps.length > 1) this.paintCaption(context, map, left);
       left += map.clientWidth;
     }
     let top = HEADER + tall + 10;
@@ -49,6 +50,14 @@ class Picture {
     context.font = `13px ${theme.font}`;
     context.fillStyle = theme.soft;
     context.fillText(fitted(context, page.data.outcome, width), 0, 23);
+  }
+
+  /* What each of two maps shows. */
+  paintCaption(context, map, left) {
+    context.font = `12.5px ${theme.font}`;
+    context.textBaseline = "top";
+    context.fillStyle = theme.soft;
+    context.fillText(map.id === "map-canvas" ? "executed" : "planned", left + 4, HEADER + 4);
   }
 
   /* The classes in lines that fit. */
