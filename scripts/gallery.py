@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -27,12 +28,16 @@ DOCS = ROOT / "docs"
 FLOW, STOCKS = "_flow", "_stocks"
 DPI = 90
 
+EXAMPLE, STEP, AGENT = "farm_harvest", 7, "harvester-3"
+"""The mission whose plan is drawn at a step, too, and as it would go if an agent stopped there."""
+
 INTRODUCTION = """# Gallery
 
 Every mission of [`environments/`](../environments), planned and drawn by `python
 scripts/gallery.py`. Each picture has the paths on the map, who is where when, and each count that
-the formula asks for against its need; [pictures.md](pictures.md) says how to read them. Swarms have
-a second one: who splits and merges where. So have missions with resources: what lies where.
+the formula asks for against its need; [pictures.md](pictures.md) says how to read them. Swarms
+and modular robots have a second one: who splits and merges where. So have missions with resources:
+what lies where.
 """
 
 
@@ -52,6 +57,8 @@ def main() -> int:
         parts.append("\n".join(_entry(path, mission, plan)))
         if not asked.missions or path.stem in asked.missions:
             _draw(folder / path.stem, mission, plan)
+            if path.stem == EXAMPLE:
+                _draw_looks(folder, mission, plan)
             print(path.stem)
     (DOCS / "gallery.md").write_text("\n".join(parts), encoding="utf-8")
     return 0
@@ -84,7 +91,8 @@ def _kinds(mission: tsplan.Mission, plan: Plan) -> dict[str, str]:
     """What ends the name of each picture of a mission, and what it shows."""
     if not plan.has_paths:
         return {"": "the map, and who starts where"}
-    flow = {FLOW: "who splits and merges where"} if mission.swarm is not None else {}
+    grouped = mission.swarm is not None or plan.structures
+    flow = {FLOW: "who splits and merges where"} if grouped else {}
     stocks = {STOCKS: "what lies where"} if mission.resources else {}
     return {"": "paths, times and counts", **flow, **stocks}
 
@@ -94,6 +102,30 @@ def _draw(place: Path, mission: tsplan.Mission, plan: Plan) -> None:
     for kind in _kinds(mission, plan):
         figure = _figure(mission, plan, kind)
         save_picture(figure, place.with_name(f"{place.name}{kind}.png"), dpi=DPI)
+
+
+def _draw_looks(folder: Path, mission: tsplan.Mission, plan: Plan) -> None:
+    """A plan at one step in the dark, and beside what would happen if an agent stopped there."""
+    looks: dict[str, dict[str, Any]] = {
+        "step": {"step": STEP, "dark": True},
+        "executed": {"executed": stopped(plan, AGENT, STEP)},
+    }
+    for name, look in looks.items():
+        drawn = plan.plot(mission, view="page", **look)
+        tsplan.save_picture(drawn, folder / f"{EXAMPLE}_{name}.png", dpi=DPI)
+
+
+def stopped(plan: Plan, name: str, step: int) -> Plan:
+    """The plan as it would go if an agent stayed for good where it is at a step, or comes next."""
+    agents = []
+    for agent in plan.agents:
+        stays = agent.stays
+        if agent.id == name:
+            place = next(place for place, stay in enumerate(stays) if stay[1] >= step)
+            first, _, state = stays[place]
+            stays = (*stays[:place], (first, plan.horizon, state))
+        agents.append(replace(agent, stays=stays))
+    return replace(plan, agents=tuple(agents))
 
 
 def _figure(mission: tsplan.Mission, plan: Plan, kind: str) -> Any:

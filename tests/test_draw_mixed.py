@@ -91,7 +91,7 @@ def test_tracks_are_agents_and_groups_class_by_class(mission, plan):
         ("drone 3 (100)", 5),
         ("drone 4 (300)", 5),
     ]
-    assert [list(track.ways(4)) for track in found[1:4:2]] == [[(3, 4)], [(1, 1)]]
+    assert [list(track.journeys(4)) for track in found[1:4:2]] == [[(1, 2), (2, 5)], [(0, 2)]]
     last = found[1].stops[-1]
     assert (last.state, last.first) == (REEF, 5)
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from tests.command_line import printed
 from tests.walks import wandering
 from tsplan.draw.palette import Palette
+from tsplan.draw.step_axes import DWELL, HALF
 from tsplan.logic import parse
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.outcomes import MissionRef, ObjectiveValue
@@ -120,10 +121,11 @@ def test_a_plan_is_a_table_and_a_timeline():
     bars = [bar for bar in elements(markup, "rect") if bar.find(f"{NAMESPACE}title") is not None]
     widths = [float(bar.get("width")) for bar in bars]
     assert [bar.find(f"{NAMESPACE}title").text for bar in bars] == ["home", "field"] * 2
-    assert widths[1] / widths[0] == pytest.approx(5 / 3, rel=0.01)
+    first, second = 2 + HALF + DWELL, 4 + HALF + DWELL
+    assert widths[1] / widths[0] == pytest.approx(second / first, rel=0.01)
     ways = [bar for bar in elements(markup, "rect") if bar.get("fill") == "url(#tsplan-way)"]
     assert [float(way.get("width")) / widths[0] for way in ways] == pytest.approx(
-        [2 / 3] * 2, rel=0.01
+        [(3 - 2 * DWELL) / first] * 2, rel=0.01
     )
     assert {"a-1", "a-2", "home", "field", "0", "9"} <= set(texts(markup))
 

@@ -60,12 +60,9 @@ def test_the_timeline_has_modules_with_the_structures_they_are_part_of(
     for module in line.modules:
         lives = [(life.first, life.last, life.configuration) for life in rows[module].lives]
         assert lives == [(0, change.step, "single"), (line.first, line.last, "line")]
-        between = (change.step + 1, line.first - 1)
-        assert list(rows[module].rebuilt(plan.horizon)) == [between]
-        assert between not in rows[module].ways(plan.horizon)
-        assert [*rows[module].ways(plan.horizon)]
-    for idle in {*rows} - {*line.modules}:
-        assert not [*rows[idle].rebuilt(plan.horizon)]
+        journeys = [*rows[module].journeys(plan.horizon)]
+        assert journeys
+        assert all(left >= line.first for left, _ in journeys)  # none while they are rebuilt
     _, ax = plan.plot(mission, view="timeline")
     assert sum(bar.get_gid() == "line-1" for bar in ax.patches) == len(line.modules)
 

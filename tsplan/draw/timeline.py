@@ -209,12 +209,17 @@ def _draw_track(ax: Any, row: Track, keys: Keys, where: tuple[int, Slot, int]) -
     if slot is _PLANNED:
         style |= {"alpha": _PALE}
     said = "planned " if slot is _PLANNED else ""
-    for left, come in row.journeys(horizon):
-        reach = left + DWELL, come - DWELL if come <= horizon else horizon + HALF
+    for reach in way_reaches(row, horizon):
         _bar(ax, place + slot.middle, reach, TRAVEL, f"{said}on the way", **style)
     for state, reach in stay_reaches(row, horizon):
         paint = keys.get(state, IDLE).paint
         _bar(ax, place + slot.middle, reach, paint, f"{said}{state}", **style)
+
+
+def way_reaches(row: Track, horizon: int) -> Iterator[tuple[float, float]]:
+    """From when to when they are on the way, for each way; at the end to the end of the axis."""
+    for left, come in row.journeys(horizon):
+        yield left + DWELL, come - DWELL if come <= horizon else horizon + HALF
 
 
 def stay_reaches(row: Track, horizon: int) -> Iterator[tuple[str, tuple[float, float]]]:
@@ -322,7 +327,7 @@ def _entries(moving: Sequence[Track], horizon: int, keys: Keys) -> list[Entry]:
     listed = sorted(dict.fromkeys(keys.values()), key=lambda key: key.paint == PLAIN)
     shown = [Entry.patch(key.words, **_framed(key.paint)) for key in listed]
     shown = canvas.cut_entries(shown, _MOST_ENTRIES)
-    if any(True for track in moving for _ in track.ways(horizon)):
+    if any(True for track in moving for _ in track.journeys(horizon)):
         shown.append(Entry.patch("on the way", **_framed(TRAVEL)))
     return shown
 

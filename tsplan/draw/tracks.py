@@ -134,10 +134,6 @@ class Track:
             stop._replace(last=min(stop.last, last)) for stop in self.stops if stop.first <= last
         )
 
-    def ways(self, horizon: int) -> Iterator[tuple[int, int]]:
-        """The steps, first and last, at which they are between two states."""
-        return (gap for gap in self._gaps(horizon) if not self.lives or self._whole(gap))
-
     def journeys(self, horizon: int) -> Iterator[tuple[int, int]]:
         """The steps at which they leave a state and come to another, even if these are neighbours.
 
@@ -146,26 +142,13 @@ class Track:
         last = min(self.end - 1, horizon)
         for here, there in pairwise(self.stops):
             gap = here.last + 1, there.first - 1
-            moved = here.state != there.state and (gap[0] > gap[1] or not self.lives)
-            if here.last <= last and (moved or (gap[0] <= gap[1] and self._whole(gap))):
+            whole = gap[0] > gap[1] or not self.lives or self._whole(gap)
+            if here.last <= last and here.state != there.state and whole:
                 yield here.last, min(there.first, horizon + 1)
 
-    def rebuilt(self, horizon: int) -> Iterator[tuple[int, int]]:
-        """The steps, first and last, at which a module is part of no structure."""
-        return (gap for gap in self._gaps(horizon) if self.lives and not self._whole(gap))
-
     def _whole(self, gap: tuple[int, int]) -> bool:
+        """Whether modules are part of one structure all through a gap between two stops."""
         return any(life.first <= gap[0] <= life.last for life in self.lives)
-
-    def _gaps(self, horizon: int) -> Iterator[tuple[int, int]]:
-        """The steps at which they are at no state."""
-        stays = self.stays(horizon)
-        for here, there in pairwise(stays):
-            if there.first > here.last + 1:
-                yield here.last + 1, there.first - 1
-        last = min(self.end - 1, horizon)
-        if stays[-1].last < last:
-            yield stays[-1].last + 1, last
 
 
 def tracks(

@@ -8,8 +8,9 @@ from collections.abc import Iterable
 from itertools import chain
 
 from tsplan.draw.palette import HUES, PLAIN, Paint
+from tsplan.draw.step_axes import HALF
 from tsplan.draw.text_placement import Box, Placement
-from tsplan.draw.timeline import IDLE, keys_of
+from tsplan.draw.timeline import IDLE, keys_of, stay_reaches, way_reaches
 from tsplan.draw.timeline_rows import path_rows, rows_of
 from tsplan.draw.tracks import agents_of, tracks
 from tsplan.logic.nodes import Formula
@@ -185,11 +186,11 @@ def timeline_svg(plan: Plan) -> str:
     for place, row in enumerate(shown):
         y = 8 + place * _ROW
         parts.append(svg.text(row.name, left - 6, y + 12, text_anchor="end"))
-        for first, last in row.ways(plan.horizon):
-            place_on = (left + first * step, y, (last - first + 1) * step)
+        for begin, end in way_reaches(row, plan.horizon):
+            place_on = (left + (begin + HALF) * step, y, (end - begin) * step)
             parts.append(_bar(place_on, "", fill="url(#tsplan-way)"))
-        for first, last, state, _ in row.stays(plan.horizon):
-            place_on = (left + first * step, y, (last - first + 1) * step)
+        for state, (begin, end) in stay_reaches(row, plan.horizon):
+            place_on = (left + (begin + HALF) * step, y, (end - begin) * step)
             parts += _stay(place_on, state, keys.get(state, IDLE).paint)
     bottom = 8 + len(shown) * _ROW
     parts += step_numbers(plan.horizon, left, step, bottom)

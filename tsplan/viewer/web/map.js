@@ -96,14 +96,23 @@ class Ground {
   /* Write words around a point where they hide no others; the baseline is their top or middle. */
   write(context, words, x, y, colour, tall = 13) {
     if (!words) return;
-    const half = context.measureText(words).width / 2 + 2;
-    const top = context.textBaseline === "top" ? y : y - tall / 2;
-    const box = { words, left: x - half, right: x + half, top, bottom: top + tall };
-    const free = this.written.every((other) =>
-      other.left >= box.right || box.left >= other.right || other.top >= box.bottom || box.top >= other.bottom);
-    if (!free) return;
+    const box = this.boxOf(context, words, x, y, tall);
+    if (!this.free(box)) return;
     this.written.push(box);
     haloText(context, words, x, y, colour);
+  }
+
+  /* The rectangle that words take around a point. */
+  boxOf(context, words, x, y, tall = 13) {
+    const half = context.measureText(words).width / 2 + 2;
+    const top = context.textBaseline === "top" ? y : y - tall / 2;
+    return { words, left: x - half, right: x + half, top, bottom: top + tall };
+  }
+
+  /* Whether no words of the map are in a rectangle. */
+  free(box) {
+    return this.written.every((other) =>
+      other.left >= box.right || box.left >= other.right || other.top >= box.bottom || box.top >= other.bottom);
   }
 
   /* How long an edge takes, where that is not as on most of them. */

@@ -94,7 +94,10 @@ class MapView {
     for (const { at, text } of words.values()) {
       const [x, y] = place(at);
       const top = this.supplies.below(model.state[at], this.camera, y + below);
-      haloText(context, fitted(context, text, 120), x, top, theme.accent);
+      const shown = fitted(context, text, 120);
+      const free = (place) => this.ground.free(this.ground.boxOf(context, shown, x, place));
+      const place = [top, top + 15, y - below - 13, top + 30].find(free);
+      haloText(context, shown, x, place === undefined ? top : place, theme.accent);
     }
   }
 
