@@ -94,7 +94,8 @@ def _kinds(mission: tsplan.Mission, plan: Plan) -> dict[str, str]:
     grouped = mission.swarm is not None or plan.structures
     flow = {FLOW: "who splits and merges where"} if grouped else {}
     stocks = {STOCKS: "what lies where"} if mission.resources else {}
-    return {"": "paths, times and counts", **flow, **stocks}
+    first = "policy and counts" if plan.policies else "paths, times and counts"
+    return {"": first, **flow, **stocks}
 
 
 def _draw(place: Path, mission: tsplan.Mission, plan: Plan) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import tsplan
 from tests.deliveries import building
 from tests.legible import assert_legible
 from tests.walks import walking, wandering
@@ -206,6 +207,17 @@ def test_a_picture_can_be_dark_and_still_be_read():
     assert_legible(figure)
     light, _ = plan.plot(mission, view="page", step=3)
     assert colors.to_hex(light.get_facecolor()) == "#ffffff"
+
+
+def test_a_policy_says_how_many_are_expected_where():
+    mission = load_mission(ENVIRONMENTS / "ice_crossing.yaml")
+    made = tsplan.plan(mission)
+    figure, ax = made.plot(mission)
+    written = [float(text.get_text()) for text in ax.texts if text.get_gid() == "expected"]
+    states = [state for policy in made.policies for state in policy.expected]
+    counts = made.counts(states=states)[:, -1]
+    assert sorted(written) == sorted(round(n, 2) for n in counts if n >= 0.01)
+    assert_legible(figure)
 
 
 def contrast(one, other):

@@ -76,8 +76,16 @@ def _write_numbers(drawn: DrawnMap, plan: Plan) -> None:
     counts = plan.counts(states=list(dict.fromkeys(names)))
     for name, agents in zip(dict.fromkeys(names), counts[:, -1].tolist(), strict=True):
         if agents >= _LEAST:
-            place = drawn.frame.at(drawn.where[name])
-            text = number(round(agents, 2))
-            size = SMALL * 1.1
-            shifts = [place + shift * SMALL for shift in (-1.6j, 1.6j, 2.0, -2.0)]
-            drawn.write_free(text, shifts, size, zorder=6, gid="expected")
+            text, size = number(round(agents, 2)), SMALL * 1.1
+            places = _around(drawn, name, canvas.text_size(text, size))
+            drawn.write_free(text, places, size, gid="expected", bbox=canvas.halo())
+
+
+def _around(drawn: DrawnMap, state: str, extent: tuple[float, float]) -> list[complex]:
+    """Places for a number: at a corner of what is written at a state, where no edges are."""
+    box, (wide, tall) = drawn.labels[state].box, extent
+    x, y = (box.left + box.right) / 2, (box.bottom + box.top) / 2
+    across = (box.right - box.left + wide) / 2 + 3
+    up = (box.top - box.bottom + tall) / 2 + 1
+    corners = ((across, -up), (across, up), (-across, -up), (-across, up))
+    return [complex(x + right, y + above) for right, above in corners]

@@ -109,9 +109,9 @@ class Ground {
     return { words, left: x - half, right: x + half, top, bottom: top + tall };
   }
 
-  /* Whether no words of the map are in a rectangle. */
-  free(box) {
-    return this.written.every((other) =>
+  /* Whether no words are in a rectangle: those of the map, or other ones. */
+  free(box, written = this.written) {
+    return written.every((other) =>
       other.left >= box.right || box.left >= other.right || other.top >= box.bottom || box.top >= other.bottom);
   }
 

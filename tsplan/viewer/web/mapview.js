@@ -91,13 +91,18 @@ class MapView {
     context.textAlign = "center";
     context.textBaseline = "top";
     const below = Math.max(12, this.ground.sizes(this.camera).circle + 3);
+    const taken = [];
     for (const { at, text } of words.values()) {
       const [x, y] = place(at);
       const top = this.supplies.below(model.state[at], this.camera, y + below);
       const shown = fitted(context, text, 120);
-      const free = (place) => this.ground.free(this.ground.boxOf(context, shown, x, place));
-      const place = [top, top + 15, y - below - 13, top + 30].find(free);
-      haloText(context, shown, x, place === undefined ? top : place, theme.accent);
+      const half = context.measureText(shown).width / 2 + 4;
+      const places = [top, top + 15, y - below - 13].flatMap((above) => [[x, above], [x - half, above], [x + half, above]]);
+      const box = ([middle, above]) => this.ground.boxOf(context, shown, middle, above);
+      const free = (one) => this.ground.free(box(one)) && this.ground.free(box(one), taken);
+      const found = places.find(free) || places[0];
+      taken.push(box(found));
+      haloText(context, shown, ...found, theme.accent);
     }
   }
 
