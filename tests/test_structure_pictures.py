@@ -136,6 +136,16 @@ def test_the_flow_of_structures_counts_their_modules(mission: Mission, plan: Pla
     assert_legible(figure)
 
 
+@pytest.mark.parametrize("named", ["line-1", "line", "module-5"])
+def test_structures_and_modules_can_be_looked_at(mission: Mission, plan: Plan, named: str) -> None:
+    _, (mapped, timeline, _) = plan.plot(mission, view="page", agents=[named])
+    rows = {tick.get_text() for tick in timeline.get_yticklabels()}
+    (line,) = (each for each in plan.structures if each.id == "line-1")
+    assert rows == ({"module-5"} if named == "module-5" else {*line.modules})
+    assert any(artist.get_gid() == "path:line-1 (3)" for artist in mapped.collections)
+    assert not any(artist.get_gid() == "path:single-2 (1)" for artist in mapped.collections)
+
+
 def test_notebooks_show_modules(plan: Plan) -> None:
     shown = plan._repr_html_()
     assert "module-5" in shown

@@ -51,23 +51,29 @@ class Focus:
             what = f"there is no step {self.step:g}: the plan has steps 0 to {last}"
             raise InputError([Finding(what, "name one of them")])
 
-    def chosen(self, found: Sequence[Track]) -> tuple[Track, ...]:
-        """The tracks of the agents that are looked at, each with these agents alone.
+    def chosen(self, found: Sequence[Track], plan: Plan) -> tuple[Track, ...]:
+        """The tracks of a plan's agents that are looked at, each with these agents alone.
 
-        Raises InputError for a name that is neither an agent nor a class of the tracks.
+        Structures of modules, and their configurations, stand for their modules. Raises InputError
+        for a name that the plan does not have.
         """
         if not self.agents:
             return tuple(found)
-        names = {track.class_name for track in found}
-        names.update(name for track in found for name in (*track.ids, *track.modules))
+        wanted = set(self.agents)
+        names = {*plan.moves, *(bundle.class_name for bundle in plan.bundles)}
+        names.update(name for bundle in plan.bundles for name in bundle.agents)
+        for each in plan.structures:
+            own = {each.id, each.configuration, each.class_name}
+            names |= own
+            if own & wanted:
+                wanted.update(each.modules)
         unknown = [name for name in self.agents if name not in names]
         if unknown:
             raise InputError(
                 Finding(f"the plan has no agent or class '{name}'", nearest(name, sorted(names)))
                 for name in unknown
             )
-        wanted = frozenset(self.agents)
-        return tuple(kept for track in found if (kept := track.only(wanted)) is not None)
+        return tuple(kept for track in found if (kept := track.only(frozenset(wanted))) is not None)
 
 
 WHOLE = Focus()

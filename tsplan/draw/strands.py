@@ -78,13 +78,13 @@ class Drawing:
 
 def drawing_of(plan: Plan, mission: Mission, palette: Palette, focus: Focus) -> Drawing:
     """The lines of a plan, or of what happened with those of the plan below them."""
-    moving, loads = focus.chosen(tracks(plan, mission)), loads_of(plan.cargo)
+    moving, loads = focus.chosen(tracks(plan, mission), plan), loads_of(plan.cargo)
     strands, joined = strands_of(moving, plan.horizon, palette, loads)
     executed = focus.executed
     if executed is None:
         return Drawing(plan, moving, strands, joined=joined)
     refuse_misfit(executed, mission)
-    happened, told = focus.chosen(tracks(executed, mission)), loads_of(executed.cargo)
+    happened, told = focus.chosen(tracks(executed, mission), executed), loads_of(executed.cargo)
     full, joined_too = strands_of(happened, executed.horizon, palette, told)
     if joined != joined_too:  # one kind of lines for both
         joined = True

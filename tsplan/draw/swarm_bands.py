@@ -157,7 +157,7 @@ def flows_of(
     which pictures list them.
     """
     flows: dict[str, tuple[MoveTuple, ...]] = {}
-    walked = (track for track in focus.chosen(tracks(plan, mission)) if track.ids)
+    walked = (track for track in focus.chosen(tracks(plan, mission), plan) if track.ids)
     for name, group in by_class(walked).items():
         counts: Counter[tuple[int, str, str]] = Counter()
         for track in group:

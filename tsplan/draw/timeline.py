@@ -135,7 +135,7 @@ def table_of(
         refuse_pathless(shown)
     else:
         refuse_misfit(shown, mission)
-    moving = focus.chosen(tracks(shown, mission, modules=True))
+    moving = focus.chosen(tracks(shown, mission, modules=True), shown)
     if not moving:
         what = "the plan has no paths of single agents, which a timeline shows"
         raise PlanError([Finding(what, "look at its flow, or make paths: plan --agents")])
@@ -149,7 +149,7 @@ def planned_tracks(plan: Plan, mission: Mission | None, focus: Focus) -> tuple[T
     """What was planned, where what happened is shown beside it."""
     if focus.executed is None:
         return ()
-    return focus.chosen(tracks(plan, mission, modules=True))
+    return focus.chosen(tracks(plan, mission, modules=True), plan)
 
 
 def height_of(plan: Plan, mission: Mission | None = None, focus: Focus = WHOLE) -> float:
