@@ -119,6 +119,18 @@ def test_the_address_names_the_step_at_which_it_stands(opened, planned):
     _until(shown, f"#step={round(now(shown), 2):g}")
 
 
+def test_a_page_without_an_address_of_its_own_stays_quiet(browser, planned, tmp_path):
+    mission, plan = planned
+    path = tmp_path / "notebook.html"
+    path.write_text(plan.animate(mission=mission)._repr_html_(), encoding="utf-8")
+    browser.open(path)
+    browser.click(600, 200)  # into the frame
+    browser.press("ArrowRight")
+    browser.run("new Promise((done) => setTimeout(done, 400))")
+    assert browser.errors() == []
+    assert address(browser) == ""
+
+
 def _until(browser, wanted):
     end = time.monotonic() + 20
     while address(browser) != wanted:
