@@ -90,10 +90,21 @@ def test_what_lies_and_is_carried_is_told_at_a_step():
     loads = loads_of(plan.cargo)
     found = tracks(plan, mission)
     steps = [track.stops[0].last for track in found if track.load(track.stops[0].last, loads)]
-    figure, ax = plan.plot(mission, step=min(steps) + 0.5)
-    assert [text.get_text() for text in ax.texts if text.get_gid() == "load"]
-    assert [text.get_text() for text in ax.texts if text.get_gid() == "stock"]
-    assert_legible(figure)
+
+    def told(step):
+        figure, ax = plan.plot(mission, step=step)
+        assert_legible(figure)
+        return [
+            sorted(text.get_text() for text in ax.texts if text.get_gid() == kind)
+            for kind in ("load", "stock")
+        ]
+
+    loads_before, stocks_before = told(min(steps))
+    loads_after, stocks_after = told(min(steps) + 0.5)
+    assert not loads_before
+    assert loads_after
+    assert stocks_before != stocks_after
+    assert told(min(steps) + 0.2) == [loads_before, stocks_before]  # nobody has set out yet
 
 
 def test_some_agents_alone_are_drawn():

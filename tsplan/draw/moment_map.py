@@ -72,9 +72,11 @@ def draw_moment(drawn: DrawnMap, moment: Moment, stocks: Sequence[StockLine], st
     rows = {state: _row(there) for state, there in moment.staying.items()}
     draw_badges(drawn, rows, "agents")
     _draw_travelling(drawn, moment)
+    near = round(step)
+    time = near if abs(step - near) <= DWELL else step  # so long nobody has set out with anything
     there: dict[str, Loads] = {}
     for line in stocks:
-        if amount := line.at(step):
+        if amount := line.at(time):
             there.setdefault(line.state, {})[line.resource.name] = amount
     write_stocks(drawn, there, "stock")
 
