@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -10,12 +11,14 @@ from typing import TYPE_CHECKING
 from tsplan.checking.plan_check import certify
 from tsplan.checking.traffic import read_traffic
 from tsplan.errors import Finding, PlanError
+from tsplan.mission.team import UnderWay
 from tsplan.parameters import refuse_options
 from tsplan.plans.bundles import Agents, Stretch
 from tsplan.plans.decomposition import paths_of
+from tsplan.plans.moves import Move
 
 if TYPE_CHECKING:
-    from tsplan.mission import Mission
+    from tsplan.mission import Mission, Rank
     from tsplan.plans.plan import Plan
 
 
@@ -37,7 +40,8 @@ def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
     walked: dict[int, list[Stretch]] = defaultdict(list)
     for name, moves in plan.moves.items():
         ranks = [rank for rank in mission.ranks if rank.class_name == name]
-        made = paths_of(mission, ranks, moves, seed, late=bool(plan.delay))
+        begun = _begun(ranks) if mission.horizon else ()
+        made = paths_of(mission, ranks, (*begun, *moves), seed, late=bool(plan.delay))
         for rank, stretches in zip(ranks, made, strict=True):
             walked[rank.group] += stretches
     place = {group.class_name: number for number, group in enumerate(mission.team)}
@@ -45,3 +49,13 @@ def assign(mission: Mission, plan: Plan, *, seed: int | None = None) -> Plan:
         walked[place.get(stretch.path.class_name, -1)].append(stretch)
     agents = Agents.along(chain.from_iterable(walked[group] for group in sorted(walked)))
     return certify(mission, replace(plan, agents=agents)).with_mission(mission)
+
+
+def _begun(ranks: Iterable[Rank]) -> Iterator[Move]:
+    """The rest of the moves of agents that start under way, which plans do not name."""
+    counts: Counter[UnderWay] = Counter()
+    for rank in ranks:
+        if isinstance(rank.start, UnderWay):
+            counts[rank.start] += rank.names.size
+    for start, count in counts.items():
+        yield Move(0, start.place, start.target, count)

@@ -151,7 +151,7 @@ def lanes_of(strands: Sequence[Strand]) -> Mapping[Pair, tuple[int, ...]]:
 def _passages(group: Sequence[Track], horizon: int, loads: AgentLoads) -> Mapping[Pair, Passage]:
     found: dict[Pair, Passage] = {}
     for track in group:
-        last = track.stays(horizon)[-1].first
+        last = max((stop.first for stop in track.stays(horizon)), default=horizon)
         for here, there in pairwise(track.stops):
             if here.state == there.state:
                 continue

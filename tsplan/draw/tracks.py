@@ -18,9 +18,11 @@ from tsplan.checking.path_segments import Path, read_path
 from tsplan.checking.structure_check import structure_path
 from tsplan.errors import Finding, PlanError
 from tsplan.mission import Mission
+from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Names
 from tsplan.plans.bundles import Bundle
 from tsplan.plans.cargo_rows import AgentLoads, carried_by
+from tsplan.plans.moves import Starts
 from tsplan.plans.plan import Plan
 from tsplan.plans.structures import Structure
 from tsplan.plans.summary import names
@@ -78,6 +80,7 @@ class Track:
     end: int
     modules: tuple[str, ...] = ()
     lives: tuple[Life, ...] = ()
+    begun: str | None = None  # of agents that are on an edge from before step 0, its beginning
 
     @property
     def width(self) -> int:
@@ -94,7 +97,7 @@ class Track:
     @property
     def moves(self) -> bool:
         """Whether they are ever at another state, or head for one."""
-        return len({stop.state for stop in self.stops}) > 1
+        return self.begun is not None or len({stop.state for stop in self.stops}) > 1
 
     def load(self, step: int, loads: AgentLoads) -> Loads:
         """What all of them carry together along the edge that they enter at a step."""
@@ -102,7 +105,8 @@ class Track:
 
     def present(self, time: float) -> bool:
         """Whether they are there: agents always are, parts of a swarm while they last."""
-        return self.stops[0].first <= time < self.end
+        begin = 0 if self.begun is not None else self.stops[0].first
+        return begin <= time < self.end
 
     def at(self, time: float, dwell: float = 0.0) -> Whereabouts:
         """Where they are at a time between 0 and the horizon, not only at whole steps.
@@ -112,6 +116,8 @@ class Track:
         before = bisect_right(self.stops, time + dwell, key=lambda stop: stop.first) - 1
         place = max(0, before)
         here = self.stops[place]
+        if self.begun is not None and time < here.first:  # nobody knows when it was entered
+            return Whereabouts(Stop(-1, -1, self.begun), here, (time + 1) / (here.first + 1))
         if time <= here.last + dwell or place + 1 == len(self.stops):
             return Whereabouts(here, here, 0.0)
         there = self.stops[place + 1]
@@ -140,6 +146,8 @@ class Track:
         One that is not over at the horizon ends after it.
         """
         last = min(self.end - 1, horizon)
+        if self.begun is not None and self.stops[0].first > 0:
+            yield 0, min(self.stops[0].first, horizon + 1)
         for here, there in pairwise(self.stops):
             gap = here.last + 1, there.first - 1
             whole = gap[0] > gap[1] or not self.lives or self._whole(gap)
@@ -176,12 +184,12 @@ def tracks(
     if mission is None:
         return tuple(track for group in walked.values() for track in group)
     found: list[Track] = []
-    starting = {group.class_name: group.starts for group in mission.team}
+    starting = {group.class_name: dict(group.all_starts) for group in mission.team}
     if plan.structures:  # whose classes are configurations, after those of robots
-        starting |= dict.fromkeys(mission.modular.of, ())
+        starting |= {name: {} for name in mission.modular.of}
     for name, starts in starting.items():
         if name in plan.moves and (moving or name not in walked):
-            found += _of_swarm(plan, mission.system, name, dict(starts))
+            found += _of_swarm(plan, mission.system, name, starts)
         else:
             found += walked.get(name, [])
     return tuple(found)
@@ -196,7 +204,8 @@ def _of_agents(
     if path is not None:
         findings += [Finding(f"agent {ids[0]} {words}", _OTHER) for words in path.problems]
     stops, end = _stops(bundle, path, plan.horizon), plan.horizon + 1
-    return Track(bundle.class_name, len(ids), names(ids), ids, stops, end)
+    made = Track(bundle.class_name, len(ids), names(ids), ids, stops, end)
+    return made if bundle.coming is None else replace(made, begun=bundle.coming)
 
 
 def _stops(who: Bundle | Structure, path: Path | None, horizon: int) -> tuple[Stop, ...]:
@@ -205,6 +214,8 @@ def _stops(who: Bundle | Structure, path: Path | None, horizon: int) -> tuple[St
     Without a `path` on an exact map nobody knows when that is: soon.
     """
     stops = [Stop(*stay) for stay in who.stays]
+    if not stops:
+        return (Stop(horizon + 1, horizon + 1, who.heading or ""),)
     if path is None and who.heading is not None:
         stops.append(Stop(horizon + 1, horizon + 1, who.heading))
     elif path is not None and path.segments and path.segments[-1].left > horizon:
@@ -239,9 +250,7 @@ def _of_structure(
     return Track(each.configuration, 1, name, (each.id,), stops, each.last + 1, each.modules)
 
 
-def _of_swarm(
-    plan: Plan, system: TransitionSystem, name: str, starts: Mapping[str, int]
-) -> Iterator[Track]:
+def _of_swarm(plan: Plan, system: TransitionSystem, name: str, starts: Starts) -> Iterator[Track]:
     """The tracks of the groups of a swarm, in the order they begin."""
     moves = plan.moves[name]
     durations = {}
@@ -256,8 +265,8 @@ def _of_swarm(
     ordered = sorted(groups, key=lambda lane: lane.stays[0].first)
     for number, lane in enumerate(ordered, 1):
         called = f"{name} {number}" if len(ordered) > 1 else name  # equal groups are told apart
-        words = f"{called} ({lane.count:,})"
-        yield Track(name, lane.count, words, (), tuple(lane.stays), lane.end)
+        words, stops = f"{called} ({lane.count:,})", tuple(lane.stays)
+        yield Track(name, lane.count, words, (), stops, lane.end, begun=lane.begun)
 
 
 def agents_of(found: Iterable[Track]) -> int:
@@ -265,7 +274,7 @@ def agents_of(found: Iterable[Track]) -> int:
     return sum(
         track.count
         for track in found
-        if (track.ids and not track.modules) or track.stops[0].first == 0
+        if (track.ids and not track.modules) or track.begun or track.stops[0].first == 0
     )
 
 
@@ -296,6 +305,7 @@ class Lane:
     count: int
     end: int
     stays: list[Stop] = field(default_factory=list)
+    begun: str | None = None
 
     def arrive(self, step: int, state: str) -> None:
         """Go on at a state from a step on; at the same state as before, stay on there."""
@@ -306,7 +316,7 @@ class Lane:
 
 
 def lanes(
-    starts: Mapping[str, int],
+    starts: Starts,
     moves: Iterable[MoveTuple],
     durations: Mapping[tuple[str, str], int],
     horizon: int,
@@ -327,10 +337,12 @@ def lanes(
         leaving[move[0], move[1]].append(move)
     made: list[Lane] = []
     here: defaultdict[tuple[int, str], list[Lane]] = defaultdict(list)
-    for state, count in starts.items():
-        lane = Lane(count, horizon + 1, [Stop(0, 0, state)])
+    for start, count in starts.items():
+        begun = start.origin if isinstance(start, UnderWay) else None
+        state, step = (start.target, start.arrives) if isinstance(start, UnderWay) else (start, 0)
+        lane = Lane(count, horizon + 1, [Stop(step, step, state)], begun)
         made.append(lane)
-        here[0, state].append(lane)
+        here[step, state].append(lane)
     for (step, state), gone in sorted(leaving.items()):
         came = here[step, state]
         if len(came) == 1 and len(gone) == 1:
@@ -344,4 +356,4 @@ def lanes(
             arrival = step + durations[state, target]
             lane.arrive(arrival, target)
             here[arrival, target].append(lane)
-    return tuple(lane for lane in made if lane.end > lane.stays[0].first)
+    return tuple(lane for lane in made if lane.begun or lane.end > lane.stays[0].first)

@@ -178,9 +178,15 @@ class TeamWording(Wording):
             return f"{whose} {carries_words(group.carries)}"
         if kind == "team":
             return f"the team has {many(group.count, 'agent')} of class {group.class_name}"
-        where = ", ".join(f"'{state}' ({count})" for state, count in group.starts)
-        where = where if len(group.starts) > 1 else f"'{group.starts[0][0]}'"
-        return f"the agents of class {group.class_name} start at {where}"
+        told = [(f"at '{state}'", count) for state, count in group.starts]
+        told += [(f"{w.words}, there at step {w.arrives}", count) for w, count in group.coming]
+        if len(told) == 1:
+            return f"the agents of class {group.class_name} start {told[0][0]}"
+        if not group.coming:
+            told = [(words.removeprefix("at "), count) for words, count in told]
+        where = ", ".join(f"{words} ({count})" for words, count in told)
+        at = "" if group.coming else "at "
+        return f"the agents of class {group.class_name} start {at}{where}"
 
     def _group_bound(self, name: str, which: str) -> str:
         bound = Number("swarm", (name, which)).get(self.mission)
@@ -200,7 +206,7 @@ def amount_words(amount: Fraction | float, name: str) -> str:
 
 def stock_words(resource: Resource) -> str:
     """How much there is of a resource, and where."""
-    lying = [(state, amount) for state, amount in resource.at if amount]
+    lying = [(state, amount) for state, _, amount in resource.sources if amount]
     if not lying:
         return f"there is no {resource.name}"
     verb = "is" if resource.total == 1 else "are"

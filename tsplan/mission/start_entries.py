@@ -50,7 +50,7 @@ class UnderWayEntry(BaseModel):
         return UnderWay(self.origin, self.target, self.arrives, tuple(self.carrying.items()))
 
 
-StartEntry: TypeAlias = "str | dict[str, int] | UnderWayEntry"
+StartEntry: TypeAlias = UnderWayEntry | dict[str, int] | str
 """One start, or several states with the numbers of those that start there."""
 
 
@@ -82,7 +82,7 @@ def _start(_: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
     return no_info_before_validator_function(_known, chain_schema(kinds))
 
 
-_One = Annotated[Any, GetPydanticSchema(_start)]
+_One = Annotated[StartEntry, GetPydanticSchema(_start)]
 
 
 def _starts(_: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -99,7 +99,7 @@ def _starts(_: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
 
 _Written: TypeAlias = Name | dict[Name, Count] | UnderWayEntry
 Starts = Annotated[
-    Any,
+    list[StartEntry],
     GetPydanticSchema(_starts),
     Written(_Written | Annotated[list[_Written], Field(min_length=1)]),
 ]

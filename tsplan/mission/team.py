@@ -126,6 +126,12 @@ class Group:
         return (*self.starts, *self.coming)
 
     @property
+    def begins(self) -> tuple[tuple[str, int, int], ...]:
+        """The states where robots of the group are first, the step, and how many."""
+        coming = ((start.target, start.arrives, count) for start, count in self.coming)
+        return (*((state, 0, count) for state, count in self.starts), *coming)
+
+    @property
     def count(self) -> int:
         """How many robots the group has."""
         return sum(count for _, count in self.all_starts)

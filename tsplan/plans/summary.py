@@ -225,8 +225,13 @@ def path_words(bundle: Bundle) -> str:
 
     >>> path_words(Bundle("a", frozenset(), ((0, 4, "q1"), (5, 5, "q2")), "q3"))
     'q1:0-4, q2:5, then on the way to q3'
+    >>> path_words(Bundle("a", frozenset(), ((2, 5, "q2"),), None, coming="q1"))
+    'on the way from q1, q2:2-5'
     """
-    stays = [
+    if not bundle.stays:
+        return f"on the way from {bundle.coming} to {bundle.heading}"
+    stays = [f"on the way from {bundle.coming}"] if bundle.coming is not None else []
+    stays += [
         f"{state}:{first}" if first == last else f"{state}:{first}-{last}"
         for first, last, state in bundle.stays
     ]

@@ -25,7 +25,7 @@ from tsplan.display import Told
 from tsplan.errors import Finding, PlanError
 from tsplan.frequency import Frequency
 from tsplan.logic import capabilities, holds
-from tsplan.mission import Mission
+from tsplan.mission import Group, Mission
 from tsplan.parameters import refuse_options
 from tsplan.plans.count_traces import count_trace
 from tsplan.plans.plan import Plan
@@ -112,7 +112,7 @@ def _simulated(mission: Mission, plan: Plan, runs: int, seed: int) -> Simulation
         raise PlanError(report.findings)
     random = np.random.default_rng(seed)
     tallies = [_tally(traffic, random, size) for size in _batches(mission, runs)]
-    places = sum(len(swarm.present) for swarm in traffic.swarms)
+    places = max(sum(len(swarm.present) for swarm in traffic.swarms), 1)
     return Simulation(
         runs,
         seed,
@@ -187,28 +187,29 @@ def _tally(traffic: Traffic, random: np.random.Generator, runs: int) -> _Tally:
     for swarm in traffic.swarms:
         bounds = mission.group_bounds(swarm.class_name)
         assert bounds is not None
-        counts, travelling = _sampled(swarm, random, runs)
+        (group,) = (each for each in mission.team if each.class_name == swarm.class_name)
+        counts, travelling = _sampled(swarm, group, random, runs)
         samples[swarm.class_name] = counts
         # never more sub-swarms than planned: nobody goes where the plan sends nobody
-        for group in (*counts.values(), *travelling):
-            bounded &= (group == 0) | (group >= bounds.least)
+        for size in (*counts.values(), *travelling):
+            bounded &= (size == 0) | (size >= bounds.least)
         strays += [np.abs(counts[p.state, p.first] - p.agents) for p in swarm.present]
     return _Tally(
         int(_holding(traffic, samples, runs).sum()),
         int(bounded.sum()),
-        max(int(stray.max()) for stray in strays),
+        max((int(stray.max()) for stray in strays), default=0),
         float(sum(stray.sum() for stray in strays)),
     )
 
 
 def _sampled(
-    swarm: ClassTraffic, random: np.random.Generator, runs: int
+    swarm: ClassTraffic, group: Group, random: np.random.Generator, runs: int
 ) -> tuple[dict[Node, Ints], list[Ints]]:
     """The numbers of a swarm in a batch of runs: at states and steps, and on long edges."""
-    counts = {
-        (p.state, p.first): np.full(runs, 0 if p.first else p.agents, dtype=np.int64)
-        for p in swarm.present
-    }
+    counts = {(p.state, p.first): np.zeros(runs, dtype=np.int64) for p in swarm.present}
+    for state, step, agents in group.begins:
+        if (state, step) in counts:
+            counts[state, step] += agents
     leaving: dict[Node, list[Segment]] = {}
     for segment in swarm.segments:
         leaving.setdefault((segment.edge.source, segment.entered), []).append(segment)

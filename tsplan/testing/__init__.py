@@ -35,6 +35,7 @@ if TYPE_CHECKING:
         random_mission,
         random_swarm_mission,
         random_task_mission,
+        with_starts_under_way,
     )
     from tsplan.testing.random_signals import random_signal_mission
 
@@ -59,6 +60,7 @@ __all__ = [
     "swarms",
     "teams",
     "trace_for",
+    "with_starts_under_way",
 ]
 
 
@@ -85,6 +87,7 @@ _load, __dir__ = lazily(
             "random_mission",
             "random_swarm_mission",
             "random_task_mission",
+            "with_starts_under_way",
         ),
         "testing.random_signals": ("random_signal_mission",),
     },

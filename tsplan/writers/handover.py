@@ -33,6 +33,7 @@ class _Way(NamedTuple):
     capabilities: frozenset[str]
     stays: tuple[Stay, ...]
     heading: str | None
+    coming: str | None = None
 
 
 _parts = attrgetter(*_Way._fields)
@@ -172,8 +173,8 @@ def _journey(way: _Way, path: Path, horizon: int) -> Journey:
     """The journey of agents whose path is read on the map, which knows where and when it ends."""
     if path.segments and path.segments[-1].left > horizon:
         last = path.segments[-1]
-        return Journey(way.class_name, way.stays, last.edge.target, last.left)
-    return Journey(way.class_name, way.stays)
+        return Journey(way.class_name, way.stays, last.edge.target, last.left, way.coming)
+    return Journey(way.class_name, way.stays, None if way.stays else way.heading, None, way.coming)
 
 
 def _strange(journey: Journey, system: TransitionSystem) -> tuple[str, ...]:

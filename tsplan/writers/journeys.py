@@ -41,13 +41,15 @@ class Journey:
     """The way of an agent, and of all others of its class that go the same way.
 
     An agent that is still travelling at the horizon has the state `heading` before it, where it
-    arrives at the step `arrival`, if that is known.
+    arrives at the step `arrival`, if that is known. One that is on an edge when the plan begins has
+    the state `coming` behind it, and nobody knows when it left that.
     """
 
     class_name: str
     stays: tuple[Stay, ...]
     heading: str | None = None
     arrival: int | None = None
+    coming: str | None = None
 
     @property
     def stops(self) -> tuple[Stop, ...]:
@@ -89,12 +91,16 @@ class Journey:
 
     def state_at(self, step: int) -> str | None:
         """The state at a step; None while the agent is travelling."""
-        first, last, state = self.stays[self._stay(step)]
+        place = self._stay(step)
+        if place < 0:
+            return None
+        first, last, state = self.stays[place]
         return state if first <= step <= last else None
 
     def latest(self, step: int) -> str:
         """The state at a step or, of an agent that is travelling, the one that it has left."""
-        return self.stays[self._stay(step)][2]
+        place = self._stay(step)
+        return str(self.coming) if place < 0 else self.stays[place][2]
 
     def position_at(self, step: int, places: Places) -> Point | None:
         """The coordinates at a step, on an edge on the straight line between both of its ends.
@@ -102,6 +108,8 @@ class Journey:
         None where an end has none, or where nobody knows when the edge is at its end.
         """
         place = self._stay(step)
+        if place < 0:
+            return None
         _, left, state = self.stays[place]
         here = places(state)
         if step <= left or here is None:
@@ -114,7 +122,7 @@ class Journey:
         return here[0] + share * (there[0] - here[0]), here[1] + share * (there[1] - here[1])
 
     def _stay(self, step: int) -> int:
-        """The number of the last stay that has begun at a step."""
+        """The number of the last stay that has begun at a step; -1 before the first of them."""
         return bisect_right(self.stays, step, key=lambda stay: stay[0]) - 1
 
     def _goes_on(self, place: int) -> bool:

@@ -71,6 +71,9 @@ def _refuse_other_moves(handover: Handover, cells: Cells) -> None:
     found: dict[str, Finding] = {}
     seen: set[Journey] = set()
     for agent, journey in handover.journeys():
+        if journey.coming is not None:
+            what = f"agent {agent} is on its way from {journey.coming} when the plan begins"
+            found.setdefault("coming", Finding(what, OTHERS))
         for source, target, left, arrives in () if journey in seen else journey.legs:
             words = _oddity(cells, source, target, None if arrives is None else arrives - left)
             if words is not None:

@@ -140,10 +140,12 @@ class Context:
     def arrivals(self, states: tuple[str, ...], capability: str | None) -> list[Arrival]:
         """Everybody with a capability, those first that can be at the nearest state first."""
         robots = (
-            Arrival(min(self.distances(group, start)[s] for s in states), count, entry, start)
+            Arrival(
+                step + min(self.distances(group, start)[s] for s in states), count, entry, start
+            )
             for entry, group in able(self.mission, capability)
             if group.configuration is None
-            for start, count in group.starts
+            for start, step, count in group.begins
         )
         structures = (
             Arrival(item.first(states), item.most, item.pool.groups[0], "")

@@ -205,8 +205,8 @@ def _more_agents(
     group = mission.team[entry]
     modules = modules_of(mission, group)
     most = useful_number(mission, entry) // modules
-    own = [state for state, _ in group.starts]
-    others = [state for other in mission.team for state, _ in other.starts]
+    own = [state for state, *_ in group.begins]
+    others = [state for other in mission.team for state, *_ in other.begins]
     lying = stocked(mission) if group.carries else []
     open_ = [
         state
@@ -220,7 +220,7 @@ def _more_agents(
 
 def _rebuilding(mission: Mission, conflict: frozenset[SoftConstraint]) -> Iterator[Edit]:
     """Quicker reconfigurations, and more places for them: where modules start or are needed."""
-    starts = (state for group in mission.team for state, _ in group.starts)
+    starts = (state for group in mission.team for state, *_ in group.begins)
     wanted = (*starts, *_states_of(mission, conflict))
     for kind, key, most, text, now in numbers_of(mission, wanted):
         sense = -1 if kind == "rebuild" else 1
@@ -253,7 +253,7 @@ def _quicker_edges(
     pairs: dict[tuple[str, str], None] = {}
     targets = list(dict.fromkeys(_states_of(mission, conflict)))
     lying = stocked(mission) if any(kind.carries for kind in kinds) else []
-    for origin in dict.fromkeys([*(state for state, _ in group.starts), *lying, *targets]):
+    for origin in dict.fromkeys([*(state for state, *_ in group.begins), *lying, *targets]):
         for target in targets:
             for kind in kinds:
                 pairs.update(dict.fromkeys(pairwise(context.way(kind, origin, target))))
@@ -271,7 +271,7 @@ def _waits(context: Context, conflict: frozenset[SoftConstraint]) -> Iterator[Ed
     mission = context.mission
     missing = without_wait(mission.system)
     ends = (name for name in missing if not mission.system.leaving(name))
-    starts = (state for group in mission.team for state, _ in group.starts)
+    starts = (state for group in mission.team for state, *_ in group.begins)
     ordered = dict.fromkeys([*_states_of(mission, conflict), *ends, *starts, *missing])
     for state in [name for name in ordered if name in set(missing)][:MOST_PLACES]:
         text = literal(f"let agents wait at '{state}' (an edge from '{state}' to itself)")

@@ -128,16 +128,17 @@ def stuck(context: Context) -> Iterator[Fact]:
         if len({edge.source for edge, _ in moves}) == len(mission.system.states):
             continue  # there is a way on from everywhere
         ways = longest_ways(moves)
-        for start, count in group.starts:
+        for start, first, count in group.begins:
             length, end = ways.get(start, (0, start))
-            if count and length < mission.horizon:
+            if count and first + length < mission.horizon:
                 there = f"its longest way ends at '{end}'"
                 there = "it cannot go on from there" if start == end else there
                 wait = f", and nobody can wait at '{end}'" if end in missing else ""
+                comes = f"comes to '{start}' at step {first}" if first else f"starts at '{start}'"
                 text = (
-                    f"{many(1, 'agent')} of class {group.class_name} that starts at '{start}' "
-                    f"can be nowhere after step {int(length)}: {there}{wait}; the mission lasts "
-                    f"{mission.horizon} steps"
+                    f"{many(1, 'agent')} of class {group.class_name} that {comes} "
+                    f"can be nowhere after step {first + int(length)}: {there}{wait}; "
+                    f"the mission lasts {mission.horizon} steps"
                 )
                 waits = [WAITING] if missing else []
                 yield context.fact("waiting", text, [], *waits, *context.entry(number))

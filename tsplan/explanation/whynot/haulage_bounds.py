@@ -67,7 +67,10 @@ class HaulageBounds:
 
     def most(self, state: str, step: int) -> Most:
         """How much of the resource can be at a state by a step, at most."""
-        lying = exact(dict(self.resource.at).get(state, 0.0))
+        lying = sum(
+            (exact(n) for at, first, n in self.resource.sources if at == state and first <= step),
+            Fraction(0),
+        )
         carriers = self.context.carriers(self.resource)
         if any(group.configuration is not None for _, group in carriers):
             return Most(lying, self.resource.total - lying, None)
@@ -75,12 +78,12 @@ class HaulageBounds:
             Bringing(
                 group.class_name,
                 count,
-                self._loads(group, start, state, step),
+                self._loads(group, start, state, step - first),
                 most_carried(group.carries, self.resource),
             )
             for _, group in carriers
-            for start, count in group.starts
-            if count
+            for start, first, count in group.begins
+            if count and first <= step
         )
         able = tuple(item for item in brought if item.loads)
         return Most(lying, self.resource.total - lying, able)
@@ -106,11 +109,12 @@ class HaulageBounds:
     def _since(self) -> dict[str, float]:
         """The first step at which some of the resource can be at each state."""
         found = dict.fromkeys(self.context.mission.system.states, inf)
-        found.update((state, 0.0) for state, amount in self.resource.at if amount)
+        for state, step, amount in self.resource.sources:
+            found[state] = min(found[state], step) if amount else found[state]
         able = []
         for _, group in self.context.carriers(self.resource):
-            starts = [self.context.distances(group, start) for start, n in group.starts if n]
-            here = {state: min((row[state] for row in starts), default=inf) for state in found}
+            rows = [(self.context.distances(group, s), k) for s, k, n in group.begins if n]
+            here = {state: min((row[state] + k for row, k in rows), default=inf) for state in found}
             able += [(edge, duration, here[edge.source]) for edge, duration in self._moves(group)]
         settled = False
         while not settled:

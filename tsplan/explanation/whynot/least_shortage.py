@@ -66,7 +66,7 @@ def least_shortage(mission: Mission, edits: Sequence[Edit]) -> Shortage | None:
     for number, edit in enumerate(edits):
         kind, key = edit.number
         if kind == "agents":
-            helpers.append(replace(helped.team[key[0]], starts=((key[1], 1),)))
+            helpers.append(replace(helped.team[key[0]], starts=((key[1], 1),), coming=()))
             dropped.append(("team",))
         else:
             helped, helper = _helper(helped, key, f"help {number}")

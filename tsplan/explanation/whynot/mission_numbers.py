@@ -219,6 +219,8 @@ def _put_agents(mission: Mission, value: int, entry: int, state: str) -> Mission
     starts = dict(group.starts)
     new = {**starts, state: value} if state in starts else {state: value}
     made = replace(group, starts=tuple(new.items()))
+    if state not in starts:
+        made = replace(made, coming=())
     team[entry:] = [made, *team[entry + 1 :]] if state in starts else [*team[entry:], made]
     return replace(mission, team=tuple(team), warnings=())
 

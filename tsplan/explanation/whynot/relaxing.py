@@ -10,13 +10,13 @@ are as many as any plan could use.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from tsplan.explanation.explanation import SoftConstraint
+from tsplan.explanation.explanation import PartKind, SoftConstraint
 from tsplan.explanation.whynot.amount_numbers import useful_amount, useful_hold, with_carries
 from tsplan.explanation.whynot.mission_numbers import remapped, with_bound
 from tsplan.explanation.whynot.occurrences import counts_of, without
@@ -28,7 +28,8 @@ from tsplan.explanation.whynot.soft_constraints import (
 )
 from tsplan.limits import MOST_ROBOTS
 from tsplan.logic import Always, Count, Execution, walk
-from tsplan.mission.resources import most_carried
+from tsplan.mission.resources import Resource, most_carried
+from tsplan.mission.team import UnderWay, with_brought
 from tsplan.run.problem import Problem, Tuning
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.waits import with_waits, without_wait
@@ -251,16 +252,19 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
     all_: list[tuple[str, int]] = []
     for number, group in enumerate(mission.team):
         sized = SoftConstraint("team", (number,)) not in gone
-        starts = []
-        for place, (count, targets) in enumerate(_starts(mission, gone, number, near=near)):
+        starts, begun = [], _still_begun(group, gone, number)
+        for place, (count, targets, steps_in) in enumerate(
+            _starts(mission, gone, number, near=near)
+        ):
             name = f"depot {number}.{place}"
             while name in system.states:
                 name += "'"
             states.append(State(name))
-            edges += [Edge(name, name), *(Edge(name, target) for target in targets)]
+            edges += [Edge(name, name), *(Edge(name, target, steps_in) for target in targets)]
             starts.append((name, count if sized else useful_number(mission, number)))
             (all_ if sized else open_).append((name, before - steps[number] + 1))
-        team.append(replace(group, starts=tuple(starts)))
+        coming = [(replace(way, arrives=way.arrives + before), count) for way, count in begun]
+        team.append(replace(group, starts=tuple(starts), coming=tuple(coming)))
     formula = Always(before, before, mission.formula)
     later = replace(
         mission,
@@ -270,6 +274,7 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
         text=str(formula),
         horizon=mission.horizon + before,
         modular=_built_there(mission),
+        resources=_with_lost(mission, team),
     )
     problem = Problem(later, tuning)
     if not harmless:  # robots leave before the mission begins or, where they may, never
@@ -294,22 +299,44 @@ def _built_there(mission: Mission) -> ModuleRules:
     return replace(rules, reconfigurations=tuple(made))
 
 
+def _still_begun(group: Group, gone: Dropped, number: int) -> Sequence[tuple[UnderWay, int]]:
+    """The starts under way that stay as they are: where neither number nor start is taken out."""
+    kinds: tuple[PartKind, ...] = ("team", "start")
+    kept = all(SoftConstraint(kind, (number,)) not in gone for kind in kinds)
+    return group.coming if kept else ()
+
+
+def _with_lost(mission: Mission, team: Sequence[Group]) -> tuple[Resource, ...]:
+    """The resources; what is brought by nobody any more lies there from the beginning."""
+    kept = with_brought(mission.resources, team)
+    found = []
+    for item, other in zip(mission.resources, kept, strict=True):
+        lost = item.brought if not other.brought else ()
+        found.append(replace(item, at=(*item.at, *((state, n) for state, _, n in lost))))
+    return tuple(found)
+
+
 def _starts(
     mission: Mission, gone: Dropped, number: int, *, near: bool
-) -> Iterator[tuple[int, list[str]]]:
+) -> Iterator[tuple[int, list[str], int]]:
     """How many robots of one entry of the team start where: any of some states.
+
+    The last is how many steps it takes to come there from outside: more where robots are under way
+    that their number is not kept of.
 
     If the start is taken out, that is everywhere, or where they count if that is `near` enough.
     """
     group = mission.team[number]
     if SoftConstraint("start", (number,)) not in gone:
-        yield from ((count, [state]) for state, count in group.starts)
+        yield from ((count, [state], 1) for state, count in group.starts)
+        if not _still_begun(group, gone, number):
+            yield from ((count, [way.target], 1 + way.arrives) for way, count in group.coming)
         return
     states = mission.system.states.values()
     able = mission.modular.structures(group).capabilities
     allowed = [state for state in states if state.needs <= able]
     if near and not group.carries:  # who carries may be of use anywhere
         named = {node.label for node in walk(mission.goal) if isinstance(node, Count)}
-        own = {state for state, _ in group.starts}
+        own = {state for state, *_ in group.begins}
         allowed = [state for state in allowed if state.labels & named or state.name in own]
-    yield group.count, [state.name for state in allowed]
+    yield group.count, [state.name for state in allowed], 1

@@ -10,6 +10,7 @@ from tsplan.explanation.part_words import agents, swarm_words
 from tsplan.explanation.whynot.context import able
 from tsplan.explanation.whynot.mission_numbers import TOGETHER
 from tsplan.explanation.whynot.unconditional_demands import Demand, Span, demands_below, required
+from tsplan.mission.team import UnderWay
 from tsplan.words import many
 
 if TYPE_CHECKING:
@@ -141,25 +142,29 @@ def _begun(context: Context) -> Iterator[Fact]:
     broken: list[tuple[str, tuple[str, str]]] = []
     begin = 0
     for group in context.mission.team:
-        name, places = group.class_name, len(group.starts)
+        name, places = group.class_name, len(group.all_starts)
         bounds = rules.each.get(name)
         if bounds is None:
             continue  # robots
         begin += places
         whose = swarm_words(context.mission, name)
         if bounds.most is not None and places > bounds.most:
-            text = f"{whose} starts at {places} states, in as many sub-swarms"
+            text = f"{whose} starts at {places} places, in as many sub-swarms"
             broken.append((text, (name, "most")))
         broken += (
-            (f"only {agents(count, None)} of {whose} start at '{state}'", (name, "least"))
-            for state, count in group.starts
+            (f"only {agents(count, None)} of {whose} start {_where(start)}", (name, "least"))
+            for start, count in group.all_starts
             if 0 < count < bounds.least
         )
     if rules.together is not None and begin > rules.together:
-        broken.append((f"the swarms start at {begin} states, in as many sub-swarms", TOGETHER))
+        broken.append((f"the swarms start at {begin} places, in as many sub-swarms", TOGETHER))
     for text, key in broken:
         parts = context.wording.parts({SoftConstraint("swarm", key)})
         yield Fact("swarm", f"{text}, and {parts[0].text}", parts[0].place, parts)
+
+
+def _where(start: str | UnderWay) -> str:
+    return start.words if isinstance(start, UnderWay) else f"at '{start}'"
 
 
 def _all_swarms(context: Context) -> Iterator[Fact]:
