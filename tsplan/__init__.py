@@ -47,6 +47,7 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.mission import Reconfiguration as Reconfiguration
     from tsplan.mission import Resource as Resource
     from tsplan.mission import SolverChoice as SolverChoice
+    from tsplan.mission import UnderWay as UnderWay
     from tsplan.mission import load_mission as load_mission
     from tsplan.mission import mission_from_text as mission_from_text
     from tsplan.plans.agent_plans import AgentPlan as AgentPlan

@@ -33,6 +33,7 @@ GROUPS: Mapping[str, Mapping[str, tuple[str, ...]]] = MappingProxyType(
                 "Reconfiguration",
                 "Resource",
                 "SolverChoice",
+                "UnderWay",
                 "load_mission",
                 "mission_from_text",
             ),
