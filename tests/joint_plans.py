@@ -17,6 +17,7 @@ import numpy as np
 from tsplan import Mission
 from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.mission import Agent, UnderWay
+from tsplan.ts import Edge
 
 MOST_JOINT_PLANS = 3000
 SENSE = {
@@ -95,12 +96,25 @@ def paths(mission: Mission, agent: Agent) -> list[Path]:
         for edge in system.leaving(state):
             duration = edge.duration_for(agent.class_name)
             needs = edge.needs | system.states[edge.target].needs | system.states[state].needs
-            if duration is not None and needs <= agent.capabilities:
+            if duration is None or not needs <= agent.capabilities:
+                continue
+            if open_for(mission, edge, step, duration):
                 entered = (edge.source, edge.target, step, duration)
                 go(edge.target, step + duration, (*moves, entered))
 
     go(*began(agent), ())
     return [walked(mission, agent, moves) for moves in found]
+
+
+def open_for(mission: Mission, edge: Edge, step: int, duration: int) -> bool:
+    """Whether an edge is open while somebody is on it, and where it ends when they come there."""
+    shut = {k for first, last in edge.closed for k in range(first, last + 1)}
+    there = {
+        k
+        for first, last in mission.system.states[edge.target].closed
+        for k in range(first, last + 1)
+    }
+    return shut.isdisjoint(range(step, step + duration)) and step + duration not in there
 
 
 def began(agent: Agent) -> tuple[str, int]:

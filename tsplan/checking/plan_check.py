@@ -21,6 +21,7 @@ from tsplan.checking.claimed_values import (
     shown,
     unproven,
 )
+from tsplan.checking.closing import shut_in
 from tsplan.checking.crowding import crowded
 from tsplan.checking.double_booking import double_booked
 from tsplan.checking.expected_traffic import TOLERANCE, ExpectedTraffic, read_policies
@@ -134,6 +135,7 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
         return None, problems
     problems += [
         *crowded(traffic),
+        *shut_in(traffic),
         *broken_bounds(traffic),
         *unsupplied(traffic),
         *double_booked(traffic),

@@ -22,6 +22,7 @@ from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.mission import Group, SwarmBounds, UnderWay
 from tsplan.ts import TransitionSystem
 from tsplan.ts.actions import Action
+from tsplan.ts.closures import entries
 from tsplan.ts.edges import RISKS
 
 
@@ -193,7 +194,7 @@ def agent_classes(
         if key in classes:
             classes[key] = classes[key].joined(start, index)
             continue
-        chosen = np.flatnonzero(usable)
+        chosen, windows = _windows(system, usable)
         graph = ClassGraph(
             capabilities=group.capabilities & known,
             start=start,
@@ -204,12 +205,27 @@ def agent_classes(
             risk=arrays.risk[chosen],
             group=arrays.group[chosen],
             carries=carries,
+            entries=windows,
         )
         classes[key] = AgentClass(graph, (index,), swarm)
     ways = {pair: place for place, pair in enumerate(system.edges)}
     return tuple(
         replace(item, graph=_with_begun(item.graph, arrays, ways)) for item in classes.values()
     )
+
+
+def _windows(system: TransitionSystem, usable: Ints) -> tuple[Ints, tuple[Ints, Ints] | None]:
+    """The edges that a class can use, and when each may be entered, if places close for a time.
+
+    An edge that may be entered in several spans of steps is there once for each of them.
+    """
+    chosen = np.flatnonzero(usable)
+    if not system.timed:
+        return chosen, None
+    edges = list(system.edges.values())
+    spans = [entries(system, edges[place], int(usable[place])) for place in chosen.tolist()]
+    first, last = np.array([span for each in spans for span in each]).reshape(-1, 2).T
+    return np.repeat(chosen, [len(each) for each in spans]), (first, last)
 
 
 def _with_begun(
@@ -236,6 +252,9 @@ def _with_begun(
     joined: dict[str, Any] = {
         name: np.concatenate([getattr(graph, name), more[name]]) for name in more
     }
+    if graph.entries is not None:
+        at_once = np.zeros(len(mine), dtype=np.int64)
+        joined["entries"] = tuple(np.concatenate([each, at_once]) for each in graph.entries)
     return replace(graph, coming=np.array(mine, dtype=np.int64), **joined)
 
 

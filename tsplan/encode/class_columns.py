@@ -45,6 +45,10 @@ class ClassColumns:
         edges = _members(self.by_tail, states)
         return self._at(edges, np.broadcast_to(steps, (len(edges), len(steps))))
 
+    def entered(self, edges: Ints, steps: Ints) -> tuple[Ints, Ints]:
+        """Some edges: positions in `steps`, and the column entered then."""
+        return self._at(edges, np.broadcast_to(steps, (len(edges), len(steps))))
+
     def arriving(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
         """Edges that end in `states`: positions in `steps`, and the column that ends then."""
         edges = _members(self.by_head, states)

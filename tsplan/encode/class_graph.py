@@ -11,6 +11,7 @@ import numpy as np
 
 from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.mission.resources import Carries
+from tsplan.ts.closures import FOREVER
 from tsplan.ts.reachability import Lengths
 
 
@@ -114,6 +115,19 @@ class ClassGraph:
         return np.isin(self.tail, self.coming)
 
     @property
+    def timed(self) -> Bools:
+        """Which edges may not be entered at all steps; those of starts under way aside."""
+        if self.entries is None:
+            return np.zeros(len(self.tail), dtype=np.bool_)
+        first, last = self.entries
+        return ((first > 0) | (last < FOREVER)) & ~self.begun
+
+    @property
+    def timeless(self) -> ClassGraph:
+        """The map as if every edge might be entered at any step: a relaxation of it."""
+        return self if self.entries is None else replace(self, entries=None)
+
+    @property
     def still(self) -> Bools:
         """Which edges are waits of any kind: agents neither move nor are they on their way."""
         return np.equal(self.travel, 0) & ~self.begun
@@ -184,6 +198,8 @@ class ClassGraph:
     def among(self, edges: Ints) -> ClassGraph:
         """The map with some of its edges alone; of structures, which are never rebuilt."""
         arrays: dict[str, Any] = {name: getattr(self, name)[edges] for name in _OF_EDGES}
+        if self.entries is not None:
+            arrays["entries"] = self.entries[0][edges], self.entries[1][edges]
         return replace(self, layer=None, **arrays)
 
     def with_edges_of(self, other: ClassGraph, half: Ints) -> ClassGraph:
@@ -216,13 +232,19 @@ class ClassGraph:
             return None
         edges, steps, node, step = [], [], state, 0
         while step < horizon:
-            stays = np.flatnonzero((self.tail == node) & self.still)
+            stays = np.flatnonzero((self.tail == node) & self.still & self._open(step))
             if not len(stays):
                 return None
             edges.append(int(stays[0]))
             steps.append(step)
             node, step = int(self.head[stays[0]]), step + int(self.duration[stays[0]])
         return np.array(edges, dtype=np.int64), np.array(steps, dtype=np.int64)
+
+    def _open(self, step: int) -> Bools:
+        """Which edges may be entered at a step."""
+        if self.entries is None:
+            return np.ones(len(self.tail), dtype=np.bool_)
+        return (self.entries[0] <= step) & (step <= self.entries[1])
 
     @cached_property
     def lengths(self) -> Lengths:
@@ -240,5 +262,22 @@ class ClassGraph:
         sources = np.flatnonzero(self.start)
         if not len(sources):
             return np.full(len(self.start), horizon + 1)
+        if self.entries is not None:
+            return self._first_there(horizon)
         distance = self.lengths.nearest(sources, limit=float(horizon))
         return np.where(np.isfinite(distance), distance, horizon + 1).astype(np.int64)
+
+    def _first_there(self, horizon: int) -> Ints:
+        """The same where edges may not be entered at all steps, step by step.
+
+        An agent may have to leave a state before another edge can be entered, so that it is known
+        of every step whether anybody can be there.
+        """
+        there = np.zeros((horizon + 1, len(self.start)), dtype=np.bool_)
+        there[0] = self.start > 0
+        ends = np.minimum(self.duration, horizon + 1)
+        for step in range(horizon):
+            gone = there[step, self.tail] & self._open(step) & (step + ends <= horizon)
+            there[step + ends[gone], self.head[gone]] = True
+        first = there.argmax(axis=0)
+        return np.where(there.any(axis=0), first, horizon + 1)

@@ -133,6 +133,7 @@ class _Expansion:
         extra = len(self._nodes) - len(graph.start)
         duration = graph.duration[edge]
         travel = graph.travel[edge]
+        windows = graph.entries and (graph.entries[0][edge], graph.entries[1][edge])
         return replace(
             graph,
             start=np.concatenate([graph.start, np.zeros(extra, dtype=np.int64)]),
@@ -142,6 +143,7 @@ class _Expansion:
             cost=graph.cost[edge],
             risk=graph.risk[edge],
             group=graph.group[edge],
+            entries=windows,
             modes=Modes(
                 delay=self._delay,
                 place=np.array([node.state for node in self._nodes], dtype=np.int64),
@@ -187,8 +189,8 @@ def stood(columns: ClassColumns, horizon: int, draft: Draft) -> ClassColumns:
             draft.sums((0, made[:1], 1.0), lower=-np.inf, upper=float(begun), kind="stand")
         for ago in range(1, modes.delay + 1):
             place = np.flatnonzero(steps >= ago)
-            waits = columns.offset[loops] + steps[place] - ago - columns.first[loops]
+            waits = columns.entered(loops, steps[place] - ago)
             every = np.arange(len(place))
-            terms = (every, waits, 1.0), (every, made[place], -1.0)
+            terms = (*waits, 1.0), (every, made[place], -1.0)
             draft.sums(*terms, count=len(place), kind="stand")
     return replace(columns, stood=found)

@@ -9,7 +9,9 @@ encoding notes (docs/encoding.md):
 * moves are paid by their duration, or not at all; where they are paid otherwise, and waiting is
   free, all ways are kept of which no other is as quick and as cheap (`cheap_ways`);
 * a relevant state with an upper bound on its count (*limited*) also keeps the states next to it:
-  an agent that must leave it may wait just outside.
+  an agent that must leave it may wait just outside;
+* edges that may not be entered at all steps stay as they are, with both their ends, and states where
+  nobody can wait at some step are limited.
 
 Where a condition fails, `reduce` answers None and the full graph is used.
 """
@@ -27,6 +29,7 @@ from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.detours import detours
 from tsplan.encode.shortcuts import Kept, shortcuts
 from tsplan.milp.model import Bools, Floats, Ints
+from tsplan.ts.closures import FOREVER
 
 _CROWDED = 2  # shortcuts for each edge of the full graph: fewer are worth their shorter ways
 
@@ -59,7 +62,7 @@ class Interest:
         relevant[graph.head[graph.begun]] = True  # moves go on from where the begun ones end
         # agents that must leave a limited state may wait in those next to it
         relevant[graph.head[limited[graph.tail]]] = True
-        bounded = graph.group >= 0
+        bounded = (graph.group >= 0) | graph.timed
         narrow = self.narrow.copy()
         narrow[graph.tail[bounded & graph.wait]] = True  # who may not wait there waits next to it
         if narrow.any() or bounded.any():
@@ -130,6 +133,15 @@ def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) 
     return _assemble(graph, sources, (tail, head), paths)
 
 
+def _joined_entries(graph: ClassGraph, own: Ints, ways: int) -> tuple[Ints, Ints] | None:
+    """When edges of its own and shortcuts, which are always open, may be entered."""
+    if graph.entries is None:
+        return None
+    first, last = graph.entries
+    always = np.zeros(ways, dtype=np.int64)
+    return np.concatenate([first[own], always]), np.concatenate([last[own], always + FOREVER])
+
+
 def _assemble(
     graph: ClassGraph, sources: Ints, ends: tuple[Ints, Ints], paths: Sequence[Ints]
 ) -> Reduced:
@@ -139,7 +151,7 @@ def _assemble(
     inside = kept[graph.tail] & kept[graph.head]
     own = np.flatnonzero(
         (graph.wait & (graph.duration == 1) & kept[graph.tail])
-        | ((graph.group >= 0) & inside)
+        | (((graph.group >= 0) | graph.timed) & inside)
         | graph.begun
     )
     tail, head = ends
@@ -157,6 +169,7 @@ def _assemble(
         group=np.concatenate([graph.group[own], np.full(len(tail), -1)]),
         carries=graph.carries,
         coming=graph.coming,
+        entries=_joined_entries(graph, own, len(tail)),
     )
     every = (*own.reshape(-1, 1), *paths)
     if graph.modes is not None:

@@ -317,7 +317,7 @@ def stayers(item: ClassColumns, horizon: int, draft: Draft) -> Ints:
         if stays is None:
             continue
         edge, step = stays
-        waits = item.offset[edge] + step - item.first[edge]
+        waits = item.offset[edge] + step - item.first[edge]  # of edges that are open then
         staying = draft.columns(1, upper=float(item.graph.start[state]), integer=True)
         every = np.arange(len(waits))
         draft.sums((every, waits, 1.0), (every, staying[0], -1.0), count=len(every), kind="stay")

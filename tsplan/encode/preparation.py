@@ -127,7 +127,8 @@ def on_reduced_maps(setting: Setting) -> Setting:
     if any(len(interest.tolls) > 1 for interest in interests):
         return setting  # ways may be quick, cheap or safe
     limited = any(matters.limited.any() or matters.narrow.any() for matters in interests)
-    if setting.delay and setting.arrays.group_capacity:
+    timed = any(item.graph.timed.any() for item in setting.classes)
+    if setting.delay and (setting.arrays.group_capacity or timed):
         return setting
     reduced: list[Reduced] = []
     for item, matters in zip(setting.classes, interests, strict=True):
@@ -139,7 +140,7 @@ def on_reduced_maps(setting: Setting) -> Setting:
         if short is None:
             return setting
         reduced.append(short)
-    monotone = not limited and not setting.arrays.group_capacity
+    monotone = not limited and not setting.arrays.group_capacity and not timed
     return replace(setting, reduced=tuple(reduced), monotone=monotone)
 
 

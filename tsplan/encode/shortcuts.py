@@ -79,7 +79,7 @@ def shortcuts(
 
 
 def _moves(graph: ClassGraph, kept: Kept, longest: float) -> _Moves:
-    move = np.flatnonzero(~graph.wait & (graph.group < 0) & ~graph.begun)
+    move = np.flatnonzero(~graph.wait & (graph.group < 0) & ~graph.begun & ~graph.timed)
     edge = move[quickest(graph.tail[move], graph.head[move], graph.duration[move])]
     scale = int(kept.free.sum()) + 2
     return _Moves(

@@ -29,9 +29,13 @@ from tsplan.milp.model import Bools, Floats, Ints
 def straightened(setting: Setting, every: int) -> Setting | None:
     """The setting of straight ways, begun every so many steps; None where robots cannot wait.
 
+    Nor where places are closed for a time.
+
     Its classes are those of the setting on their reduced maps, so that its moves are edges of them.
     """
     graphs = [base.graph for base in setting.reduced]
+    if any(graph.timed.any() for graph in graphs):
+        return None  # ways are not open whenever they are begun
     matter = [interest(setting, graph, rebuilt=False) for graph in graphs]
     matter = [replace(each, limited=each.limited | each.narrow) for each in matter]
     ends, meeting = _ends_of_loads(setting), _meeting(graphs, matter)

@@ -12,6 +12,7 @@ from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.findings import Entry, Fault, Place
 from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
 from tsplan.ts import TransitionSystem
+from tsplan.ts.closures import closed_at
 
 
 def entries_of(team: Sequence[Group], swarm: SwarmRules | None) -> list[Entry]:
@@ -78,8 +79,13 @@ def _under_way_faults(
         for name in dict.fromkeys((start.origin, start.target)):
             if name not in system.states:
                 yield Fault(path, f"the map has no state '{name}'", nearest(name, system.states))
-        needs = system.states[start.target].needs if start.target in system.states else frozenset()
-        if missing := ", ".join(sorted(needs - group.capabilities)):
+        if start.target not in system.states:
+            continue
+        state = system.states[start.target]
+        if closed_at(state.closed, start.arrives, start.arrives):
+            what = f"robots come to '{start.target}' at step {start.arrives}, when it is closed"
+            yield Fault(path, what, "let them arrive when it is open, or open it then")
+        if missing := ", ".join(sorted(state.needs - group.capabilities)):
             what = f"class '{group.class_name}' comes to '{start.target}', which needs {missing}"
             yield Fault(path, what, f"give the class the capability {missing}")
 
@@ -100,6 +106,9 @@ def _start_faults(entries: Sequence[Entry], system: TransitionSystem) -> Iterato
             last[name] = path
             if state is None:
                 yield Fault(path, f"the map has no state '{name}'", closest(name))
+            elif closed_at(state.closed, 0, 0):
+                what = f"'{name}' is closed at step 0, and {count} robots start there"
+                yield Fault(path, what, "start elsewhere or open it then")
             elif missing := ", ".join(sorted(state.needs - group.capabilities)):
                 what = f"class '{group.class_name}' may not be at '{name}', which needs {missing}"
                 yield Fault(

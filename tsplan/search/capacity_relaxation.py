@@ -59,14 +59,15 @@ def relaxable(setting: Setting) -> bool:
     """Whether capacities can be left out first, and single agents be led around each other.
 
     Not where groups move together, structures are rebuilt, things are carried, tasks book agents or
-    these may be late, nor with constraints of the user's own. Small models need no help.
+    these may be late, where places are closed for a time, nor with constraints of the user's own.
+    Small models need no help.
     """
     booked = any(isinstance(node, Execution) for node in walk(setting.goal))
     mission = setting.mission
     plain = setting.formula_alone and not (booked or mission.intended)
     plain = plain and "delay" not in mission.objective
     limited = bool(setting.arrays.capacity or setting.arrays.group_capacity)
-    on = Switch.CAPACITIES in setting.switches
+    on = Switch.CAPACITIES in setting.switches and not setting.mission.system.timed
     return on and plain and limited and _columns(setting) > SMALL
 
 

@@ -53,6 +53,8 @@ class GroupSearch:
 
     def answer(self, question: Question) -> Found:
         """What groups alone settle of a question: nothing where there is no plan and no proof."""
+        if self.encoded.refuted:  # tokens and tours may know less
+            return Found(None, None, np.inf, proven=True)
         objective, kept = question.objective, question.kept
         bound = -np.inf
         if objective.grouping is Grouping.TOKENS and not kept.values:

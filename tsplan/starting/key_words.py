@@ -131,6 +131,7 @@ KEY_WORDS: Mapping[str, Mapping[str, str]] = {
         "zone": "the zone whose capacity it shares",
         "level": "the level that it is on",
         "origin": "what another program calls it: a text or a number",
+        "closed": "steps at which nobody may be there: [[first, last], ...]",
     },
     "_EdgeEntry": {
         "from": "the state where it begins",
@@ -142,6 +143,7 @@ KEY_WORDS: Mapping[str, Mapping[str, str]] = {
         "needs": "capabilities that an agent has to have to use it",
         "both_ways": "whether it leads back, too",
         "zone": "the zone whose capacity it shares",
+        "closed": "steps at which nobody may be on it: [[first, last], ...]",
     },
     "SignalFile": {
         "format": "what this file is",

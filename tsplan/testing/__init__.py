@@ -35,6 +35,7 @@ if TYPE_CHECKING:
         random_mission,
         random_swarm_mission,
         random_task_mission,
+        with_closures,
         with_starts_under_way,
     )
     from tsplan.testing.random_signals import random_signal_mission
@@ -60,6 +61,7 @@ __all__ = [
     "swarms",
     "teams",
     "trace_for",
+    "with_closures",
     "with_starts_under_way",
 ]
 
@@ -87,6 +89,7 @@ _load, __dir__ = lazily(
             "random_mission",
             "random_swarm_mission",
             "random_task_mission",
+            "with_closures",
             "with_starts_under_way",
         ),
         "testing.random_signals": ("random_signal_mission",),

@@ -15,6 +15,7 @@ from tsplan.errors import Finding, MissionError
 from tsplan.logic import Formula, Whole, fold, horizon, parse
 from tsplan.mission import Group, Mission, UnderWay
 from tsplan.ts import Edge, State, TransitionSystem
+from tsplan.ts.closures import Closed
 
 CAPABILITIES = ("u", "v")
 LABELS = ("a", "b", "c")
@@ -177,6 +178,36 @@ def with_starts_under_way(mission: Mission, seed: int) -> Mission:
     team = tuple(_on_the_way(random, mission, group) for group in mission.team)
     try:
         return replace(mission, team=team)
+    except MissionError:
+        return mission
+
+
+def with_closures(mission: Mission, seed: int) -> Mission:
+    """The mission on its map some of whose states and edges are closed for a time.
+
+    It is the same where its agents could not start or arrive then.
+
+    >>> made = with_closures(random_mission(3, states=4, most_agents=3), 1)
+    >>> made.system.timed
+    True
+    """
+    random = Random(f"closed {seed}")
+    system = mission.system
+
+    def closed(often: float) -> Closed:
+        count = random.choice([1, 1, 2]) if random.random() < often else 0
+        begins = [random.randint(0, max(mission.horizon, 1)) for _ in range(count)]
+        return tuple((first, first + random.choice([0, 0, 1, 2, 9])) for first in begins)
+
+    states = [replace(state, closed=closed(0.25)) for state in system.states.values()]
+    both = {edge.pair: closed(0.25) for edge in system.edges.values()}
+    edges = [
+        replace(edge, closed=both[min(edge.pair, edge.pair[::-1])] if edge.both_ways else own)
+        for edge in system.edges.values()
+        for own in [both[edge.pair]]
+    ]
+    try:
+        return replace(mission, system=system.rebuilt(states, edges))
     except MissionError:
         return mission
 

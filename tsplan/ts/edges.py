@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, TypeAlias
 
+from tsplan.ts.closures import Closed, spans
 from tsplan.words import nfc
 
 NOTHING: frozenset[str] = frozenset()
@@ -71,6 +72,7 @@ class State:
     `at` and `shape` (a polygon) are coordinates for drawing, in any unit; `level` is the storey
     they are of. `capacity` bounds the agents here at each step, and `zone` names the zone of the
     map whose capacity this state shares. Only agents with all capabilities of `needs` may be here.
+    Nobody may be here at the steps of the spans `closed`, such as `((4, 9),)`.
     `origin` is what the state is called in the file that its map was converted from.
     """
 
@@ -84,6 +86,7 @@ class State:
     zone: str | None = None
     level: str | None = None
     origin: str | int | None = None
+    closed: Closed = ()
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection; a single word is one label."""
@@ -95,6 +98,8 @@ class State:
             object.__setattr__(self, "labels", words(self.labels))
         if self.needs is not NOTHING:
             object.__setattr__(self, "needs", words(self.needs))
+        if self.closed != ():
+            object.__setattr__(self, "closed", spans(self.closed))
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +111,8 @@ class Edge:
     `capacity` bounds the agents that have entered and not yet arrived. The two directions of an
     edge written `both_ways` share that capacity. Or the edge shares the capacity of the map's
     `zone` of that name. Only agents with all of `needs` may use it.
-    `success` is how likely an agent that enters arrives, above 0 and at most 1.
+    `success` is how likely an agent that enters arrives, above 0 and at most 1. Nobody may be on
+    the edge at the steps of the spans `closed`, from entering on until the step before arriving.
     """
 
     source: str
@@ -118,9 +124,12 @@ class Edge:
     both_ways: bool = False
     success: float = 1.0
     zone: str | None = None
+    closed: Closed = ()
 
     def __post_init__(self) -> None:
         """Freeze what was given as another collection."""
+        if self.closed != ():
+            object.__setattr__(self, "closed", spans(self.closed))
         if self.zone is not None:
             object.__setattr__(self, "zone", _spelled(self.zone))
         object.__setattr__(self, "source", _spelled(self.source))

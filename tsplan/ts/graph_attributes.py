@@ -112,6 +112,13 @@ def _numbers(value: Any) -> Any:
     return tuple(_numbers(number_of(member)) for member in value)
 
 
+def _spans(value: Any) -> Any:
+    """Spans of steps, or one of them; None is none."""
+    found = () if value is None else _numbers(value)
+    alone = isinstance(found, tuple) and found and not any(isinstance(v, tuple) for v in found)
+    return (found,) if alone else found
+
+
 def number_of(value: Any) -> Any:
     """A number of any type, or the text of one, as Python's own; whole ones as int.
 
@@ -138,6 +145,7 @@ OF_STATES: Converters = {
     "needs": _words,
     "zone": _text,
     "level": _text,
+    "closed": _spans,
 }
 OF_EDGES: Converters = {
     "duration": _steps,
@@ -146,5 +154,6 @@ OF_EDGES: Converters = {
     "capacity": number_of,
     "needs": _words,
     "zone": _text,
+    "closed": _spans,
 }
 """The fields that attributes give, each with what makes it of a value."""

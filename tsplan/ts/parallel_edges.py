@@ -91,5 +91,5 @@ def _as_good(one: Edge, other: Edge) -> bool:
             return False
         if theirs is not None and one.cost_for(name) > other.cost_for(name):
             return False
-    free = one.capacity is None and one.zone is None
+    free = one.capacity is None and one.zone is None and not one.closed
     return free and one.needs <= other.needs and one.success >= other.success

@@ -78,6 +78,9 @@ def _without_capacities(system: TransitionSystem) -> Iterator[Finding]:
     if states or system.capacity_groups or system.zones:
         message = f"the product is not defined for capacities, which '{system.name}' has"
         yield Finding(message, "build the systems without capacities")
+    if system.timed:
+        message = f"the product is not defined for places that are closed, as '{system.name}' has"
+        yield Finding(message, "build the systems without them")
 
 
 def unit_steps(system: TransitionSystem, class_name: str | None = None) -> TransitionSystem:
@@ -114,6 +117,9 @@ def unit_steps(system: TransitionSystem, class_name: str | None = None) -> Trans
             faults.append(Finding(message, "name the class"))
         elif duration == 1:
             edges.append(replace(edge, duration=1))
+        elif edge.closed:
+            message = f"the edge from '{edge.source}' to '{edge.target}' is closed for a time"
+            faults.append(Finding(message, "give it duration 1"))
         elif edge.zone is not None:
             # on the edge, an agent is in the zone from when it leaves, as it is at the states
             between = _between(edge, duration)

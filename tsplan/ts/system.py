@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
@@ -13,6 +13,7 @@ from tsplan import display
 from tsplan.errors import Finding, MapError, Spot, in_order
 from tsplan.exact import common_unit, exact
 from tsplan.ts.actions import Action, ActionFlaw, ActionKey, action_flaws, edges_of
+from tsplan.ts.closures import shifted
 from tsplan.ts.edges import Edge, Pair, State
 from tsplan.ts.validity import Problem, problems
 from tsplan.words import nfc
@@ -132,6 +133,11 @@ class TransitionSystem(display.Displayed):
             what = "the map has edges beside its actions, and edges follow from these"
             remedy = "write an edge as an action that is sure, such as go: {q2: 1}"
             faults.append(locate(Problem("system", 0, "edges", what, remedy)))
+        for index, state in enumerate(states if actions else ()):
+            if state.closed:
+                what = f"the state '{state.name}' is closed for a time, and moves are uncertain"
+                remedy = "nobody can be kept out for sure; remove 'closed'"
+                faults.append(locate(Problem("state", index, "closed", what, remedy)))
         if faults:
             raise MapError(in_order(faults))
         return cls(
@@ -205,6 +211,25 @@ class TransitionSystem(display.Displayed):
         return MappingProxyType(
             {name: ZoneParts(tuple(states[name]), tuple(edges[name])) for name in self.zones}
         )
+
+    @cached_property
+    def timed(self) -> bool:
+        """Whether some state or edge is closed for a time."""
+        parts: tuple[State | Edge, ...] = (*self.states.values(), *self.edges.values())
+        return any(part.closed for part in parts)
+
+    def later(self, steps: int) -> TransitionSystem:
+        """The map where all that is closed for a time is so some steps later, or earlier below 0.
+
+        >>> door = State("door", closed=((4, 9),))
+        >>> TransitionSystem.build([door], []).later(-6).states["door"].closed
+        ((0, 3),)
+        """
+        if not self.timed:
+            return self
+        states = (replace(s, closed=shifted(s.closed, steps)) for s in self.states.values())
+        edges = (replace(e, closed=shifted(e.closed, steps)) for e in self.edges.values())
+        return self.rebuilt(states, edges)
 
     @cached_property
     def cost_unit(self) -> Fraction:

@@ -9,6 +9,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 from tsplan.errors import Finding, Nearest
 from tsplan.limits import LARGEST, MOST_COST, MOST_STEPS, clipped, is_number
+from tsplan.ts.closures import is_span
 from tsplan.ts.edges import Edge, Pair, State
 
 # the fewest corners of a shape
@@ -134,6 +135,7 @@ def _state(state: State) -> Iterator[_Flaw]:
         message = f"shape: not {CORNERS} or more pairs of finite numbers"
         yield "shape", message, "write it as [[x, y], [x, y], [x, y]]"
     yield from _capacity(state.capacity)
+    yield from _closed(state.closed)
 
 
 def _edge(edge: Edge) -> Iterator[_Flaw]:
@@ -160,6 +162,19 @@ def _edge(edge: Edge) -> Iterator[_Flaw]:
         message = f"success: {success} is no probability above 0"
         yield "success", message, "write how likely the move succeeds, such as 0.98"
     yield from _capacity(edge.capacity)
+    yield from _closed(edge.closed)
+
+
+def _closed(value: Any) -> Iterator[_Flaw]:
+    """Spans of steps that are none."""
+    for span in value if isinstance(value, tuple) else (value,):
+        shown = list(span) if isinstance(span, tuple) else _told(span)
+        if not is_span(span):
+            message = f"closed: {shown} is not a first and a last step"
+            yield "closed", message, "write whole numbers from 0 on, as in [[4, 9]]"
+        elif span[1] > MOST_STEPS:
+            message = f"closed: {shown} ends after {MOST_STEPS:,} steps"
+            yield "closed", message, f"write at most {MOST_STEPS}"
 
 
 def steps_fault(value: Any) -> Fault | None:

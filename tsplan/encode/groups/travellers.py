@@ -224,10 +224,11 @@ def _starts(one: Traveller) -> list[int]:
 def _traveller(setting: Setting, item: AgentClass, objective: Priced) -> Traveller:
     assert item.bounds is not None
     toll = objective.toll(item.graph)
-    matters = interest(setting, item.graph)
+    graph = item.graph.timeless  # a relaxation, as the rest
+    matters = interest(setting, graph)
     matters = replace(matters, tolls=() if toll is None else (toll,))
-    reduced = reduce(item.graph, matters, setting.horizon, setting.clock) or whole(item.graph)
+    reduced = reduce(graph, matters, setting.horizon, setting.clock) or whole(graph)
     short = reduced.graph
     states = np.unique(np.concatenate([short.tail, short.head, np.flatnonzero(short.start)]))
     price = np.asarray(objective.price(short), dtype=np.float64)
-    return Traveller(item.graph, reduced, item.bounds.least, price, states)
+    return Traveller(graph, reduced, item.bounds.least, price, states)

@@ -53,6 +53,7 @@ class _StateMore(BaseModel):
     model_config = ConfigDict(extra="forbid")
     capacity: Natural | None = None
     needs: Words = []
+    closed: tuple[tuple[Natural, Natural], ...] = ()
 
 
 class _EdgeMore(_StateMore):
@@ -311,7 +312,8 @@ def _state(state: State, extras: Extras) -> str:
         shape=short(state.shape),
         color=state.color,
     )
-    own = given(capacity=state.capacity, needs=sorted(state.needs))
+    closed = [list(span) for span in state.closed]
+    own = given(capacity=state.capacity, needs=sorted(state.needs), closed=closed)
     return flow(fields | {**kept} | given(**{_OWN_KEY: own}))
 
 
@@ -334,6 +336,7 @@ def _edge(edge: Edge, extras: Extras, directed: bool) -> Iterator[str]:
         needs=sorted(edge.needs),
         duration=edge.duration if isinstance(edge.duration, Mapping) else None,
         both_ways=(edge.both_ways and directed) or None,
+        closed=[list(span) for span in edge.closed],
     )
     ends = f"{_id(edge.source, extras)}, {_id(edge.target, extras)}"
     for kept in extras.edges.get(edge.pair, ({},)):

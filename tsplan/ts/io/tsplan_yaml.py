@@ -15,6 +15,7 @@ from tsplan.document.written import Written
 from tsplan.errors import MapError
 from tsplan.limits import MOST_STEPS
 from tsplan.ts.actions import Action, ActionFlaw, missing_stays
+from tsplan.ts.closures import Closed, is_span, spans
 from tsplan.ts.edges import ByClass, Edge, State, missing_waits
 from tsplan.ts.io.map_draft import MapDraft, written_once
 from tsplan.ts.system import TransitionSystem
@@ -57,6 +58,23 @@ def _origin(value: Any) -> str | int:
     return value
 
 
+def _closed(value: Any) -> Any:
+    """Spans of steps; one by itself may stand without a list around it."""
+    alone = isinstance(value, list) and bool(value) and not any(isinstance(v, list) for v in value)
+    given = [value] if alone else value
+    if not isinstance(given, list) or not all(isinstance(span, list) for span in given):
+        raise complaint(f"{shown(value)} is no list of spans", "write it as [[4, 9]]", "closed")
+    found = spans(given)
+    for span in found:
+        if not is_span(span) or span[1] > MOST_STEPS:
+            what = f"{list(span)} is not a first and a last step"
+            raise complaint(what, f"write whole numbers from 0 to {MOST_STEPS}", "closed")
+    return found
+
+
+_Step = Annotated[int, Field(ge=0, le=MOST_STEPS)]
+_Span = tuple[_Step, _Step]
+_Closed = Annotated[Any, PlainValidator(_closed), Written(_Span | list[_Span])]
 _Steps = Annotated[int, Field(ge=1, le=MOST_STEPS)]
 _ByClass = Annotated[dict[str, _Steps], Field(min_length=1)]
 _Reference = Annotated[Any, PlainValidator(_reference), Written(str | float | bool)]
@@ -78,6 +96,7 @@ class _StateEntry(_Strict):
     zone: Word | None = None
     level: Word | None = None
     origin: _Origin | None = None
+    closed: _Closed = ()
 
 
 class _EdgeEntry(_Strict):
@@ -90,6 +109,7 @@ class _EdgeEntry(_Strict):
     needs: Words = []
     both_ways: Truth = False
     zone: Word | None = None
+    closed: _Closed = ()
 
 
 _ActionEntry = dict[str, Number | dict[str, Number]]
@@ -265,7 +285,12 @@ def _state(state: State) -> dict[str, Any]:
         zone=state.zone,
         level=state.level,
         origin=state.origin,
+        closed=_spans(state.closed),
     )
+
+
+def _spans(closed: Closed) -> list[list[int]]:
+    return [list(span) for span in closed]
 
 
 def _edge(edge: Edge, named: Mapping[str, str]) -> str:
@@ -277,6 +302,7 @@ def _edge(edge: Edge, named: Mapping[str, str]) -> str:
         needs=sorted(edge.needs),
         both_ways=edge.both_ways or None,
         zone=edge.zone,
+        closed=_spans(edge.closed),
     )
     if not more:
         return f"[{source}, {target}, {duration}]"
