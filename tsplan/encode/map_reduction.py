@@ -10,8 +10,8 @@ encoding notes (docs/encoding.md):
   free, all ways are kept of which no other is as quick and as cheap (`cheap_ways`);
 * a relevant state with an upper bound on its count (*limited*) also keeps the states next to it:
   an agent that must leave it may wait just outside;
-* edges that may not be entered at all steps stay as they are, with both their ends, and states where
-  nobody can wait at some step are limited.
+* edges that may not be entered at all steps stay as they are, with both their ends, and states
+  where nobody can wait at some step are limited.
 
 Where a condition fails, `reduce` answers None and the full graph is used.
 """

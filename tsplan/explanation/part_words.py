@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from tsplan.document import Path
     from tsplan.mission import Group, Mission, Resource
     from tsplan.mission.resources import Carries
+    from tsplan.ts.closures import Closed
 
 _KINDS: tuple[PartKind, ...] = get_args(PartKind)
 """The order in which parts of a conflict are said."""
@@ -227,6 +228,16 @@ def carries_words(carries: Carries) -> str:
 def ends_words(ends: tuple[str, ...]) -> str:
     """A state, or an edge by its two ends."""
     return f"state '{ends[0]}'" if len(ends) == 1 else f"the edge from '{ends[0]}' to '{ends[1]}'"
+
+
+def closed_words(closed: Closed) -> str:
+    """The steps at which a place is closed.
+
+    >>> closed_words(((2, 2), (4, 9)))
+    'at step 2 and from step 4 to 9'
+    """
+    each = [f"at step {a}" if a == b else f"from step {a} to {b}" for a, b in closed]
+    return " and ".join(each)
 
 
 def room_words(number: Number) -> str:

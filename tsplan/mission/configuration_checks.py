@@ -80,6 +80,9 @@ def module_faults(building: Building) -> Iterator[Fault]:
     if rules.configurations and building.swarms:
         what = "structures are planned for teams, and this mission has swarms"
         yield Fault(("configurations",), what, "describe the agents as a team")
+    if rules.configurations and building.system is not None and building.system.timed:
+        what = "places of the map are closed for a time, which is not planned for structures"
+        yield Fault(("configurations",), what, "leave out 'closed', or the configurations")
     for number, name in enumerate(names):
         if name in names[:number]:
             what = f"two configurations are called '{name}'"

@@ -10,7 +10,7 @@ from tsplan.errors import Nearest, nearest
 from tsplan.limits import MOST_ROBOTS, MOST_STEPS, Range
 from tsplan.mission.configurations import ModuleRules
 from tsplan.mission.findings import Entry, Fault, Place
-from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules
+from tsplan.mission.team import ONE_SWARM, Group, SwarmBounds, SwarmRules, UnderWay
 from tsplan.ts import TransitionSystem
 from tsplan.ts.closures import closed_at
 
@@ -71,23 +71,29 @@ def _under_way_faults(
         if group.configuration is not None:
             what = f"modules of class '{group.class_name}' start {start.words}"
             yield Fault(path, what, "structures are planned from states on; start them at one")
-        if system is None:
-            continue
-        if system.actions:
-            what = f"robots start {start.words}, and the moves of the map are uncertain"
-            yield Fault(path, what, "start them at a state")
-        for name in dict.fromkeys((start.origin, start.target)):
-            if name not in system.states:
-                yield Fault(path, f"the map has no state '{name}'", nearest(name, system.states))
-        if start.target not in system.states:
-            continue
-        state = system.states[start.target]
-        if closed_at(state.closed, start.arrives, start.arrives):
-            what = f"robots come to '{start.target}' at step {start.arrives}, when it is closed"
-            yield Fault(path, what, "let them arrive when it is open, or open it then")
-        if missing := ", ".join(sorted(state.needs - group.capabilities)):
-            what = f"class '{group.class_name}' comes to '{start.target}', which needs {missing}"
-            yield Fault(path, what, f"give the class the capability {missing}")
+        if system is not None:
+            yield from _begun_on_map(group, start, path, system)
+
+
+def _begun_on_map(
+    group: Group, start: UnderWay, path: Place, system: TransitionSystem
+) -> Iterator[Fault]:
+    """A start on an edge whose states are none, or where the class may not come to the end."""
+    if system.actions:
+        what = f"robots start {start.words}, and the moves of the map are uncertain"
+        yield Fault(path, what, "start them at a state")
+    for name in dict.fromkeys((start.origin, start.target)):
+        if name not in system.states:
+            yield Fault(path, f"the map has no state '{name}'", nearest(name, system.states))
+    if start.target not in system.states:
+        return
+    state = system.states[start.target]
+    if closed_at(state.closed, start.arrives, start.arrives):
+        what = f"robots come to '{start.target}' at step {start.arrives}, when it is closed"
+        yield Fault(path, what, "let them arrive when it is open, or open it then")
+    if missing := ", ".join(sorted(state.needs - group.capabilities)):
+        what = f"class '{group.class_name}' comes to '{start.target}', which needs {missing}"
+        yield Fault(path, what, f"give the class the capability {missing}")
 
 
 _STEP = Range(1, MOST_STEPS, whole=True)

@@ -49,7 +49,7 @@ def is_span(pair: Any) -> bool:
 
 
 def closed_at(closed: Closed, first: int, last: int) -> Span | None:
-    """The span, if there is one, in which some step of `first`..`last` is closed.
+    """The first of some spans that has a step of `first`..`last` in it, if there is one.
 
     >>> closed_at(((4, 9),), 0, 3), closed_at(((4, 9),), 2, 4)
     (None, (4, 9))

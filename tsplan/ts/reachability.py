@@ -10,6 +10,7 @@ import numpy.typing as npt
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from tsplan.ts.closures import Span, closed_at, entries
 from tsplan.ts.edges import Edge
 from tsplan.ts.system import TransitionSystem
 
@@ -138,6 +139,39 @@ def shortest_durations(
     """
     number, lengths = _numbered(system, class_name, capabilities)
     return lengths.distances(None if starts is None else [number[name] for name in starts])
+
+
+def first_arrivals(
+    system: TransitionSystem,
+    start: tuple[str, int, int],
+    class_name: str,
+    capabilities: frozenset[str],
+) -> dict[str, float]:
+    """When an agent can be at each state at the earliest; infinite if never up to the last step.
+
+    `start` is the state where it is, at which step, and the last step. It waits only where and when
+    it may.
+
+    >>> from tsplan.ts import State
+    >>> gate = Edge("in", "out", 1, closed=((1, 3),))
+    >>> system = TransitionSystem.build([State("in"), State("out")], [Edge("in", "in"), gate])
+    >>> first_arrivals(system, ("in", 1, 9), "cart", frozenset())
+    {'in': 1.0, 'out': 5.0}
+    """
+    state, begin, horizon = start
+    leaving: dict[str, list[tuple[str, int, tuple[Span, ...]]]] = {}
+    for edge, duration in usable(system, class_name, capabilities):
+        spans_open = entries(system, edge, duration)
+        leaving.setdefault(edge.source, []).append((edge.target, duration, spans_open))
+    there: dict[int, set[str]] = {begin: {state}}
+    first = dict.fromkeys(system.states, np.inf)
+    for step in range(begin, horizon + 1):
+        for here in there.pop(step, ()):
+            first[here] = min(first[here], float(step))
+            for target, duration, spans_open in leaving.get(here, ()):
+                if closed_at(spans_open, step, step):
+                    there.setdefault(step + duration, set()).add(target)
+    return first
 
 
 def _numbered(

@@ -21,7 +21,7 @@ from tsplan.explanation.whynot.unconditional_demands import (
     demands,
 )
 from tsplan.mission.resources import most_carried
-from tsplan.ts.reachability import shortest_durations, usable
+from tsplan.ts.reachability import first_arrivals, shortest_durations, usable
 
 if TYPE_CHECKING:
     from tsplan.mission import Group, Mission, Resource
@@ -81,6 +81,9 @@ class Context:
     _distances: dict[tuple[str, frozenset[str], str], Mapping[str, float]] = field(
         default_factory=dict
     )
+    _first: dict[tuple[str, frozenset[str], str, int], Mapping[str, float]] = field(
+        default_factory=dict
+    )
 
     @cached_property
     def wording(self) -> TeamWording:
@@ -121,6 +124,24 @@ class Context:
             self._distances[key] = dict(zip(self.mission.system.states, row, strict=True))
         return self._distances[key]
 
+    def first_steps(self, group: Group, start: str, step: int) -> Mapping[str, float]:
+        """When robots like those of a group can be where, that are at a state at a step.
+
+        Where places are closed for a time that is told up to the horizon.
+        """
+        if not self.mission.system.timed:
+            return {state: step + far for state, far in self.distances(group, start).items()}
+        key = (group.class_name, group.capabilities, start, step)
+        if key not in self._first:
+            self.pause()
+            self._first[key] = first_arrivals(
+                self.mission.system,
+                (start, step, self.mission.horizon),
+                group.class_name,
+                group.capabilities,
+            )
+        return self._first[key]
+
     def way(self, group: Group, start: str, target: str) -> list[str]:
         """The states of a quickest way; empty where there is none."""
         distance = self.distances(group, start)
@@ -141,7 +162,7 @@ class Context:
         """Everybody with a capability, those first that can be at the nearest state first."""
         robots = (
             Arrival(
-                step + min(self.distances(group, start)[s] for s in states), count, entry, start
+                min(self.first_steps(group, start, step)[s] for s in states), count, entry, start
             )
             for entry, group in able(self.mission, capability)
             if group.configuration is None

@@ -11,7 +11,7 @@ from math import ceil
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import SoftConstraint
-from tsplan.explanation.part_words import ends_words, room_of, room_words
+from tsplan.explanation.part_words import closed_words, ends_words, room_of, room_words
 from tsplan.explanation.whynot.amount_edits import (
     lower_amount,
     more_carried,
@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from tsplan.explanation.whynot.context import Context
     from tsplan.mission import Mission
     from tsplan.signals.result_check import AnyMission
+    from tsplan.ts.closures import Closed
 
 MOST_PLACES = 6
 """States at which more robots are tried, for each entry of the team, and at which waits are."""
@@ -81,6 +82,8 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
         return frozenset(SoftConstraint(name, key[:1]) for name in kinds)
     if kind in ("stock", "carries"):
         return frozenset({SoftConstraint("stock" if kind == "stock" else "carries", key[:1])})
+    if kind == "closed":
+        return frozenset()
     if kind in ("wait", "booking"):
         return frozenset({WAITING if kind == "wait" else BOOKING})
     part = SoftConstraint(kind if kind in ("capacity", "zone") else "swarm", key)
@@ -114,6 +117,7 @@ def _against(
     match kind:
         case "formula":
             yield from _in_formula(context, occurrence_of(constraint))
+            yield from _openings(context.mission)
         case "team" | "start":
             yield from _more_agents(context, key[0], conflict)
             if kind == "start":
@@ -264,6 +268,23 @@ def _quicker_edges(
         was = f" (now {longest})" if alike else ""
         text = f"cross {literal(ends_words(pair))}{was} in {{steps}} less"
         yield Edit(number, "edge", longest - 1, text, longest, -1)
+
+
+def _openings(mission: Mission) -> Iterator[Edit]:
+    """States and edges that are closed for a time, never closed; those first that close first."""
+    system = mission.system
+    places: list[tuple[Closed, tuple[str, ...]]] = [
+        (state.closed, (state.name,)) for state in system.states.values() if state.closed
+    ]
+    places += [
+        (edge.closed, edge.pair)
+        for edge in system.edges.values()
+        if edge.closed and not (edge.both_ways and edge.source > edge.target)
+    ]
+    soon = sorted(each for each in places if each[0][0][0] <= mission.horizon)
+    for closed, ends in soon[:MOST_EDGES]:
+        text = literal(f"open {ends_words(ends)}, which is closed {closed_words(closed)}")
+        yield Edit(Number("closed", ends), "edge", 1, text, 1, -1)
 
 
 def _waits(context: Context, conflict: frozenset[SoftConstraint]) -> Iterator[Edit]:

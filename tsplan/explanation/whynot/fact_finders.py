@@ -12,7 +12,7 @@ from math import ceil, inf
 from typing import TYPE_CHECKING
 
 from tsplan.explanation.explanation import Fact
-from tsplan.explanation.part_words import agents
+from tsplan.explanation.part_words import agents, closed_words, ends_words
 from tsplan.explanation.whynot.context import Context, able, latest_of
 from tsplan.explanation.whynot.shortages import shortage, undelivered
 from tsplan.explanation.whynot.soft_constraints import WAITING
@@ -87,8 +87,10 @@ def _too_late(context: Context, need: Demand, state: str, arrivals: list[Arrival
     group = context.mission.team[missing.entry]
     if group.configuration is not None:
         return f"{text}: {_built(group, missing.step)}"
+    shut = _shut(context, state if need.reach != "together" else None)
     if missing.step == inf:
-        return f"{text}: there is no way for class {group.class_name} from '{missing.start}'"
+        none = f"there is no way for class {group.class_name} from '{missing.start}'"
+        return f"{text}: {none}{shut}"
     target = state
     if need.reach == "together":
         distance = {s: context.distances(group, missing.start)[s] for s in need.states}
@@ -97,8 +99,28 @@ def _too_late(context: Context, need: Demand, state: str, arrivals: list[Arrival
     which = "next" if inside else "first"
     return (
         f"{text}: the {which} is one of class {group.class_name} from '{missing.start}', at step "
-        f"{int(missing.step)} by {_shown(way)}"
+        f"{int(missing.step)} by {_shown(way)}{shut}"
     )
+
+
+def _shut(context: Context, target: str | None) -> str:
+    """What of a place, or of the edges to it, is closed for a time, in words."""
+    system = context.mission.system
+    if not system.timed:
+        return ""
+    found = [
+        f"{ends_words((state.name,))} is closed {closed_words(state.closed)}"
+        for state in system.states.values()
+        if state.closed and target in (None, state.name)
+    ]
+    found += [
+        f"{ends_words(edge.pair)} is closed {closed_words(edge.closed)}"
+        for edge in system.edges.values()
+        if edge.closed and target in (None, edge.target)
+    ]
+    if not found:
+        return " (some places on the way are closed for a time)"
+    return f" ({'; '.join(found[:3])}{'; ...' * (len(found) > 3)})"  # noqa: PLR2004 - a sentence
 
 
 def _built(group: Group, step: float) -> str:

@@ -44,6 +44,7 @@ NumberKind: TypeAlias = Literal[
     "edge",
     "rebuild",
     "site",
+    "closed",
     "wait",
     "swarm",
     "side",
@@ -66,7 +67,8 @@ class Number(NamedTuple):
     place of a need; of `agents`, the entry of the team and a state; of a `stock`, the resource and
     a state; of what an entry `carries`, its number and the resource, which is empty for one hold;
     of a `capacity`, a state or the two ends of an edge; of a `zone`, its name; of an `edge`, whose
-    duration is meant, these ends; of a bound of a `swarm`, its name and which one; of a `wait`, the
+    duration is meant, these ends; of what is `closed` for a time (1) or not (0), a state or the two
+    ends of an edge; of a bound of a `swarm`, its name and which one; of a `wait`, the
     state where there is one (1) or none (0), or nothing for all states at once; of steps to
     `rebuild` structures, the number of the reconfiguration; of a `site` of it, this and the state
     where it can be done (1) or not (0), or nothing more for all states; of `booking`, which is 1
@@ -287,6 +289,15 @@ def _duration(mission: Mission, *ends: str) -> Any:
     return max(duration.values()) if isinstance(duration, Mapping) else duration
 
 
+def _closed(mission: Mission, *ends: str) -> int:
+    return int(bool(_on_map(mission, *ends).closed))
+
+
+def _put_closed(mission: Mission, value: int, *ends: str) -> Mission:
+    """The map where a state or an edge is never closed, in both directions if it goes both ways."""
+    return _put_on_map(mission, ends, lambda part: part if value else replace(part, closed=()))
+
+
 def _put_duration(mission: Mission, value: int, *ends: str) -> Mission:
     """The edge by as many steps quicker for all classes, but takes one at least."""
     less = _duration(mission, *ends) - value
@@ -344,6 +355,7 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
         "capacity": (_capacity, _put_capacity),
         "zone": (_room, _put_room),
         "edge": (_duration, _put_duration),
+        "closed": (_closed, _put_closed),
         "wait": (_waits, _put_waits),
         **REBUILDING,
         "swarm": (_bound, _put_bound),

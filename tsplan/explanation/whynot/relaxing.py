@@ -242,11 +242,12 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
     # leaving a depot late may be as good as waiting where a robot starts; but bounded swarms are
     # sub-swarms in their depots, too
     harmless = mission.swarm is None and waits_everywhere(mission) and not bounded_above(mission)
+    harmless = harmless and not mission.system.timed
     # resources lie where nobody is counted, and structures are built there
     near = harmless and not mission.resources and not mission.modular
     steps = [_way_in(mission, group) for group in mission.team]
     before = max(steps)
-    system = mission.system
+    system = mission.system.later(before)
     states, edges, team = [*system.states.values()], [*system.edges.values()], []
     open_: list[tuple[str, int]] = []
     all_: list[tuple[str, int]] = []
