@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from tsplan.encode.expressions import Expression
+from tsplan.errors import MissionError
 from tsplan.explanation.explanation import PartKind, SoftConstraint
 from tsplan.explanation.whynot.occurrences import exchanged, node_at
 from tsplan.explanation.whynot.relaxing import relaxed
@@ -78,7 +79,11 @@ def least_shortage(mission: Mission, edits: Sequence[Edit]) -> Shortage | None:
         for number, kinds in enumerate(dropped)
         for kind in kinds
     ]
-    problem = relaxed(replace(helped, team=(*helped.team, *helpers)), gone)
+    try:
+        crowded = replace(helped, team=(*helped.team, *helpers))
+    except MissionError:  # not all of them can start at the states of their edits
+        return None
+    problem = relaxed(crowded, gone)
     assert isinstance(problem, Problem)
     depots = tuple(group.starts[0] for group in problem.mission.team[first:])
     last = problem.mission.horizon

@@ -134,7 +134,7 @@ def bounded_above(mission: Mission) -> bool:
 def waits_everywhere(mission: Mission) -> bool:
     """Whether whoever is at a state can stay there and be counted at every step."""
     system = mission.system
-    return all(
+    return not system.timed and all(
         (edge := system.edges.get((name, name))) is not None
         and edge.duration == 1
         and edge.needs <= system.states[name].needs
@@ -242,7 +242,6 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
     # leaving a depot late may be as good as waiting where a robot starts; but bounded swarms are
     # sub-swarms in their depots, too
     harmless = mission.swarm is None and waits_everywhere(mission) and not bounded_above(mission)
-    harmless = harmless and not mission.system.timed
     # resources lie where nobody is counted, and structures are built there
     near = harmless and not mission.resources and not mission.modular
     steps = [_way_in(mission, group) for group in mission.team]
