@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from itertools import pairwise
 
 from tsplan.errors import Finding, nearest
 from tsplan.ts.reachability import reachable
@@ -23,6 +24,7 @@ def lint(
     - states that no agent can reach: from `starts` where they are given, else by any move at all;
     - dead ends: states that no edge leaves, not even a wait;
     - states that agents have to leave at once, because nobody can wait there;
+    - edges that open between two closed times, but not for as long as they take;
     - one-way traps: groups of states that can be entered but never left again;
     - with `used_labels`, labels that are not among them, and the other way round.
     """
@@ -30,6 +32,7 @@ def lint(
         *_unreachable(system, starts),
         *_dead_ends(system),
         *_restless(system),
+        *_brief(system),
         *_traps(system),
     ]
     if used_labels is not None:
@@ -72,6 +75,19 @@ def _restless(system: TransitionSystem) -> Iterator[Finding]:
             where = "any state"
         message = f"nobody can wait at {where}: agents have to move on at once"
         yield Finding(message, "add `waiting: true`, or an edge from the state to itself")
+
+
+def _brief(system: TransitionSystem) -> Iterator[Finding]:
+    """Edges with gaps between closed spans that nobody can use."""
+    for edge in system.edges.values():
+        steps = edge.shortest() or 1
+        for (_, last), (first, _) in pairwise(edge.closed):
+            if first - last - 1 < steps:
+                way = f"the edge from '{edge.source}' to '{edge.target}'"
+                message = (
+                    f"{way} is open at the steps {last + 1} to {first - 1}, too briefly to use"
+                )
+                yield Finding(message, f"it takes {steps} steps; close it then, or open it longer")
 
 
 def _traps(system: TransitionSystem) -> Iterator[Finding]:

@@ -127,16 +127,18 @@ class Context:
     def first_steps(self, group: Group, start: str, step: int) -> Mapping[str, float]:
         """When robots like those of a group can be where, that are at a state at a step.
 
-        Where places are closed for a time that is told up to the horizon.
+        Where places are closed for a time that is told for some time after the horizon.
         """
         if not self.mission.system.timed:
             return {state: step + far for state, far in self.distances(group, start).items()}
         key = (group.class_name, group.capabilities, start, step)
         if key not in self._first:
             self.pause()
+            far = (steps for steps in self.distances(group, start).values() if steps < inf)
+            last = 2 * self.mission.horizon + int(max(far))
             self._first[key] = first_arrivals(
                 self.mission.system,
-                (start, step, self.mission.horizon),
+                (start, step, max(last, step)),
                 group.class_name,
                 group.capabilities,
             )
