@@ -26,11 +26,14 @@ from tests.test_resources_brute_force import MOST
 from tests.test_resources_brute_force import compare as compare_resources
 from tsplan import Group, Mission, Plan
 from tsplan.checking.plan_check import check
+from tsplan.draw.tracks import tracks
 from tsplan.errors import MissionError
 from tsplan.mission import UnderWay
 from tsplan.mission.read import mission_from_text
 from tsplan.search import capacity_relaxation
 from tsplan.testing import with_starts_under_way
+from tsplan.viewer.page_data import page_data
+from tsplan.writers.handover import handover
 
 MAP = """
 format: tsplan-mission/1
@@ -293,3 +296,32 @@ def test_the_random_missions_are_of_all_kinds() -> None:
     made = [mission for s in range(10_000, 10_030) if (mission := begun(small_team(s), s))]
     assert len(made) >= 15
     assert 4 <= sum(best(mission) is None for mission in made) <= len(made) - 4
+
+
+# --- pictures and other programs ------------------------------------------------------------------
+
+
+def test_the_page_shows_them_on_their_edge() -> None:
+    mission = mission_from_text(TEAM)
+    data = page_data(mission, tsplan.plan(mission))
+    number = {state["name"]: place for place, state in enumerate(data["map"]["states"])}
+    begun = [track["stops"][:4] for track in data["tracks"] if track["stops"][0] < 0]
+    assert begun == [[-1, -1, number["q1"], 0]] * 2
+
+
+def test_tracks_are_on_their_way_until_they_arrive() -> None:
+    mission = mission_from_text(TEAM)
+    (track,) = (t for t in tracks(tsplan.plan(mission), mission) if t.class_name == "scout")
+    assert next(iter(track.ways(8))) == (0, 2)
+    assert track.present(0)
+    here, there, share = track.at(1.0)
+    assert (here.state, there.state, share) == ("q1", "q2", 0.5)
+
+
+def test_exports_say_where_they_are() -> None:
+    mission = mission_from_text(TEAM)
+    plan = tsplan.plan(mission)
+    made = handover(plan, mission.system)
+    scout = dict(made.journeys())["scout-1"]
+    assert (scout.state_at(0), scout.latest(0), scout.state_at(3)) == (None, "q1", "q2")
+    assert scout.position_at(1, lambda _: (0.0, 0.0)) is None

@@ -157,8 +157,13 @@ def _add_planned(parts: Sequence[Json], planned: Sequence[Part]) -> None:
 
 
 def _flat(track: Track, place: Mapping[str, int]) -> list[int]:
-    """All stops in a row, four numbers each."""
-    return [n for stop in track.stops for n in (*stop[:2], place[stop.state], stop.slot)]
+    """All stops in a row, four numbers each.
+
+    Agents that are on an edge from before step 0 have left its beginning a step before that.
+    """
+    before = [] if track.begun is None else [-1, -1, place[track.begun], 0]
+    stops = [n for stop in track.stops for n in (*stop[:2], place[stop.state], stop.slot)]
+    return before + stops
 
 
 def _carried(track: Track, loads: AgentLoads) -> list[list[Any]]:
