@@ -31,8 +31,9 @@ from tsplan.errors import MapError, MissionError
 from tsplan.mission.read import mission_from_text
 from tsplan.testing import random_task_mission, with_closures, with_starts_under_way
 from tsplan.ts.builders import from_networkx, grid
-from tsplan.ts.closures import FOREVER, entries
+from tsplan.ts.closures import FOREVER
 from tsplan.ts.map_lint import lint
+from tsplan.ts.reachability import entries
 
 FEW = 40
 """Joint plans of a mission with resources."""

@@ -22,8 +22,8 @@ from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.mission import Group, SwarmBounds, UnderWay
 from tsplan.ts import TransitionSystem
 from tsplan.ts.actions import Action
-from tsplan.ts.closures import entries
 from tsplan.ts.edges import RISKS
+from tsplan.ts.reachability import entries
 
 
 @dataclass(frozen=True, eq=False)

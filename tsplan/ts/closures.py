@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
-
-if TYPE_CHECKING:
-    from tsplan.ts.edges import Edge
-    from tsplan.ts.system import TransitionSystem
+from typing import Any, TypeAlias
 
 Span: TypeAlias = tuple[int, int]
 """The first and the last of some steps, both included."""
@@ -67,21 +63,12 @@ def shifted(closed: Closed, steps: int) -> Closed:
     return tuple((max(first, 0), last) for first, last in moved if last >= 0)
 
 
-def entries(system: TransitionSystem, edge: Edge, duration: int) -> tuple[Span, ...]:
-    """The steps at which an edge may be entered that takes so long, as spans in order.
+def outside(barred: Sequence[Span]) -> Closed:
+    """The steps from 0 on that are in none of some spans, which are sorted by their first step.
 
-    From entering on until the step before it arrives an agent is on the edge, which must be open;
-    and so must be the state that it leaves then, and the one where it arrives. An open end is
-    `FOREVER`.
+    >>> outside([(-2, 0), (4, 9)])
+    ((1, 3), (10, 1099511627776))
     """
-    source, target = system.states[edge.source].closed, system.states[edge.target].closed
-    barred = [(first - duration + 1, last) for first, last in edge.closed]
-    barred += [*source, *((first - duration, last - duration) for first, last in target)]
-    return _between(sorted(barred))
-
-
-def _between(barred: Sequence[Span]) -> tuple[Span, ...]:
-    """The steps from 0 on that are in none of some spans, which are sorted by their first step."""
     found, begin = [], 0
     for first, last in barred:
         if begin < first:

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from tsplan.ts.closures import Span, closed_at, entries
+from tsplan.ts.closures import Closed, closed_at, outside
 from tsplan.ts.edges import Edge
 from tsplan.ts.system import TransitionSystem
 
@@ -141,6 +141,19 @@ def shortest_durations(
     return lengths.distances(None if starts is None else [number[name] for name in starts])
 
 
+def entries(system: TransitionSystem, edge: Edge, duration: int) -> Closed:
+    """The steps at which an edge may be entered that takes so long, as spans in order.
+
+    From entering on until the step before it arrives an agent is on the edge, which must be open;
+    and so must be the state that it leaves then, and the one where it arrives. An open end is
+    `FOREVER`.
+    """
+    source, target = system.states[edge.source].closed, system.states[edge.target].closed
+    barred = [(first - duration + 1, last) for first, last in edge.closed]
+    barred += [*source, *((first - duration, last - duration) for first, last in target)]
+    return outside(sorted(barred))
+
+
 def first_arrivals(
     system: TransitionSystem,
     start: tuple[str, int, int],
@@ -159,7 +172,7 @@ def first_arrivals(
     {'in': 1.0, 'out': 5.0}
     """
     state, begin, horizon = start
-    leaving: dict[str, list[tuple[str, int, tuple[Span, ...]]]] = {}
+    leaving: dict[str, list[tuple[str, int, Closed]]] = {}
     for edge, duration in usable(system, class_name, capabilities):
         spans_open = entries(system, edge, duration)
         leaving.setdefault(edge.source, []).append((edge.target, duration, spans_open))

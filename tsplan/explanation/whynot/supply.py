@@ -149,7 +149,8 @@ def _begun(context: Context) -> Iterator[Fact]:
         begin += places
         whose = swarm_words(context.mission, name)
         if bounds.most is not None and places > bounds.most:
-            text = f"{whose} starts at {places} places, in as many sub-swarms"
+            kind = "places" if group.coming else "states"
+            text = f"{whose} starts at {places} {kind}, in as many sub-swarms"
             broken.append((text, (name, "most")))
         broken += (
             (f"only {agents(count, None)} of {whose} start {_where(start)}", (name, "least"))
@@ -157,7 +158,8 @@ def _begun(context: Context) -> Iterator[Fact]:
             if 0 < count < bounds.least
         )
     if rules.together is not None and begin > rules.together:
-        broken.append((f"the swarms start at {begin} places, in as many sub-swarms", TOGETHER))
+        kind = "places" if any(group.coming for group in context.mission.team) else "states"
+        broken.append((f"the swarms start at {begin} {kind}, in as many sub-swarms", TOGETHER))
     for text, key in broken:
         parts = context.wording.parts({SoftConstraint("swarm", key)})
         yield Fact("swarm", f"{text}, and {parts[0].text}", parts[0].place, parts)
