@@ -10,7 +10,9 @@ import pytest
 
 import tsplan
 from tests.joint_plans import small_enough
-from tests.seeds import seed_blocks
+from tests.module_missions import TooManyError, random_module_mission, worth
+from tests.module_missions import best as best_of_modules
+from tests.seeds import sampled, seed_blocks
 from tests.slippery import grid_mission
 from tests.test_brute_force import PLAIN, REFERENCE, TIGHT, compare
 from tests.test_encode_agree import answer
@@ -20,8 +22,9 @@ from tests.test_partial_brute_force import (
     team_in_part,
     team_weighing,
 )
+from tests.test_structures_brute_force import PERFORMANCE
 from tsplan import Mission
-from tsplan.logic import Count, Formula, Known, fold
+from tsplan.logic import Count, Formula, Known, Task, fold
 from tsplan.testing import random_mission, random_swarm_mission
 
 NEAR = "G[9,9] (sum(goal) >= 1)"
@@ -33,7 +36,7 @@ def with_known(mission: Mission, seed: int) -> Mission:
 
     def known(node: Formula, below: tuple[Formula, ...]) -> Formula:
         made = node.over(below)
-        if not isinstance(node, Count) or drawn.random() < 0.3:
+        if not isinstance(node, Count | Task) or drawn.random() < 0.3:
             return made
         margin = Known(drawn.choice([-2, -1, 0, 0, 1, 2]))
         return drawn.choice(
@@ -99,3 +102,18 @@ def test_expected_numbers_have_no_more_to_spare_than_is_known(encoding, formula,
     plan = tsplan.plan(grid_mission(4, 3, formula), encoding=encoding)
     assert plan.verified == (availability is not None)
     assert plan.availability == pytest.approx(availability, abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", sampled(range(3000, 3100), range(3000, 3004)))
+def test_structures_perform_as_well_as_by_trying_everything(seed):
+    mission = with_known(random_module_mission(seed, steps=3, performance=PERFORMANCE), seed)
+    try:
+        expected = best_of_modules(mission)
+    except TooManyError:
+        return
+    for encoding in ("tight", "reference"):
+        plan = tsplan.plan(mission, encoding=encoding)
+        assert plan.verified == (expected is not None)
+        values = {item.name: item.value for item in plan.objective}
+        if expected is not None:
+            assert worth(mission, values) == pytest.approx(expected, abs=1e-9)

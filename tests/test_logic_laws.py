@@ -58,8 +58,10 @@ class Textbook:
         self.counted = isinstance(trace, logic.CountTrace)
         self.last = 0
 
-    def constant(self, value):
-        return math.inf if value else -math.inf
+    def constant(self, node):
+        if isinstance(node, Known):
+            return float(node.margin)
+        return math.inf if node.value else -math.inf
 
     def negated(self, value):
         return -value - 1 if self.counted else -value
@@ -93,12 +95,10 @@ class Textbook:
         denied = [self.negated(value) for value in below]
         self.last = max(self.last, time)
         match node:
-            case Constant():
-                found = self.constant(node.value)
+            case Constant() | Known():
+                found = self.constant(node)
             case Count() | Linear():
                 found = self.compared(node.relation, self.measured(node, time), node.bound)
-            case Known():
-                found = self.compared(">=", 0, -node.margin)
             case Not():
                 found = denied[0]
             case Whole():
@@ -132,8 +132,8 @@ class Truth(Textbook):
 
     best, worst = staticmethod(any), staticmethod(all)
 
-    def constant(self, value):
-        return value
+    def constant(self, node):
+        return node.margin >= 0 if isinstance(node, Known) else node.value
 
     def negated(self, value):
         return not value

@@ -19,7 +19,7 @@ from tsplan.encode.count_atoms import atoms_over
 from tsplan.encode.encoded import Setting
 from tsplan.encode.executions import Executions
 from tsplan.encode.flow_network import Network
-from tsplan.logic import FALSE, Count, Execution, Formula, nodes
+from tsplan.logic import FALSE, Count, Execution, Formula, Known, nodes
 from tsplan.logic.performance import tree_of_tasks
 from tsplan.milp.model import Draft, Floats, Ints
 from tsplan.mission.performances import Kind, Performances, Serving, rooms
@@ -97,7 +97,7 @@ class _Rows:
     def _leaf(self, node: Formula, step: int, guard: Guard) -> None:
         if isinstance(node, Execution):
             self._task(node, step, guard)
-        elif isinstance(node, Count):
+        elif isinstance(node, Count | Known):
             self._count(node, step, guard)
         elif isinstance(node, nodes.Not) or node == FALSE:  # not to execute is nowhere asked for
             self._never(guard)
@@ -131,7 +131,7 @@ class _Rows:
         if guard is not None:
             self._draft.sums((0, guard, 1.0), lower=0.0, upper=0.0, kind="performance")
 
-    def _count(self, node: Count, step: int, guard: Guard) -> None:
+    def _count(self, node: Count | Known, step: int, guard: Guard) -> None:
         """What must hold anyway the model asks for already."""
         if guard is None:
             return
