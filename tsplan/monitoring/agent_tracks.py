@@ -1,0 +1,132 @@
+"""Where single agents are, and where they are taken to go from there.
+
+An agent that is where its plan wants it goes on as planned. One that is late goes on as soon as it
+can: it leaves each state at the step that the plan says, or at once where that has gone by, so that
+it catches up where it would have waited. One that has strayed from its path stays where it is until
+it comes back to the rest of its path, and one that is lost is nowhere from then on.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import TypeAlias
+
+from tsplan.plans.agent_plans import Stay
+
+Position: TypeAlias = "str | tuple[str, str] | None"
+"""A state, an edge by its two ends, or None for an agent that is lost."""
+
+
+class OnItsWay(Enum):
+    """Somewhere between two states, on the edge that the agent's path has next."""
+
+    ON_ITS_WAY = "on its way"
+
+
+ON_ITS_WAY = OnItsWay.ON_ITS_WAY
+
+Future: TypeAlias = tuple[Stay, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """The path of an agent in a plan up to a horizon."""
+
+    stays: tuple[Stay, ...]
+    heading: str | None
+    horizon: int
+
+    def place(self, step: int) -> int:
+        """The number of the stay that has begun last at a step."""
+        return bisect_right(self.stays, step, key=lambda stay: stay[0]) - 1
+
+    def edge(self, place: int) -> tuple[str, str] | None:
+        """The edge after a stay; None at the end of the path."""
+        state = self.stays[place][2]
+        if place + 1 < len(self.stays):
+            return state, self.stays[place + 1][2]
+        return None if self.heading is None else (state, self.heading)
+
+    def duration(self, place: int) -> int:
+        """The steps of the edge after a stay; of one that is not left in time, more than any."""
+        if place + 1 < len(self.stays):
+            return self.stays[place + 1][0] - self.stays[place][1]
+        return self.horizon + 1
+
+    def onwards(self, place: int, step: int) -> Iterator[Stay]:
+        """The stays of an agent that comes to a stay of its path at a step, or is there then."""
+        while step <= self.horizon and place < len(self.stays):
+            _, last, state = self.stays[place]
+            ends = self.edge(place) is None
+            leaves = self.horizon if ends else max(last, step)
+            yield step, min(leaves, self.horizon), state
+            step, place = leaves + self.duration(place), place + 1
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """Where one agent is that is not simply following its path.
+
+    `place` is the stay of its path that it is at, or has left last. It comes to the next one at the
+    step `arrives`, where it is on the edge to there. What has `strayed` is at a state or an edge
+    that the rest of its path does not lead through.
+    """
+
+    route: Route
+    place: int
+    arrives: int | None = None
+    strayed: Position | OnItsWay = None
+    lost: bool = False
+
+    def future(self, now: int) -> Future:
+        """Where the agent is taken to stay from now on."""
+        if self.lost:
+            return ()
+        if self.strayed is not None:
+            stay = (now, self.route.horizon, self.strayed)
+            return (stay,) if isinstance(self.strayed, str) else ()  # type: ignore[return-value]  # a state
+        if self.arrives is None:
+            return tuple(self.route.onwards(self.place, now))
+        return tuple(self.route.onwards(self.place + 1, self.arrives))
+
+
+def rolled(track: Track, future: Future, step: int) -> Track:
+    """The track of an agent at a later step, where it has stayed as it was taken to."""
+    if track.lost or track.strayed is not None:
+        return track
+    number = bisect_right(future, step, key=lambda stay: stay[0]) - 1
+    if number < 0:
+        return track
+    place = number + track.place + (track.arrives is not None)
+    last = future[number][1]
+    return Track(track.route, place, last + track.route.duration(place) if step > last else None)
+
+
+def seen(track: Track, position: Position | OnItsWay, now: int) -> Track:
+    """The track of an agent that was tracked a step ago and is seen at a position now."""
+    route, place = track.route, track.place
+    if position is None:
+        return Track(route, place, lost=True)
+    if isinstance(position, str):
+        begin = place if track.arrives is None else place + 1
+        found = _first(range(begin, len(route.stays)), route, position)
+        if found is None and track.arrives is not None and route.stays[place][2] == position:
+            found = place  # has turned back
+        return Track(route, place, strayed=position) if found is None else Track(route, found)
+    on_way = isinstance(position, OnItsWay)
+    edge = route.edge(place) if on_way else position
+    places = range(place, len(route.stays))
+    ahead = next((number for number in places if edge and route.edge(number) == edge), None)
+    if ahead is None or (on_way and track.strayed is not None):
+        return Track(route, place, strayed=position)
+    arrives = track.arrives if ahead == place else None
+    if arrives is None:  # it left no sooner than the last step
+        arrives = now - 1 + route.duration(ahead)
+    return Track(route, ahead, max(arrives, now + 1))
+
+
+def _first(places: Sequence[int], route: Route, state: str) -> int | None:
+    return next((number for number in places if route.stays[number][2] == state), None)

@@ -1,0 +1,218 @@
+"""All agents of a plan that have paths: where they are expected, and what differs from that."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from tsplan.errors import Finding, InputError, nearest
+from tsplan.limits import clipped
+from tsplan.monitoring.agent_tracks import (
+    ON_ITS_WAY,
+    Future,
+    OnItsWay,
+    Position,
+    Route,
+    Track,
+    rolled,
+    seen,
+)
+from tsplan.plans.agent_plans import Stay
+from tsplan.plans.bundles import Bundle
+from tsplan.ts import TransitionSystem
+from tsplan.words import nfc
+
+Codes: TypeAlias = npt.NDArray[np.int64]
+
+AWAY, LOST = -1, -2
+"""What stands for an agent between two states, and for one that is lost, in arrays of positions."""
+
+
+class Shift(NamedTuple):
+    """An agent with some capabilities stays otherwise than was expected before."""
+
+    capabilities: frozenset[str]
+    former: frozenset[Stay]
+    latter: frozenset[Stay]
+    lost: bool
+
+
+@dataclass(slots=True)
+class _Tracked:
+    """An agent that does not simply follow its path; what was expected before is out of date."""
+
+    track: Track
+    future: Future
+    version: int
+
+
+class Fleet:
+    """The agents along the paths of some bundles on a map, from step 0 on."""
+
+    def __init__(
+        self,
+        bundles: Sequence[Bundle],
+        order: Sequence[str],
+        system: TransitionSystem,
+        horizon: int,
+    ) -> None:
+        self.agents = tuple(order)
+        self.states = tuple(system.states)
+        self._system = system
+        self._number = {state: number for number, state in enumerate(self.states)}
+        self._row = {name: row for row, name in enumerate(self.agents)}
+        self._bundle: list[Bundle] = [bundles[0]] * len(self.agents) if bundles else []
+        self._routes: dict[int, Route] = {}
+        self._tracked: dict[int, _Tracked] = {}
+        self._off = np.zeros(len(self.agents), dtype=np.bool_)
+        self._expected: Codes = np.full(len(self.agents), AWAY)
+        self._planned: dict[int, list[tuple[Codes, int]]] = defaultdict(list)
+        self._changed: dict[int, list[tuple[int, int, int]]] = defaultdict(list)
+        for bundle in bundles:
+            rows = np.array([self._row[name] for name in bundle.agents], dtype=np.int64)
+            self._routes[id(bundle)] = Route(bundle.stays, bundle.heading, horizon)
+            for row in rows.tolist():
+                self._bundle[row] = bundle
+            for step, code in self._codes(bundle.stays, horizon):
+                self._planned[step].append((rows, code))
+
+    def advance(self, step: int) -> None:
+        """Go on to the next step; agents are expected where their ways lead them."""
+        for rows, code in self._planned.pop(step, ()):
+            self._expected[rows[~self._off[rows]] if self._tracked else rows] = code
+        for row, version, code in self._changed.pop(step, ()):
+            if self._tracked[row].version == version:
+                self._expected[row] = code
+
+    def see(self, positions: Mapping[str, Position] | Codes, now: int) -> list[Shift]:
+        """What differs from what was expected at a step.
+
+        Raises InputError with everything that is wrong with the positions, and changes nothing.
+        """
+        if isinstance(positions, Mapping):
+            reports = list(self._named(positions, now))
+        else:
+            reports = list(self._numbered(positions))
+        return [self._moved(row, position, now) for row, position in reports]
+
+    def _codes(self, stays: Iterable[Stay], horizon: int) -> Iterator[tuple[int, int]]:
+        """From which step on which code is expected."""
+        ends: int | None = None
+        for first, last, state in stays:
+            if ends is not None and ends < first:
+                yield ends, AWAY
+            yield first, self._number[state]
+            ends = last + 1
+        if ends is not None and ends <= horizon:
+            yield ends, AWAY
+
+    def _numbered(self, positions: Codes) -> Iterator[tuple[int, Position | OnItsWay]]:
+        codes = np.asarray(positions)
+        if codes.shape != self._expected.shape or codes.dtype.kind not in "iu":
+            what = f"the positions are an array of {codes.dtype} of the shape {codes.shape}"
+            remedy = f"give {len(self.agents):,} whole numbers, in the order of `agents`"
+            raise InputError([Finding(what, remedy)])
+        rows = np.flatnonzero(codes != self._expected).tolist()
+        found, wrong = [], []
+        for row, code in zip(rows, codes[rows].tolist(), strict=True):
+            if not LOST <= code < len(self.states):
+                remedy = f"states are 0..{len(self.states) - 1}; {AWAY} is away, {LOST} lost"
+                wrong.append(Finding(f"{self.agents[row]} is at {code}", remedy))
+            elif self._expected[row] == LOST:
+                wrong.append(self._is_lost(row))
+            else:
+                found.append((row, _position(code, self.states)))
+        if wrong:
+            raise InputError(wrong)
+        yield from found
+
+    def _named(
+        self, positions: Mapping[str, Position], now: int
+    ) -> Iterator[tuple[int, Position | OnItsWay]]:
+        found, wrong = [], []
+        for given, position in positions.items():
+            name = nfc(given) if isinstance(given, str) else given
+            row = self._row.get(name)
+            if row is None:
+                remedy = nearest(name, self._row) if isinstance(name, str) else "give ids of agents"
+                wrong.append(Finding(f"the plan has no agent {clipped(name)} with a path", remedy))
+                continue
+            fault = self._fault(position)
+            if fault is not None:
+                wrong.append(Finding(f"{name} is at {clipped(position)}", fault))
+            elif self._expected[row] == LOST and position is not None:
+                wrong.append(self._is_lost(row))
+            elif not self._is_expected(row, position, now):
+                found.append((row, position))
+        if wrong:
+            raise InputError(wrong)
+        yield from found
+
+    def _fault(self, position: object) -> str | None:
+        """What to do about a position that is none."""
+        if position is None or (isinstance(position, str) and position in self._number):
+            return None
+        if isinstance(position, str):
+            return nearest(position, self._number)
+        if isinstance(position, tuple) and position in self._system.edges:
+            return None
+        return "give a state, an edge of the map as (from, to), or None for an agent that is lost"
+
+    def _is_lost(self, row: int) -> Finding:
+        what = f"{self.agents[row]} was lost before, and what is lost is gone for good"
+        return Finding(what, "make a monitor of a plan with the agents that are there")
+
+    def _is_expected(self, row: int, position: Position, now: int) -> bool:
+        code = int(self._expected[row])
+        if position is None:
+            return code == LOST
+        if isinstance(position, str):
+            return code == self._number[position]
+        if code != AWAY:
+            return False
+        track = self._track(row, now)
+        edge = track.route.edge(track.place) if track.strayed is None else track.strayed
+        return edge == position
+
+    def _track(self, row: int, step: int) -> Track:
+        """Where an agent is at a step, as far as it is known."""
+        tracked = self._tracked.get(row)
+        if tracked is not None:
+            return rolled(tracked.track, tracked.future, step)
+        route = self._routes[id(self._bundle[row])]
+        return rolled(Track(route, 0), route.stays, step)
+
+    def _moved(self, row: int, position: Position | OnItsWay, now: int) -> Shift:
+        """An agent is elsewhere than it was expected."""
+        bundle = self._bundle[row]
+        tracked = self._tracked.get(row)
+        former = self._routes[id(bundle)].stays if tracked is None else tracked.future
+        track = seen(self._track(row, max(now - 1, 0)), position, now)
+        future = track.future(now)
+        version = 0 if tracked is None else tracked.version + 1
+        self._tracked[row], self._off[row] = _Tracked(track, future, version), True
+        self._expected[row] = LOST if track.lost else AWAY
+        if not track.lost:
+            for step, code in self._codes(future, track.route.horizon):
+                if step <= now:
+                    self._expected[row] = code
+                else:
+                    self._changed[step].append((row, version, code))
+        old, new = frozenset(_from(former, now)), frozenset(_from(future, now))
+        return Shift(bundle.capabilities, old - new, new - old, track.lost)
+
+
+def _position(code: int, states: Sequence[str]) -> Position | OnItsWay:
+    if code == LOST:
+        return None
+    return ON_ITS_WAY if code == AWAY else states[code]
+
+
+def _from(stays: Iterable[Stay], now: int) -> Iterator[Stay]:
+    """The parts of stays from a step on."""
+    return ((max(first, now), last, state) for first, last, state in stays if last >= now)
