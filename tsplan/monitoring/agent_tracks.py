@@ -8,11 +8,11 @@ it comes back to the rest of its path, and one that is lost is nowhere from then
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from tsplan.plans.agent_plans import Stay
 
@@ -28,7 +28,16 @@ class OnItsWay(Enum):
 
 ON_ITS_WAY = OnItsWay.ON_ITS_WAY
 
-Future: TypeAlias = tuple[Stay, ...]
+
+class Future(NamedTuple):
+    """Where an agent is taken to stay from some step on: at `stays`, then as its path says.
+
+    The first of them is at the place `begin` of its path, and its path goes on from `upto` on.
+    """
+
+    stays: tuple[Stay, ...]
+    begin: int
+    upto: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,10 +47,6 @@ class Route:
     stays: tuple[Stay, ...]
     heading: str | None
     horizon: int
-
-    def place(self, step: int) -> int:
-        """The number of the stay that has begun last at a step."""
-        return bisect_right(self.stays, step, key=lambda stay: stay[0]) - 1
 
     def edge(self, place: int) -> tuple[str, str] | None:
         """The edge after a stay; None at the end of the path."""
@@ -56,14 +61,30 @@ class Route:
             return self.stays[place + 1][0] - self.stays[place][1]
         return self.horizon + 1
 
-    def onwards(self, place: int, step: int) -> Iterator[Stay]:
-        """The stays of an agent that comes to a stay of its path at a step, or is there then."""
-        while step <= self.horizon and place < len(self.stays):
+    def onwards(self, place: int, step: int) -> Future:
+        """The future of an agent that comes to a stay of its path at a step, or is there then.
+
+        It is told until it has caught up with the path.
+        """
+        stays, begin, over = [], place, len(self.stays)
+        while step <= self.horizon and place < over:
             _, last, state = self.stays[place]
-            ends = self.edge(place) is None
-            leaves = self.horizon if ends else max(last, step)
-            yield step, min(leaves, self.horizon), state
+            leaves = self.horizon if self.edge(place) is None else max(last, step)
+            stays.append((step, min(leaves, self.horizon), state))
             step, place = leaves + self.duration(place), place + 1
+            if leaves == last:
+                return Future(tuple(stays), begin, place)
+        return Future(tuple(stays), begin, over)
+
+    def ahead(self, future: Future, now: int, upto: int) -> set[Stay]:
+        """The stays of a future from now on, up to a place of the path."""
+        first = bisect_left(self.stays, now, key=lambda stay: stay[1])
+        planned = self.stays[max(future.upto, first) : upto]
+        return {
+            (max(begin, now), last, state)
+            for begin, last, state in (*future.stays, *planned)
+            if last >= now
+        }
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,25 +104,31 @@ class Track:
 
     def future(self, now: int) -> Future:
         """Where the agent is taken to stay from now on."""
+        over = len(self.route.stays)
         if self.lost:
-            return ()
+            return Future((), over, over)
         if self.strayed is not None:
-            stay = (now, self.route.horizon, self.strayed)
-            return (stay,) if isinstance(self.strayed, str) else ()  # type: ignore[return-value]  # a state
+            there = self.strayed
+            stays = ((now, self.route.horizon, there),) if isinstance(there, str) else ()
+            return Future(stays, over, over)
         if self.arrives is None:
-            return tuple(self.route.onwards(self.place, now))
-        return tuple(self.route.onwards(self.place + 1, self.arrives))
+            return self.route.onwards(self.place, now)
+        return self.route.onwards(self.place + 1, self.arrives)
+
+
+PLANNED = Future((), 0, 0)
+"""The future of an agent that follows its path."""
 
 
 def rolled(track: Track, future: Future, step: int) -> Track:
     """The track of an agent at a later step, where it has stayed as it was taken to."""
     if track.lost or track.strayed is not None:
         return track
-    number = bisect_right(future, step, key=lambda stay: stay[0]) - 1
+    stays = future.stays if future.upto else track.route.stays
+    number = bisect_right(stays, step, key=lambda stay: stay[0]) - 1
     if number < 0:
         return track
-    place = number + track.place + (track.arrives is not None)
-    last = future[number][1]
+    place, last = future.begin + number, stays[number][1]
     return Track(track.route, place, last + track.route.duration(place) if step > last else None)
 
 

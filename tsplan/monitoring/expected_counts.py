@@ -5,16 +5,17 @@ Only states that the atoms of formulas count at are kept.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
-from types import MappingProxyType
 
 import numpy as np
 
 from tsplan.errors import Finding, InputError, nearest
 from tsplan.logic import Count, Execution, Formula, Not
-from tsplan.logic.traces import Floats, Values
+from tsplan.logic.traces import Floats
+from tsplan.milp.model import Ints
 from tsplan.mission import Mission
 from tsplan.monitoring.fleet import Shift
 from tsplan.monitoring.margin_network import Span
@@ -23,29 +24,29 @@ from tsplan.plans.plan import Plan
 from tsplan.plans.presence import of_groups, state_counts
 from tsplan.plans.supplies import execution_tables
 
-_REDUCED: Mapping[str, np.ufunc] = MappingProxyType(
-    {"sum": np.add, "min": np.minimum, "max": np.maximum}
-)
-
 
 @dataclass(frozen=True, eq=False)
 class _Measured:
-    """A count: the table it is read from, and the rows of its states there."""
+    """A count, and how many agents with its capability are at each of some places when.
+
+    A place is one state with the label, or where they are added up, all of them.
+    """
 
     atom: Count
-    rows: Values
+    states: int
+    table: Ints  # (places, steps)
 
-    def margins(self, table: Values, span: Span) -> Floats:
+    def margins(self, span: Span) -> Floats:
         """By how much it holds at some steps."""
-        there = table[self.rows, span.first : span.last + 1]
-        counts = _REDUCED[self.atom.function].reduce(there, axis=0).astype(np.float64)
-        bound = float(self.atom.bound)  # type: ignore[arg-type]  # percentages are resolved
-        return np.asarray(bound - counts if self.atom.upper else counts - bound)
+        there = self.table[:, span.first : span.last + 1]
+        reduced = there.max(axis=0) if self.atom.function == "max" else there.min(axis=0)
+        bound = self.atom.bound
+        assert isinstance(bound, int)
+        return np.asarray(bound - reduced if self.atom.upper else reduced - bound, np.float64)
 
     def decided(self, agents: int) -> bool | None:
         """What is certain of it whatever so many agents do, if that is anything."""
-        states = self.rows.size
-        most = {"sum": agents, "max": agents, "min": agents // states}[self.atom.function]
+        most = agents // self.states if self.atom.function == "min" else agents
         bound = self.atom.bound
         assert isinstance(bound, int)
         if self.atom.upper:
@@ -61,18 +62,20 @@ class ExpectedCounts:
         labels = mission.system.labels
         watched = {state for atom in counts for state in labels[atom.label]}
         self._states = tuple(state for state in mission.system.states if state in watched)
-        self._row = {state: row for row, state in enumerate(self._states)}
         named = {None, *(atom.capability for atom in counts)}
-        self._tables = {name: plan.tallied(self._states, name) for name in named}
         self.agents = {name: mission.having(name) for name in named}
-        self.atoms = {
-            atom: _Measured(atom, np.array([self._row[state] for state in labels[atom.label]]))
-            for atom in counts
-        }
-        self._watching: dict[tuple[str | None, int], list[Count]] = {}
-        for atom, measured in self.atoms.items():
-            for row in measured.rows.tolist():
-                self._watching.setdefault((atom.capability, row), []).append(atom)
+        rows = {state: row for row, state in enumerate(self._states)}
+        tables = {name: np.asarray(plan.tallied(self._states, name), np.int64) for name in named}
+        self.atoms: dict[Count, _Measured] = {}
+        self._watching: dict[str, list[tuple[Count, Ints]]] = defaultdict(list)
+        for atom in counts:
+            states = labels[atom.label]
+            table = tables[atom.capability][[rows[state] for state in states]]  # of its own
+            added = atom.function == "sum"
+            table = table.sum(axis=0, keepdims=True) if added else table
+            self.atoms[atom] = _Measured(atom, len(states), table)
+            for number, state in enumerate(states):
+                self._watching[state].append((atom, table[0 if added else number]))
         self._changed: dict[Count, Span] = {}
         self._swarms = {
             name: state_counts(
@@ -87,14 +90,13 @@ class ExpectedCounts:
         """Change where agents are; whether some of them are lost."""
         lost = False
         for shift in shifts:
-            able = [n for n in self._tables if n is None or n in shift.capabilities]
             for stays, change in ((shift.former, -1), (shift.latter, 1)):
                 for first, last, state in stays:
-                    self._add(state, Span(first, last), able, change)
+                    self._add(state, Span(first, last), shift.capabilities, change)
             if shift.lost:
                 lost = True
-                for name in able:
-                    self.agents[name] -= 1
+                for name in self.agents:
+                    self.agents[name] -= name is None or name in shift.capabilities
         return lost
 
     def refuse(self, swarms: Mapping[str, Mapping[str, int]], states: Sequence[str]) -> None:
@@ -106,29 +108,21 @@ class ExpectedCounts:
     def report(self, swarms: Mapping[str, Mapping[str, int]], now: int) -> None:
         """Say how many agents of swarms are at which states at a step; nobody at any other."""
         for name, there in swarms.items():
-            for state, row in self._row.items():
+            for row, state in enumerate(self._states):
                 change = int(there.get(state, 0)) - int(self._swarms[name][row, now])
-                able = [n for n in self._tables if n is None or n == name]
                 if change:
                     self._swarms[name][row, now] += change
-                    self._add(state, Span(now, now), able, change)
+                    self._add(state, Span(now, now), (name,), change)
 
     def changes(self) -> dict[Count, Span]:
         """Atoms whose counts have changed since this was asked last, and at which steps."""
         changed, self._changed = self._changed, {}
         return changed
 
-    def margins(self, atom: Count, span: Span) -> Floats:
-        """By how much an atom holds at some steps."""
-        return self.atoms[atom].margins(self._tables[atom.capability], span)
-
-    def _add(self, state: str, span: Span, able: Iterable[str | None], change: int) -> None:
-        row = self._row.get(state)
-        if row is None:
-            return
-        for name in able:
-            self._tables[name][row, span.first : span.last + 1] += change
-            for atom in self._watching.get((name, row), ()):
+    def _add(self, state: str, span: Span, able: Container[str], change: int) -> None:
+        for atom, counts in self._watching.get(state, ()):
+            if atom.capability is None or atom.capability in able:
+                counts[span.first : span.last + 1] += change
                 known = self._changed.get(atom)
                 self._changed[atom] = span if known is None else known.hull(span)
 

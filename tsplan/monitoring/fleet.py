@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from tsplan.errors import Finding, InputError, nearest
 from tsplan.limits import clipped
 from tsplan.monitoring.agent_tracks import (
     ON_ITS_WAY,
+    PLANNED,
     Future,
     OnItsWay,
     Position,
@@ -22,23 +22,24 @@ from tsplan.monitoring.agent_tracks import (
     rolled,
     seen,
 )
+from tsplan.monitoring.timetable import Change, Codes, Timetable
 from tsplan.plans.agent_plans import Stay
 from tsplan.plans.bundles import Bundle
 from tsplan.ts import TransitionSystem
 from tsplan.words import nfc
 
-Codes: TypeAlias = npt.NDArray[np.int64]
-
 AWAY, LOST = -1, -2
 """What stands for an agent between two states, and for one that is lost, in arrays of positions."""
+
+_BACK = -3  # an agent follows its path again
 
 
 class Shift(NamedTuple):
     """An agent with some capabilities stays otherwise than was expected before."""
 
     capabilities: frozenset[str]
-    former: frozenset[Stay]
-    latter: frozenset[Stay]
+    former: set[Stay]
+    latter: set[Stay]
     lost: bool
 
 
@@ -69,25 +70,39 @@ class Fleet:
         self._bundle: list[Bundle] = [bundles[0]] * len(self.agents) if bundles else []
         self._routes: dict[int, Route] = {}
         self._tracked: dict[int, _Tracked] = {}
+        self._versions = 0  # of futures, so that what is out of date is known
         self._off = np.zeros(len(self.agents), dtype=np.bool_)
         self._expected: Codes = np.full(len(self.agents), AWAY)
-        self._planned: dict[int, list[tuple[Codes, int]]] = defaultdict(list)
         self._changed: dict[int, list[tuple[int, int, int]]] = defaultdict(list)
-        for bundle in bundles:
-            rows = np.array([self._row[name] for name in bundle.agents], dtype=np.int64)
+        self._at = -1
+        changes: list[Change] = []
+        ways: list[list[int]] = []
+        for number, bundle in enumerate(bundles):
+            ways.append([self._row[name] for name in bundle.agents])
             self._routes[id(bundle)] = Route(bundle.stays, bundle.heading, horizon)
-            for row in rows.tolist():
+            for row in ways[-1]:
                 self._bundle[row] = bundle
-            for step, code in self._codes(bundle.stays, horizon):
-                self._planned[step].append((rows, code))
+            changes += (Change(s, number, code) for s, code in self._codes(bundle.stays, horizon))
+        self._planned = Timetable(changes, ways)
 
     def advance(self, step: int) -> None:
         """Go on to the next step; agents are expected where their ways lead them."""
-        for rows, code in self._planned.pop(step, ()):
-            self._expected[rows[~self._off[rows]] if self._tracked else rows] = code
         for row, version, code in self._changed.pop(step, ()):
-            if self._tracked[row].version == version:
-                self._expected[row] = code
+            tracked = self._tracked.get(row)
+            if tracked is not None and tracked.version == version:
+                if code == _BACK:
+                    del self._tracked[row]
+                    self._off[row] = False
+                else:
+                    self._expected[row] = code
+        if step == self._at:
+            return
+        self._at = step
+        rows, codes = self._planned.at(step)
+        if self._tracked:
+            planned = ~self._off[rows]
+            rows, codes = rows[planned], codes[planned]
+        self._expected[rows] = codes
 
     def see(self, positions: Mapping[str, Position] | Codes, now: int) -> list[Shift]:
         """What differs from what was expected at a step.
@@ -185,34 +200,35 @@ class Fleet:
         if tracked is not None:
             return rolled(tracked.track, tracked.future, step)
         route = self._routes[id(self._bundle[row])]
-        return rolled(Track(route, 0), route.stays, step)
+        return rolled(Track(route, 0), PLANNED, step)
 
     def _moved(self, row: int, position: Position | OnItsWay, now: int) -> Shift:
         """An agent is elsewhere than it was expected."""
-        bundle = self._bundle[row]
-        tracked = self._tracked.get(row)
-        former = self._routes[id(bundle)].stays if tracked is None else tracked.future
+        bundle, tracked = self._bundle[row], self._tracked.get(row)
+        former = PLANNED if tracked is None else tracked.future
         track = seen(self._track(row, max(now - 1, 0)), position, now)
         future = track.future(now)
-        version = 0 if tracked is None else tracked.version + 1
-        self._tracked[row], self._off[row] = _Tracked(track, future, version), True
+        self._versions += 1
+        self._tracked[row], self._off[row] = _Tracked(track, future, self._versions), True
         self._expected[row] = LOST if track.lost else AWAY
-        if not track.lost:
-            for step, code in self._codes(future, track.route.horizon):
-                if step <= now:
-                    self._expected[row] = code
-                else:
-                    self._changed[step].append((row, version, code))
-        old, new = frozenset(_from(former, now)), frozenset(_from(future, now))
+        for step, code in self._told(track, future):
+            if step <= now:
+                self._expected[row] = code
+            else:
+                self._changed[step].append((row, self._versions, code))
+        upto = max(former.upto, future.upto)
+        old, new = (track.route.ahead(each, now, upto) for each in (former, future))
         return Shift(bundle.capabilities, old - new, new - old, track.lost)
+
+    def _told(self, track: Track, future: Future) -> Iterator[tuple[int, int]]:
+        """From which step on an agent is expected where, until it follows its path again."""
+        route = track.route
+        yield from self._codes(future.stays, route.horizon)
+        if future.upto < len(route.stays):
+            yield route.stays[future.upto][0], _BACK
 
 
 def _position(code: int, states: Sequence[str]) -> Position | OnItsWay:
     if code == LOST:
         return None
     return ON_ITS_WAY if code == AWAY else states[code]
-
-
-def _from(stays: Iterable[Stay], now: int) -> Iterator[Stay]:
-    """The parts of stays from a step on."""
-    return ((max(first, now), last, state) for first, last, state in stays if last >= now)

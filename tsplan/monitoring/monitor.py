@@ -9,9 +9,10 @@ from tsplan.errors import Finding, InputError, PlanError
 from tsplan.mission import Mission
 from tsplan.monitoring.agent_tracks import Position
 from tsplan.monitoring.decisions import FAILS, HOLDS, OPEN
-from tsplan.monitoring.fleet import Codes, Fleet, Shift
+from tsplan.monitoring.fleet import Fleet, Shift
 from tsplan.monitoring.outlook import Outlook
 from tsplan.monitoring.part_formulas import MissionPart, parts_of
+from tsplan.monitoring.timetable import Codes
 from tsplan.monitoring.verdict import PartVerdict, Slack, Truth, Verdict
 from tsplan.parameters import step_within
 from tsplan.plans.plan import Plan

@@ -108,7 +108,7 @@ class Outlook:
         if known is not None:
             margins = np.full(span.last + 1, float(known.margin))
         elif isinstance(leaf, Count):
-            margins = self._counts.margins(leaf, steps)
+            margins = self._counts.atoms[leaf].margins(steps)
         else:
             margins = executed[leaf][: span.last + 1]
         values = np.full((ROWS, margins.size), -inf)
@@ -126,7 +126,7 @@ class Outlook:
         span = span.within(Span(0, atom.last))
         if span.empty:
             return
-        margins = self._counts.margins(count, span)
+        margins = self._counts.atoms[count].margins(span)
         atom.values[AVAILABILITY, span.first : span.last + 1] = margins
         self._network.tell(count, span.first, atom.values[:, span.first : span.last + 1])
         self._refresh(atom, span.first, margins, now)
