@@ -50,6 +50,8 @@ if TYPE_CHECKING:  # each under its own name, so that type checkers see it as pu
     from tsplan.mission import UnderWay as UnderWay
     from tsplan.mission import load_mission as load_mission
     from tsplan.mission import mission_from_text as mission_from_text
+    from tsplan.monitoring.monitor import Monitor as Monitor
+    from tsplan.monitoring.verdict import Verdict as Verdict
     from tsplan.plans.agent_plans import AgentPlan as AgentPlan
     from tsplan.plans.moves import Move as Move
     from tsplan.plans.outcomes import Status as Status

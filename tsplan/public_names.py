@@ -50,6 +50,7 @@ GROUPS: Mapping[str, Mapping[str, tuple[str, ...]]] = MappingProxyType(
         "Planning": {
             "checking.assignment": ("assign",),
             "explanation.whynot.diagnosis": ("explain",),
+            "monitoring.monitor": ("Monitor",),
             "protocol.disturbances": ("simulate_controlled", "simulate_disturbed"),
             "protocol.margin_size": ("margin_for",),
             "protocol.simulation": ("simulate",),
@@ -68,6 +69,7 @@ GROUPS: Mapping[str, Mapping[str, tuple[str, ...]]] = MappingProxyType(
         "Results": {
             "checking.check_report": ("Report",),
             "explanation": ("Explanation",),
+            "monitoring.verdict": ("Verdict",),
             "plans.agent_plans": ("AgentPlan",),
             "plans.moves": ("Move",),
             "plans.outcomes": ("Status",),

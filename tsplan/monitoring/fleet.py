@@ -22,7 +22,7 @@ from tsplan.monitoring.agent_tracks import (
     rolled,
     seen,
 )
-from tsplan.monitoring.timetable import Change, Codes, Timetable
+from tsplan.monitoring.planned_changes import Change, Codes, PlannedChanges
 from tsplan.plans.agent_plans import Stay
 from tsplan.plans.bundles import Bundle
 from tsplan.ts import TransitionSystem
@@ -83,7 +83,7 @@ class Fleet:
             for row in ways[-1]:
                 self._bundle[row] = bundle
             changes += (Change(s, number, code) for s, code in self._codes(bundle.stays, horizon))
-        self._planned = Timetable(changes, ways)
+        self._planned = PlannedChanges(changes, ways)
 
     def advance(self, step: int) -> None:
         """Go on to the next step; agents are expected where their ways lead them."""

@@ -12,7 +12,7 @@ from tsplan.monitoring.decisions import FAILS, HOLDS, OPEN
 from tsplan.monitoring.fleet import Fleet, Shift
 from tsplan.monitoring.outlook import Outlook
 from tsplan.monitoring.part_formulas import MissionPart, parts_of
-from tsplan.monitoring.timetable import Codes
+from tsplan.monitoring.planned_changes import Codes
 from tsplan.monitoring.verdict import PartVerdict, Slack, Truth, Verdict
 from tsplan.parameters import step_within
 from tsplan.plans.plan import Plan

@@ -19,10 +19,10 @@ class Change(NamedTuple):
     code: int
 
 
-class Timetable:
+class PlannedChanges:
     """Changes in the order of steps; each way has the rows of some agents.
 
-    >>> table = Timetable([Change(2, 0, 5), Change(1, 1, 4), Change(2, 1, 3)], [[0], [2, 7]])
+    >>> table = PlannedChanges([Change(2, 0, 5), Change(1, 1, 4), Change(2, 1, 3)], [[0], [2, 7]])
     >>> [part.tolist() for part in table.at(2)]
     [[0, 2, 7], [5, 3, 3]]
     """
