@@ -24,7 +24,9 @@ from tests.test_partial_brute_force import (
 )
 from tests.test_structures_brute_force import PERFORMANCE
 from tsplan import Mission
-from tsplan.logic import Count, Formula, Known, Task, fold
+from tsplan.logic import Count, Formula, Known, Task, fold, parse, tighten
+from tsplan.logic.margin import shifted
+from tsplan.mission import mission_from_text
 from tsplan.testing import random_mission, random_swarm_mission
 
 NEAR = "G[9,9] (sum(goal) >= 1)"
@@ -117,3 +119,37 @@ def test_structures_perform_as_well_as_by_trying_everything(seed):
         values = {item.name: item.value for item in plan.objective}
         if expected is not None:
             assert worth(mission, values) == pytest.approx(expected, abs=1e-9)
+
+
+FERRY = """\
+format: tsplan-mission/1
+map: {waiting: true, states: {p: {labels: [a]}, q: {labels: [b]}}, edges: [[p, q, 1]]}
+team: [{class: k, count: 3, at: p}]
+spec: {language: mtl, formula: 'FORMULA'}
+objective: [availability, travel]
+"""
+
+
+@pytest.mark.parametrize("encoding", ["tight", "reference"])
+@pytest.mark.parametrize(
+    ("formula", "availability", "travel"),
+    [
+        ("known(0) || F[0,3] b", 2, 3),
+        ("known(1) && F[0,3] b", 1, 2),
+        ("known(4) || F[0,3] b", 4, 0),
+        ("G[0,2] (known(1) || sum(b) >= 2)", 1, 0),
+        ("F[0,2] (known(-1) || sum(b) >= 2)", 1, 3),
+        ("!known(-2) && F[0,3] b", 1, 2),
+    ],
+)
+def test_what_is_known_bounds_the_availability(encoding, formula, availability, travel):
+    plan = tsplan.plan(mission_from_text(FERRY.replace("FORMULA", formula)), encoding=encoding)
+    assert plan.verified
+    assert (plan.availability, plan.value("travel")) == (availability, travel)
+
+
+def test_known_margins_are_shifted_and_need_no_head_room():
+    formula = parse("known(3) && sum(a) >= 4")
+    assert str(shifted(formula, 2)) == "known(1) && sum(a) >= 6"
+    assert str(tighten(formula, lambda _: 9, lambda _: 2)) == "known(3) && sum(a) >= 6"
+    assert str(tighten(formula, lambda _: 9, lambda _: 0, level=1)) == "known(2) && sum(a) >= 5"

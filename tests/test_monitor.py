@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from math import inf
 from random import Random
 
@@ -16,10 +17,23 @@ from tests.module_missions import random_module_mission
 from tests.resource_missions import random_booked_mission
 from tests.seeds import seed_blocks
 from tests.slippery import grid_mission
+from tests.test_monitor_parts import spare
 from tsplan.errors import InputError, PlanError
-from tsplan.logic import And, holds, parse, progress, robustness
+from tsplan.logic import (
+    Always,
+    And,
+    Eventually,
+    Or,
+    Until,
+    holds,
+    parse,
+    progress,
+    robustness,
+    walk,
+)
 from tsplan.logic.settled import settled
 from tsplan.mission import Preference, mission_from_text
+from tsplan.monitoring.agent_tracks import Route
 from tsplan.monitoring.monitor import Monitor
 from tsplan.monitoring.part_formulas import parts_of
 from tsplan.plans.agent_plans import AgentPlan
@@ -83,6 +97,7 @@ def follow(seed: int) -> None:
                 raise AssertionError(f"{part.text} is decided at {now} in mission {seed}")
             if said.truth != "open":
                 judge_early(world, part.goal, said.truth == "holds", agents)
+        assert verdict.slack.steps == late(goal, rest, now), (seed, now)
         if 0 <= verdict.slack.steps < inf:
             for pause in range(int(verdict.slack.steps) + 1):
                 assert holds(goal, world.expected(pause))[0], (seed, now, pause)
@@ -92,6 +107,29 @@ def follow(seed: int) -> None:
     for part, said in zip(parts, verdict.parts, strict=True):
         assert said.truth == ("holds" if holds(part.goal, whole)[0] else "violated")
     assert verdict.truth == ("holds" if holds(goal, whole)[0] else "violated")
+
+
+def late(goal, trace, now):
+    """By how many steps all may be late, by the definitions; `trace` is what is expected."""
+    truths = {node: holds(node, trace).tolist() for node in walk(goal) if not node.children}
+
+    @cache
+    def at(node, step):
+        if not node.children:
+            return spare(truths[node], step, now)
+        best = max if isinstance(node, Or | Eventually | Until) else min
+        if isinstance(node, And | Or):
+            return best(at(child, step) for child in node.children)
+        window = range(step + node.low, step + node.high + 1)
+        if isinstance(node, Always | Eventually):
+            return best(at(node.child, other) for other in window)
+        worst = min if best is max else max
+        return best(
+            worst([at(node.right, s), *(at(node.left, before) for before in range(step, s))])
+            for s in window
+        )
+
+    return at(goal, 0)
 
 
 def judge_early(world: World, goal, truth: bool, agents: int) -> None:
@@ -208,6 +246,20 @@ def test_who_strays_stays_there_until_it_is_back_on_its_path():
     back = monitor.update(4, {"crew-1": "road"})
     assert (back.works, back.slack) == (True, (0, 0))
     assert monitor.update(6, {"crew-1": "dock"}).parts[0].truth == "holds"
+
+
+def test_who_has_caught_up_is_expected_where_its_path_is():
+    monitor = ferry(RIDE, RIDE, STAY)
+    fleet = monitor._fleet
+    monitor.update(4, {"crew-1": ("road", "dock")})  # and is there one step late, with time to wait
+    monitor.update(6)
+    monitor.update(8)
+    moved = {"crew-1": "road", "crew-2": "road", "crew-3": "yard"}
+    assert fleet.see(moved, 8) == []
+    assert not fleet._tracked
+    route = Route(RIDE, None, 10)
+    assert route.onwards(2, 5) == (((5, 6, "dock"),), 2, 3)
+    assert route.onwards(1, 4) == (((4, 4, "road"), (6, 6, "dock")), 1, 3)
 
 
 def test_an_array_says_the_same_as_names():

@@ -155,6 +155,8 @@ def test_what_cannot_be_progressed_is_refused():
         progress(parse("a"), CountTrace({None: np.ones((2, 1, 3))}, {"a": np.array([0])}))
     with pytest.raises(ValueError, match="percentage"):
         progress(parse("sum(a) >= 30%"), counted(1))
+    with pytest.raises(ValueError, match="expected numbers"):
+        progress(parse("a"), CountTrace({None: np.array([[0.5]])}, {"a": np.array([0])}))
     with pytest.raises(ValueError, match="about agents"):
         robustness(Known(1), SignalTrace({"x": np.zeros(1)}))
 

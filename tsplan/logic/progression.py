@@ -48,8 +48,8 @@ def progress(
     left remains, with a `task` of its own (see `still_executed`) and without the resources that are
     `consumed`, by name. A mapping of names to arrays is a trace of signals.
 
-    Raises ValueError for several traces at once, for weights, whose kinds of robustness do not add
-    up step by step, and for what cannot be judged on the trace.
+    Raises ValueError for several traces at once, for expected numbers of agents, for weights, whose
+    kinds of robustness do not add up step by step, and for what cannot be judged on the trace.
 
     >>> from tsplan.logic import parse
     >>> trace = CountTrace({None: np.array([[0, 3, 1]])}, {"a": np.array([0])})

@@ -55,8 +55,12 @@ def settled(formula: Formula) -> Settled | None:
 
 
 def known_count(margin: float) -> Formula:
-    """The formula of counts with this robustness."""
-    return _endless(margin) if isinf(margin) else Known(int(margin))
+    """The formula of counts with this robustness; ValueError for one that is not whole."""
+    if isinf(margin):
+        return _endless(margin)
+    if margin != int(margin):
+        raise ValueError(f"{margin} agents are to spare: expected numbers leave no known margin")
+    return Known(int(margin))
 
 
 def known_signal(margin: float, holds: bool) -> Formula:
