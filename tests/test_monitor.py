@@ -144,7 +144,7 @@ def judge_early(world: World, goal, truth: bool, agents: int) -> None:
         assert bool(holds(goal, trace)[0]) is truth
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(24), range(24, 2000), 8))
+@pytest.mark.parametrize("seeds", seed_blocks(range(12), range(12, 2000), 6))
 def test_verdicts_are_those_of_whole_traces_and_never_too_early(seeds):
     for seed in seeds:
         follow(seed)
@@ -199,6 +199,15 @@ def test_what_is_said_as_a_plan_goes_on():
     assert monitor.update(10).parts[2].decided == 7
 
 
+def test_what_holds_from_now_on_has_all_the_time():
+    text = TEXT.replace("F[7,9] sum(home) >= 1", "G[4,8] sum(home) <= 1")
+    monitor = ferry(
+        ((0, 0, "yard"), (1, 10, "moor")), ((0, 0, "yard"), (1, 10, "moor")), STAY, text=text
+    )
+    slack = [monitor.update(step).parts[2].slack for step in range(2)]
+    assert slack == [(0, 3), (0, inf)]
+
+
 def test_those_who_are_late_go_on_as_soon_as_they_can():
     monitor = ferry(RIDE, RIDE, STAY)
     monitor.update(2)
@@ -251,19 +260,19 @@ def test_who_strays_stays_there_until_it_is_back_on_its_path():
 def test_who_has_caught_up_is_expected_where_its_path_is():
     monitor = ferry(RIDE, RIDE, STAY)
     fleet = monitor._fleet
-    monitor.update(4, {"crew-1": ("road", "dock")})  # and is there one step late, with time to wait
+    # it is there one step late, with time to wait
+    monitor.update(4, {"crew-1": ("road", "dock"), "crew-3": None})
     monitor.update(6)
     monitor.update(8)
-    moved = {"crew-1": "road", "crew-2": "road", "crew-3": "yard"}
-    assert fleet.see(moved, 8) == []
-    assert not fleet._tracked
+    assert fleet.see({"crew-1": "road", "crew-2": "road"}, 8) == []
+    assert list(fleet._tracked) == [2]
     route = Route(RIDE, None, 10)
     assert route.onwards(2, 5) == (((5, 6, "dock"),), 2, 3)
     assert route.onwards(1, 4) == (((4, 4, "road"), (6, 6, "dock")), 1, 3)
 
 
 def test_an_array_says_the_same_as_names():
-    for seed in range(8):
+    for seed in range(4):
         world = World(seed, loss=0.05)
         other = Monitor(world.mission, world.plan)
         number = {state: place for place, state in enumerate(other.states)}
@@ -345,7 +354,7 @@ horizon: 8
 
 
 def test_a_plan_that_goes_on_as_planned_keeps_its_word():
-    for seed in range(12):
+    for seed in range(4):
         for made in (
             random_mission(seed),
             random_swarm_mission(seed),
