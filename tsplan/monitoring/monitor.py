@@ -83,7 +83,8 @@ class Monitor:
 
         Steps come one after the other from 0 on; those that are left out went as was expected.
         Raises InputError for a step that was told of before or is after the end of the plan, and
-        for positions and counts that cannot be; then nothing has changed.
+        for positions and counts that cannot be; then nobody is elsewhere than before, and the step
+        can be told of again.
         """
         now = step_within(step, self._horizon)
         if now <= self._now:

@@ -52,9 +52,8 @@ class Outlook:
         self._counts = ExpectedCounts(mission, plan, leaves)
         executed = execution_margins(mission, plan, leaves)
         self._atoms: dict[Formula, _Atom] = {}
-        self._starting: dict[int, set[_Atom]] = defaultdict(
-            set
-        )  # runs of atoms, by their first steps
+        # atoms with runs that begin at a step to come
+        self._starting: dict[int, set[_Atom]] = defaultdict(set)
         for leaf in leaves:
             span = self._decisions.span(leaf)
             if span[0] <= span[1]:

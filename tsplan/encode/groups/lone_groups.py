@@ -18,7 +18,7 @@ from tsplan.encode.capability_mask import is_counted
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.groups.token_flow import Track, track_of
 from tsplan.encode.preparation import on_reduced_maps
-from tsplan.logic import Count, Execution, Formula, walk
+from tsplan.logic import Count, Execution, Formula, Known, walk
 from tsplan.logic.traversal import fold
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
@@ -45,6 +45,8 @@ def lone(setting: Setting) -> Setting | None:
         return None
 
     def alone(node: Formula, below: tuple[Formula, ...]) -> Formula:
+        if isinstance(node, Known):
+            return Known(node.margin - setting.level)
         return _counted(setting, node) if isinstance(node, Count) else node.over(below)
 
     classes = tuple(_single(item) for item in setting.classes)
