@@ -154,7 +154,7 @@ def disturbed(mission: Mission, plan: Plan, seed: int) -> tuple[Past, tsplan.Tra
     draw = random.Random(seed)
     past = Past(mission, plan, draw.randint(0, min(4, mission.horizon)))
     names = [agent.id for agent in plan.agents]
-    kind = draw.choice(["nothing", "lost", "moved", "late", "late", "closed", "slow"])
+    kind = draw.choice(["nothing", "lost", "moved", "late", "late", "closed", "shut", "slow"])
     if kind == "lost" and len(names) > 1 and past.step:
         past.lose(draw.choice(names))
     if kind == "moved" and past.step:
@@ -172,11 +172,16 @@ def disturbed(mission: Mission, plan: Plan, seed: int) -> tuple[Past, tsplan.Tra
         gone = draw.choice(rides)
         del edges[gone]
         past.said["closed"] = [gone]
+    if kind == "shut" and rides:
+        pair, until = draw.choice(rides), past.step + draw.randint(0, 3)
+        edges[pair] = replace(edges[pair], closed=((0, until - past.step),))
+        past.said["closed"] = [{"place": pair, "until": until}]
     if kind == "slow" and rides:
         pair = draw.choice(rides)
         edges[pair] = replace(edges[pair], duration=3)
         past.said["opened"] = [{"from": pair[0], "to": pair[1], "duration": 3}]
-    return past, mission.system.rebuilt(mission.system.states.values(), edges.values())
+    system = mission.system.rebuilt(mission.system.states.values(), edges.values())
+    return past, system
 
 
 def comparable(mission: Mission) -> bool:

@@ -57,11 +57,22 @@ class Maps:
             raise PlanError([Finding(what, nearest(name, self.system.states))])
 
     def from_step(self, step: int) -> TransitionSystem:
-        """The map from a step on, which is its step 0: with what is closed for a time."""
-        return self.at(step)
+        """The map from a step on, which is its step 0, with what is closed for a time."""
+        system = self.at(step).later(-step)
+        edges = dict(system.edges)
+        for ends, until in self._shut(step):
+            if ends in edges:
+                spans = (*edges[ends].closed, (0, until - step))
+                edges[ends] = replace(edges[ends], closed=spans)
+        if edges == dict(system.edges):
+            return system
+        try:
+            return system.rebuilt(system.states.values(), edges.values())
+        except MapError as error:
+            raise PlanError(error.findings) from None
 
-    def shut(self, step: int) -> Iterator[tuple[tuple[str, str], int]]:
-        """The edges that nobody may enter for a time from a step on, and the last such step."""
+    def _shut(self, step: int) -> Iterator[tuple[tuple[str, str], int]]:
+        """The edges that are closed for a time at a step, and the last step of that."""
         for world in self.worlds:
             for closed in world.closed:
                 if closed.until is not None and closed.until >= step:
