@@ -33,7 +33,7 @@ def random_graph(random: Random) -> tuple[ClassGraph, Kept]:
     group = np.full(len(edges), -1)
     made = ClassGraph(frozenset(), start, tail, head, duration, cost.astype(float), none, group)
     relevant = np.array([random.random() < 0.4 for _ in range(STATES)])
-    return made, Kept(np.flatnonzero(relevant | (start > 0)), relevant, relevant)
+    return made, Kept(np.flatnonzero(relevant | (start > 0)), relevant, relevant, group >= 0)
 
 
 def all_ways(graph: ClassGraph, kept: Kept, goal: int, source: int) -> set[tuple[int, float]]:

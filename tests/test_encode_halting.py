@@ -178,7 +178,7 @@ def test_both_searches_find_the_ways_between_neighbours(
     relevant[[10, 20, 30]] = True
     free = relevant.copy()
     free[20] = False
-    kept = Kept(np.array([0, 10, 20, 30]), relevant, free)
+    kept = Kept(np.array([0, 10, 20, 30]), relevant, free, graph.wait)
     tail, head, paths = shortcuts.shortcuts(graph, kept, np.inf, Clock())
     # nobody may pass 20, and passing 10 is as good as going by
     expected = [(0, 10), (10, 20), (20, 10), (20, 30), (30, 20)]
@@ -200,7 +200,7 @@ def test_searches_nearby_look_no_further_than_the_next_goals(
     pop = shortcuts.heappop
     monkeypatch.setattr(shortcuts, "heappop", counted)
     relevant = np.arange(4000) % 10 == 0
-    kept = Kept(np.flatnonzero(relevant), relevant, relevant)
+    kept = Kept(np.flatnonzero(relevant), relevant, relevant, line(4000).wait)
     tail, _, _ = shortcuts.shortcuts(line(4000), kept, np.inf, Clock())
     assert len(tail) == 2 * 399
     assert pops < 4000 * 10

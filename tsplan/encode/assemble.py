@@ -30,8 +30,10 @@ from tsplan.encode.groups.group_rows import (
 from tsplan.encode.late_modes import stood
 from tsplan.encode.memory import Watch
 from tsplan.encode.model_objectives import objectives_of
-from tsplan.encode.own_constraints import constraint_rows
+from tsplan.encode.own_constraints import PART as VARIABLES
+from tsplan.encode.own_constraints import Quantities, constraint_rows, variable_columns
 from tsplan.encode.precedence import direct, legs_of, route_rows
+from tsplan.encode.quantities import OwnVariable
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.rivals.rival_rows import rival_rows
 from tsplan.encode.robustness_bound import OptimisticBound
@@ -97,6 +99,7 @@ class _Assembly:
         self._swarms = swarms_of(setting.classes, setting.together, setting.horizon, self._draft)
         self._flows: list[Ints] = []
         self._laid: dict[int, ClassColumns] = {}
+        self._variables: Mapping[OwnVariable, int] = {}
         self._built: Sequence[Built] = ()
         self._visits: Sequence[Visits] = ()
 
@@ -160,6 +163,7 @@ class _Assembly:
             aim.name: aim.columns(setting, network, executed, draft) for aim in aims
         }
         own[EXECUTIONS] = executed
+        own[VARIABLES] = self._variables
         booking_rows(mission, executed, network, draft)
         made = {}
         if setting.changes:
@@ -180,7 +184,6 @@ class _Assembly:
         setting, draft = self._setting, self._draft
         self._flow(range(len(setting.classes)), reduced=False)
         network = self._network(self._laid)
-        constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
         decided = policy_rows(setting.mission.expected, network, draft)
 
         def ask(goal: Formula) -> tuple[Witnesses, OptimisticBound]:
@@ -251,7 +254,9 @@ class _Assembly:
         """Capacities, and the user's own constraints."""
         setting, draft = self._setting, self._draft
         capacity_rows(network, setting.arrays, draft)
-        constraint_rows(setting.constraints, setting.mission.system, setting.arrays, network, draft)
+        self._variables = variable_columns(setting.constraints, draft)
+        quantities = Quantities(setting, network, self._variables)
+        constraint_rows(setting.constraints, quantities, draft)
 
     def _witnesses(self, ask: Asking, rules: WitnessRules, network: Network) -> Witnesses:
         """What the formula asks for; of groups it is not asked by visits."""

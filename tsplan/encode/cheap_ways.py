@@ -41,7 +41,7 @@ def cheap_ways(
 
     `toll` is what each edge costs. Raises Halted when the clock is over.
     """
-    moves = np.flatnonzero(~graph.wait & (graph.group < 0) & ~graph.begun & ~graph.timed)
+    moves = np.flatnonzero(~graph.wait & ~kept.single & ~graph.begun)
     into: list[list[tuple[int, int, float, int]]] = [[] for _ in kept.relevant]
     ends = graph.tail[moves], graph.duration[moves], toll[moves], moves, graph.head[moves]
     for tail, steps, price, edge, head in zip(*(part.tolist() for part in ends), strict=True):

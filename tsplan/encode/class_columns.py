@@ -49,6 +49,10 @@ class ClassColumns:
         """Some edges: positions in `steps`, and the column entered then."""
         return self._at(edges, np.broadcast_to(steps, (len(edges), len(steps))))
 
+    def entries(self, edges: Ints, steps: Ints) -> Ints:
+        """The columns of edges entered at these steps, one for each edge, where they may be."""
+        return self._at(edges, steps[:, None])[1]
+
     def arriving(self, states: Ints, steps: Ints) -> tuple[Ints, Ints]:
         """Edges that end in `states`: positions in `steps`, and the column that ends then."""
         edges = _members(self.by_head, states)

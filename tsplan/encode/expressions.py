@@ -1,9 +1,9 @@
 """Linear expressions in exact numbers, and a user's own constraints over counts of agents.
 
-Counts are whole numbers, so a constraint is brought to whole coefficients and whole bounds: it
-means exactly what was written, whether with fractions, decimals or `<`. What cannot be meant as it
-is written (`1 <= count <= 3`, `count * count`, a number that is none) is an error where it is
-written.
+Counts, flows and whole variables are whole numbers, so a constraint over them is brought to whole
+coefficients and whole bounds: it means exactly what was written, whether with fractions, decimals
+or `<`. What cannot be meant as it is written (`1 <= count <= 3`, `count * count`, a number that is
+none) is an error where it is written.
 """
 
 from __future__ import annotations
@@ -25,23 +25,8 @@ _ZERO, _ONE = Fraction(0), Fraction(1)
 Number: TypeAlias = "float | Fraction | Decimal"
 
 
-@dataclass(frozen=True, slots=True)
-class CountTerm:
-    """Agents with a capability (None: all) at the states of a label, or at one state, at a step."""
-
-    place: str
-    capability: str | None
-    step: int
-
-    whole: ClassVar[bool] = True
-
-    def __str__(self) -> str:
-        able = "" if self.capability is None else f", {self.capability!r}"
-        return f"count({self.place!r}{able}, step={self.step})"
-
-
 Terms: TypeAlias = tuple[tuple[Any, Fraction], ...]
-"""What is counted (`CountTerm`), or columns of a model by number, each times a factor."""
+"""What is summed (`Quantity`), or columns of a model by number, each times a factor."""
 
 
 def _refused(what: str, remedy: str) -> NoReturn:
@@ -49,7 +34,7 @@ def _refused(what: str, remedy: str) -> NoReturn:
 
 
 def _not_linear(_one: object, _other: object = None, _more: object = None) -> NoReturn:
-    what = "an own constraint or objective is a sum of counts, each times a number"
+    what = "an own constraint or objective is a sum of counts and such, each times a number"
     _refused(what, "use only +, -, * and / with numbers")
 
 
@@ -63,6 +48,7 @@ class Expression:
 
     Raises MissionError for what is not linear, and for numbers that are not finite.
 
+    >>> from tsplan.encode.quantities import CountTerm
     >>> dock, ship = (Expression(((CountTerm(name, None, 3), Fraction(1)),)) for name in "ds")
     >>> print(2 * dock - ship / 2 > 0.5)
     4*count('d', step=3) - count('s', step=3) >= 2

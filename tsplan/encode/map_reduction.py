@@ -46,13 +46,15 @@ class Reduced:
 class Interest:
     """Which states matter: `relevant` for any reason, `limited` because of an upper bound.
 
-    `narrow` ones have a capacity; it matters only to ways with a detour of at most `slack`. `tolls`
-    are what edges cost, each in a sense of its own, where quick ways may not be the best.
+    `narrow` ones have a capacity; it matters only to ways with a detour of at most `slack`. Edges
+    that are `watched` are counted by themselves; they leave limited states. `tolls` are what edges
+    cost, each in a sense of its own, where quick ways may not be the best.
     """
 
     relevant: Bools
     limited: Bools
     narrow: Bools
+    watched: Bools
     tolls: tuple[Floats, ...] = ()
     slack: float = np.inf
 
@@ -96,6 +98,7 @@ def reduce(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) ->
         np.append(interest.relevant, nowhere),
         np.append(interest.limited, nowhere),
         np.append(interest.narrow, nowhere),
+        interest.watched[:rides],
         tuple(toll[:rides] for toll in interest.tolls),
     )
     short = _reduced(graph.among(graph.rides), every, horizon, clock)
@@ -117,7 +120,8 @@ def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) 
         return None
     # an agent may leave a limited state by a move that the horizon cuts short
     longest = np.inf if interest.limited.any() else float(horizon)
-    kept = Kept(sources, relevant, relevant & ~interest.limited)
+    single = (graph.group >= 0) | interest.watched | graph.timed
+    kept = Kept(sources, relevant, relevant & ~interest.limited, single)
     if interest.tolls:
         (toll,) = interest.tolls
         if toll[graph.still].any():  # where agents wait matters
@@ -130,7 +134,7 @@ def _reduced(graph: ClassGraph, interest: Interest, horizon: int, clock: Clock) 
         tail, head, paths = shortcuts(graph, kept, longest, clock)
     if len(paths) > _CROWDED * len(graph.tail) and waiting.all():
         return whole(graph)
-    return _assemble(graph, sources, (tail, head), paths)
+    return _assemble(graph, kept, (tail, head), paths)
 
 
 def _joined_entries(graph: ClassGraph, own: Ints, ways: int) -> tuple[Ints, Ints] | None:
@@ -143,17 +147,14 @@ def _joined_entries(graph: ClassGraph, own: Ints, ways: int) -> tuple[Ints, Ints
 
 
 def _assemble(
-    graph: ClassGraph, sources: Ints, ends: tuple[Ints, Ints], paths: Sequence[Ints]
+    graph: ClassGraph, kept: Kept, ends: tuple[Ints, Ints], paths: Sequence[Ints]
 ) -> Reduced:
-    """Unit waits, edges with a capacity of their own, and shortcuts as one graph."""
-    kept = np.zeros(len(graph.start), dtype=np.bool_)
-    kept[sources] = True
-    inside = kept[graph.tail] & kept[graph.head]
-    own = np.flatnonzero(
-        (graph.wait & (graph.duration == 1) & kept[graph.tail])
-        | (((graph.group >= 0) | graph.timed) & inside)
-        | graph.begun
-    )
+    """Unit waits, edges that stay as they are, and shortcuts as one graph."""
+    there = np.zeros(len(graph.start), dtype=np.bool_)
+    there[kept.sources] = True
+    inside = there[graph.tail] & there[graph.head]
+    waits = graph.wait & (graph.duration == 1) & there[graph.tail]
+    own = np.flatnonzero(waits | (kept.single & inside) | graph.begun)
     tail, head = ends
     duration = np.array([graph.duration[path].sum() for path in paths], dtype=np.int64)
     cost = np.array([graph.cost[path].sum() for path in paths], dtype=np.float64)

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import ceil
 from types import MappingProxyType
 
 import numpy as np
@@ -31,7 +32,8 @@ from tsplan.encode.objective_kinds import (
     StageObjective,
     TargetObjective,
 )
-from tsplan.encode.own_constraints import resolve
+from tsplan.encode.own_constraints import PART as VARIABLES
+from tsplan.encode.own_constraints import Quantities
 from tsplan.encode.performance_objective import Performance
 from tsplan.encode.priced_objectives import Cost, Energy, Risk, Travel
 from tsplan.encode.read_back import availability, begun_until, last_arrival, moving
@@ -212,7 +214,7 @@ class Balance(TargetObjective):
 
 @dataclass(frozen=True)
 class OwnSum(TargetObjective):
-    """A user's own sum of counts, counted in whole units where its coefficients allow it."""
+    """A user's own sum of quantities, in whole units where they and its coefficients allow it."""
 
     own: Own
 
@@ -220,17 +222,26 @@ class OwnSum(TargetObjective):
 
     def target(self, setting: Setting, encoded: Encoded) -> Target:
         """The sum over the columns of the counts."""
-        system, arrays = setting.mission.system, setting.arrays
+        variables = encoded.own_columns[VARIABLES]
+        quantities = Quantities(encoded.setting, encoded.network, variables)
         terms: dict[int, Fraction] = {}
-        constant = self.own.expression.constant
+        constant, most = self.own.expression.constant, setting.mission.size
         for term, factor in self.own.expression.terms:
-            columns, fixed = resolve(term, system, arrays, encoded.network)
+            columns, fixed = quantities.columns(term)
             constant += factor * fixed
+            most = max(most, ceil(quantities.most(term)))
             for column in columns.tolist():
                 terms[column] = terms.get(column, Fraction(0)) + factor
-        count = encoded.model.size.columns
-        most, maximise = setting.mission.size, self.own.maximised
-        return Target.of(terms, count, constant, most=most, maximise=maximise)
+        whole = all(term.whole for term, _ in self.own.expression.terms)
+        made = Target.of(
+            terms,
+            encoded.model.size.columns,
+            constant,
+            most=most,
+            maximise=self.own.maximised,
+            unit=None if whole else Fraction(1),
+        )
+        return made if whole else replace(made, step=0.0)
 
 
 class ExpectedTravel(RealObjective, Travel):

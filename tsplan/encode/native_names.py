@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from tsplan.encode.own_constraints import PART
 from tsplan.encode.read_back import node_names
 
 if TYPE_CHECKING:
     from tsplan.encode.agent_classes import AgentClass
     from tsplan.encode.encoded import Encoded, Setting
+    from tsplan.encode.quantities import OwnVariable
     from tsplan.milp.model import Model
 
 _UNWRITABLE = re.compile(r"[^\w.!#$%&()/;?@_'`{}|~>\[\],-]")  # in the files that solvers write
@@ -25,10 +27,14 @@ _LONGEST = 200  # letters; solvers take 255
 def column_names(encoded: Encoded) -> list[str]:
     """A name for every column; those that stand for no agents on an edge are numbered: `y[7]`.
 
+    Own variables have their names; their columns say by how much they are above their least value.
     Of a reduced map an edge may be a whole way. Where two columns would have one name, as those of
     two such ways, all but the first have their numbers behind it.
     """
     names = [f"y[{number}]" for number in range(encoded.model.size.columns)]
+    variables: Mapping[OwnVariable, int] = encoded.own_columns.get(PART, {})
+    for variable, number in variables.items():
+        names[number] = variable.name
     setting = encoded.setting
     for item, columns in zip(setting.classes, encoded.network.classes, strict=True):
         who, places = _who(setting, item), node_names(setting, item)

@@ -18,7 +18,8 @@ from tsplan.encode.expressions import Constraint
 from tsplan.encode.late_modes import with_modes, with_standing
 from tsplan.encode.map_reduction import Interest, Reduced, reduce, whole
 from tsplan.encode.model_objectives import objectives_of
-from tsplan.encode.own_constraints import states_of, terms_of
+from tsplan.encode.own_constraints import edges_of, occupations_of, states_of
+from tsplan.encode.quantities import FlowTerm
 from tsplan.encode.structure_flows import Change, structure_classes
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.logic import Execution, Formula, capabilities, positive, simplify, walk
@@ -95,7 +96,7 @@ def _classes(
     mission: Mission, goal: Formula, constraints: Sequence[Constraint]
 ) -> tuple[tuple[AgentClass, ...], tuple[Change, ...]]:
     """The classes that the problem tells apart, and how structures of modules become others."""
-    asked = {*capabilities(goal), *(term.capability for term in terms_of(constraints))}
+    asked = {*capabilities(goal), *(term.capability for term in occupations_of(constraints))}
     named = {name for name in asked if name is not None}
     priced = any(objective.priced for objective in objectives_of(mission))
     carrying = any(isinstance(node, Execution) for node in walk(goal))
@@ -128,7 +129,8 @@ def on_reduced_maps(setting: Setting) -> Setting:
         return setting  # ways may be quick, cheap or safe
     limited = any(matters.limited.any() or matters.narrow.any() for matters in interests)
     timed = any(item.graph.timed.any() for item in setting.classes)
-    if setting.delay and (setting.arrays.group_capacity or timed):
+    single = timed or any(each.watched.any() for each in interests)
+    if setting.delay and (setting.arrays.group_capacity or single):
         return setting
     reduced: list[Reduced] = []
     for item, matters in zip(setting.classes, interests, strict=True):
@@ -161,18 +163,25 @@ def interest(setting: Setting, graph: ClassGraph, *, rebuilt: bool = True) -> In
     """
     system, arrays, ability = setting.mission.system, setting.arrays, graph.capabilities
     wanted, limited = watched_states(setting.goal, ability, system, arrays)
-    narrow = np.zeros_like(limited)
+    narrow, watched = np.zeros_like(limited), np.zeros(len(graph.tail), dtype=np.bool_)
     narrow[[state for state, _ in arrays.capacity]] = True
     for states in arrays.zone_states.values():
         narrow[states] = True
-    for term in terms_of(setting.constraints):
+    for term in occupations_of(setting.constraints):
         if is_counted(term.capability, ability):
-            limited[states_of(term, system, arrays)] = True
+            if isinstance(term, FlowTerm):
+                watched |= edges_of(term, arrays, graph)
+            else:
+                limited[states_of(term, system, arrays)] = True
+    place = np.arange(len(graph.start)) if graph.modes is None else graph.modes.place
+    limited[place[graph.tail[watched]]] = True  # who is there, and leaves by this edge, is told
     if graph.layer is not None and rebuilt:
         wanted[[change.state for change in setting.changes]] = True
     if graph.modes is None:
-        return Interest(np.logical_or(wanted, limited), limited, narrow, slack=setting.slack)
-    return _late_interest(graph, graph.modes, wanted, limited | narrow)
+        relevant = np.logical_or(wanted, limited)
+        return Interest(relevant, limited, narrow, watched, slack=setting.slack)
+    late = _late_interest(graph, graph.modes, wanted, limited | narrow)
+    return replace(late, watched=watched)
 
 
 def _late_interest(graph: ClassGraph, modes: Modes, wanted: Bools, limited: Bools) -> Interest:
@@ -187,4 +196,4 @@ def _late_interest(graph: ClassGraph, modes: Modes, wanted: Bools, limited: Bool
     stays = graph.still & (graph.duration == 1)
     for _ in range(modes.delay):
         relevant[graph.head[stays & relevant[graph.tail]]] = True
-    return Interest(relevant, limited, np.zeros_like(limited))
+    return Interest(relevant, limited, np.zeros_like(limited), np.zeros(0, dtype=np.bool_))

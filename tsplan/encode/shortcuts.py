@@ -34,11 +34,15 @@ Found: TypeAlias = tuple[int, list[int]]
 
 @dataclass(frozen=True, eq=False)
 class Kept:
-    """The kept states (`sources`); ways may not pass `relevant` ones, `free` may be stopped at."""
+    """The kept states (`sources`); ways may not pass `relevant` ones, `free` may be stopped at.
+
+    Edges that are `single` stay as they are, and are parts of no way.
+    """
 
     sources: Ints
     relevant: Bools
     free: Bools
+    single: Bools
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +83,7 @@ def shortcuts(
 
 
 def _moves(graph: ClassGraph, kept: Kept, longest: float) -> _Moves:
-    move = np.flatnonzero(~graph.wait & (graph.group < 0) & ~graph.begun & ~graph.timed)
+    move = np.flatnonzero(~graph.wait & ~kept.single & ~graph.begun)
     edge = move[quickest(graph.tail[move], graph.head[move], graph.duration[move])]
     scale = int(kept.free.sum()) + 2
     return _Moves(

@@ -100,7 +100,7 @@ def _rebuilt(setting: Setting, graph: ClassGraph, matters: Interest, every: int)
     matters = replace(matters, relevant=matters.relevant & able)
     parts = matters.relevant, matters.limited, matters.narrow
     relevant, limited, narrow = (np.append(part, nowhere) for part in parts)
-    wide = Interest(relevant, limited, narrow)
+    wide = Interest(relevant, limited, narrow, matters.watched)
     rides = replace(graph.among(graph.rides), start=graph.start)
     short = _straight(setting, rides, wide, every)
     if short is None:
@@ -145,7 +145,8 @@ def _quickest(
     for goal in goals.tolist():
         closed = limited.copy()
         closed[goal] = True
-        found = shortcuts(graph, Kept(kept, closed, nowhere), float(setting.horizon), setting.clock)
+        ends = Kept(kept, closed, nowhere, graph.group >= 0)
+        found = shortcuts(graph, ends, float(setting.horizon), setting.clock)
         mine = np.flatnonzero(found[1] == goal)
         tails.append(found[0][mine])
         ways += [found[2][place] for place in mine.tolist()]

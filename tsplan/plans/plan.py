@@ -38,12 +38,14 @@ from tsplan.plans.presence import Presence, of_bundles, of_groups, state_counts
 from tsplan.plans.records import (
     OPTIONAL,
     Finite,
+    Rational,
     Record,
     Whole,
     Word,
     as_json,
     json_document,
     json_lines,
+    rational_json,
 )
 from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
 from tsplan.plans.structures import Rebuilt, Structure, of_structures
@@ -81,6 +83,7 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
     The plan of a mission with resources has the `executions` of tasks, the `cargo` of every agent
     and the `stocks` that follow from both; where agents are booked it has executions, too.
     Where moves are uncertain there are `policies`, and no agents: numbers are expected ones.
+    `variables` has the values of the own variables of a `Problem`, as exact fractions.
 
     A plan that was `replanned` says what the world was found to be each time. Until the last of
     these steps its paths are what really happened, and its objectives are those of what came after.
@@ -111,6 +114,7 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
     stocks: tuple[StockHistory, ...] = field(default=(), metadata=OPTIONAL)
     policies: tuple[Policy, ...] = field(default=(), metadata=OPTIONAL)
     replanned: tuple[World, ...] = field(default=(), metadata=OPTIONAL)
+    variables: Mapping[Word, Rational] = field(default_factory=dict, hash=False, metadata=OPTIONAL)
     solver: SolverUse = field(default_factory=SolverUse)
     size: ModelSize = field(default_factory=ModelSize)
     timings: Timings = field(default_factory=Timings)
@@ -387,6 +391,7 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
             "cargo": lambda: cargo_json(CargoRows.of(self.cargo), each=each),
             "stocks": lambda: json_lines(map(as_json, self.stocks)),
             "agents": lambda: agents_json(self._agents, each=each),
+            "variables": lambda: as_json({k: rational_json(v) for k, v in self.variables.items()}),
             "policies": lambda: json_lines(policy.text() for policy in self.policies),
         }
         return json_document({**first, **self.data()}, large)

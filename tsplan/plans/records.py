@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeAlias, Typ
 from pydantic import ConfigDict, Field, PlainValidator, ValidationInfo, model_validator
 
 from tsplan.document.written import Written
+from tsplan.exact import exact
 from tsplan.limits import LARGEST
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ _NAMES = {
     "target": "to",
 }
 _FRACTION = re.compile(r"[0-9]{1,4000}(/[0-9]{0,3999}[1-9][0-9]{0,3999})?")
+_RATIONAL = re.compile("-?" + _FRACTION.pattern)
 _EXACT = ("exact", "preference")  # written as text
 _WHOLE = 1e16  # from here on a float is shorter with its exponent
 _ROUNDING = 1e-9  # by which a fraction may differ from its float, of which some digits are written
@@ -53,6 +55,25 @@ def _exact(value: object) -> Fraction:
     return Fraction(value)
 
 
+def _rational(value: object) -> Fraction:
+    if isinstance(value, str) and _RATIONAL.fullmatch(value):
+        return Fraction(value)
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        raise ValueError("a value is a number, or a fraction as in '-2/3'")
+    return exact(value)
+
+
+def rational_json(value: Fraction) -> float | str:
+    """A rational number as a number if its decimals end soon, else as a text.
+
+    >>> [rational_json(Fraction(*pair)) for pair in ((4, 2), (-1, 4), (1, 3))]
+    [2, -0.25, '1/3']
+    """
+    if value.denominator == 1:
+        return int(value)
+    return float(value) if exact(float(value)) == value else str(value)
+
+
 def _weight(value: object) -> Fraction:
     if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < math.inf:
         raise ValueError("a weight is a number above 0")
@@ -67,6 +88,11 @@ Exact: TypeAlias = Annotated[
     Fraction,
     PlainValidator(_exact),
     Written(Annotated[str, Field(pattern=f"^{_FRACTION.pattern}$")]),
+]
+Rational: TypeAlias = Annotated[
+    Fraction,
+    PlainValidator(_rational),
+    Written(float | Annotated[str, Field(pattern=f"^{_RATIONAL.pattern}$")]),
 ]
 Weight: TypeAlias = Annotated[
     Fraction, PlainValidator(_weight), Written(Annotated[float, Field(gt=0)])

@@ -91,6 +91,7 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += [f"  {objective_line(item, endless)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, endless)}")
+        lines += [f"  {name} = {value}" for name, value in plan.variables.items()]
         lines += supply_lines(plan)
         lines += [late_line(plan.delay)] if plan.delay else []
         lines += ["", *satisfaction_lines(plan)] if plan.satisfaction or plan.preferences else []

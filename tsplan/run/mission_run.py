@@ -10,7 +10,6 @@ from dataclasses import replace
 
 from tsplan.checking.plan_check import certify
 from tsplan.encode.encoded import Point
-from tsplan.errors import SolverError
 from tsplan.exact import digits
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
@@ -53,7 +52,8 @@ class MissionRun(Run[Point, Plan]):
 
     def provisional(self, found: Point) -> Plan:
         """The verified plan of something found on the way."""
-        return plan_at(self._problem.setting, found, self.choice.seed)
+        plan = plan_at(self._problem.setting, found, self.choice.seed)
+        return self._problem.completed(plan, found)
 
     def finished(self, outcome: Outcome[Point], used: SolverUse) -> Plan:
         """The plan of what was found, after the independent check."""
@@ -88,26 +88,20 @@ class MissionRun(Run[Point, Plan]):
             **ways,
         )
         own = next((item for item in reached if item.name == "own"), None)
-        return self._certified(made, own)
-
-    def _certified(self, made: Plan, own: ObjectiveValue | None) -> Plan:
-        """The plan after the independent check, with the seconds of each stage."""
         began = time.perf_counter()
         checked = made
-        if made.has_paths:
-            checked = self._with_own(certify(self._mission, made), own)
+        if point is not None:
+            checked = self._with_own(certify(mission, made), point, own)
         self.seconds["verify"] = time.perf_counter() - began
         return replace(checked, timings=self.timings)
 
-    def _with_own(self, plan: Plan, reached: ObjectiveValue | None) -> Plan:
+    def _with_own(self, plan: Plan, point: Point, reached: ObjectiveValue | None) -> Plan:
         """The plan after the check of the user's own constraints, and what the own sum comes to."""
-        if broken := self._problem.broken(plan):
-            raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
-        own = self._problem.own
+        plan, own = self._problem.completed(plan, point), self._problem.own
         if not own.expression.terms:
             return plan
         value = own.expression.constant
-        value += worth(own.expression.terms, plan, self._mission.system)
+        value += worth(own.expression.terms, plan, self._mission)
         bound = None if reached is None else reached.bound
         what = "own objective, maximised:" if own.maximised else "own objective"
         note = f"{what} {digits(value)} (bound {'open' if bound is None else digits(bound)})"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
@@ -13,11 +12,13 @@ from tsplan.checking.fitting import refuse_pathless
 from tsplan.clock import Clock
 from tsplan.encode.assemble import reference, tight
 from tsplan.encode.encoded import Encoded, Point, Setting
-from tsplan.encode.expressions import Constraint, CountTerm, Expression, Own
+from tsplan.encode.expressions import Constraint, Expression, Own
 from tsplan.encode.model_objectives import OwnSum, objectives_of
 from tsplan.encode.native_names import column_names, row_names
 from tsplan.encode.planned_ways import Planned, planned_ways
+from tsplan.encode.own_constraints import terms_of
 from tsplan.encode.preparation import prepare
+from tsplan.encode.quantities import CountTerm, FlowTerm, OwnVariable
 from tsplan.encode.switches import ALL_SWITCHES, Switch
 from tsplan.errors import Finding, InputError, MissionError, SolverError, nearest
 from tsplan.limits import LARGEST, Range, clipped
@@ -26,7 +27,15 @@ from tsplan.milp.request import TOLERANCE
 from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
 from tsplan.routing.walks import point_of, walks_along
-from tsplan.run.own_terms import checked_term, checked_terms, within_reach, worth
+from tsplan.run.own_terms import (
+    checked_count,
+    checked_flow,
+    checked_terms,
+    made_variable,
+    within_reach,
+    worth,
+)
+from tsplan.run.own_values import with_values
 from tsplan.run.partial_strategy import is_soft, plan_soft, prepare_soft
 from tsplan.run.point_reading import plan_at
 from tsplan.search.capacity_relaxation import CapacityRelaxation, relaxable
@@ -35,7 +44,9 @@ from tsplan.search.lexicographic import Outcome, Tell
 from tsplan.search.stages import Stages
 
 if TYPE_CHECKING:
+    from tsplan.encode.expressions import Number
     from tsplan.plans.plan import Plan
+    from tsplan.ts import Edge
 
 Encoding: TypeAlias = Literal["tight", "reference"]
 
@@ -90,12 +101,24 @@ class Problem:
     >>> problem.maximise(problem.count("dock", step=5))
     >>> tsplan.plan(problem, time_limit=10).notes
     ('own objective, maximised: 3 (bound 3)',)
+
+    What agents do on the way is a `flow`, and what else is to be decided a `variable`: here lifts
+    that are opened, each for two carts.
+
+    >>> lifts = problem.variable("lifts", 0, 5)
+    >>> entered = sum(problem.flow(("r0c1", "r0c2"), step=step) for step in range(5))
+    >>> problem.add(entered <= 2 * lifts, "room in the lifts")
+    >>> problem.minimise(10 * lifts)
+    >>> plan = tsplan.plan(problem, time_limit=10)
+    >>> int(plan.variables["lifts"]), plan.counts(states=["r0c2"])[0, 5]
+    (1, 2)
     """
 
     def __init__(self, mission: Mission, tuning: Tuning = Tuning()) -> None:
         self.mission = mission
         self.tuning = tuning
         self._constraints: list[Constraint] = []
+        self._variables: dict[str, OwnVariable] = {}
         self._objective = Expression()
         self._maximised = False
         self._start: Plan | None = None
@@ -106,6 +129,7 @@ class Problem:
         other = Problem(self.mission, tuning)
         other.__dict__.update(
             _constraints=[*self._constraints],
+            _variables=dict(self._variables),
             _objective=self._objective,
             _maximised=self._maximised,
             _start=self._start,
@@ -127,11 +151,50 @@ class Problem:
         Where a state and a label have the same name, the state is meant. Raises MissionError for
         names that the mission does not know, and for what is no step of it.
         """
-        term = checked_term(CountTerm(place, capability, step), self.mission)
-        return Expression(((term, Fraction(1)),))
+        return Expression.sum_of([checked_count(CountTerm(place, capability, step), self.mission)])
+
+    def flow(
+        self, edge: tuple[str, str] | Edge, capability: str | None = None, *, step: int
+    ) -> Expression:
+        """Agents with a capability (None: all) that enter an edge, named by its ends, at a step.
+
+        An edge from a state to itself is a wait. Swarms, structures and capabilities are counted as
+        by `count`. Raises MissionError for an edge that the map does not have, for other names that
+        the mission does not know, and for a step at which nobody enters an edge any more: the last.
+
+        >>> import tsplan
+        >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
+        >>> print(problem.flow(("yard", "dock"), step=0) <= 1)
+        flow(('yard', 'dock'), step=0) <= 1
+        """
+        asked: Any = edge
+        return Expression.sum_of([checked_flow(FlowTerm(asked, capability, step), self.mission)])
+
+    def variable(self, name: str, low: Number, high: Number, *, integer: bool = True) -> Expression:
+        """A number of one's own between two others, which plans choose: a whole one, or a real one.
+
+        It stands beside counts and flows in constraints and objectives. A plan has its value in
+        `plan.variables`; real ones are fractions that keep the constraints exactly. The same name
+        with the same bounds is the same variable. Raises MissionError for no name or bounds, for
+        bounds beyond a million, and for a name that is another variable's.
+
+        >>> import tsplan
+        >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
+        >>> share = problem.variable("share", 0, 1, integer=False)
+        >>> problem.add(3 * share == problem.count("dock", step=6))
+        >>> problem.maximise(share)
+        >>> tsplan.plan(problem, time_limit=10).variables["share"]
+        Fraction(1, 1)
+        """
+        made = made_variable(name, low, high, integer=integer)
+        known = self._variables.setdefault(made.name, made)
+        if known != made:
+            what = f"there is another variable '{name}', between {known.low} and {known.high}"
+            raise MissionError([Finding(what, "choose another name")])
+        return Expression.sum_of([made])
 
     def add(self, constraint: Constraint, name: str = "constraint") -> None:
-        """Demand a linear constraint over counts of every plan.
+        """Demand a linear constraint over counts, flows and own variables of every plan.
 
         Constraints are comparisons of expressions: `<=`, `>=`, `==`, `<`, `>`, and
         `expression.between(low, high)`. They mean exactly what they say: `count > 1.5` is
@@ -141,16 +204,16 @@ class Problem:
             remedy = "compare counts: problem.add(problem.count(place, step=5) >= 2)"
             raise MissionError([Finding(f"{clipped(constraint)} is not a constraint", remedy)])
         self._refuse_expected()
-        checked_terms(constraint.terms, self.mission)
-        self._constraints.append(within_reach(replace(constraint, name=name), self.mission.size))
+        checked_terms(constraint.terms, self.mission, self._variables)
+        self._constraints.append(replace(constraint, name=name))
         self._setting = None
 
     def minimise(self, expression: Expression) -> None:
-        """Add a linear term over counts, minimised before the mission's own objectives.
+        """Add a linear term over such quantities, minimised before the mission's own objectives.
 
         Only `satisfaction` (with the availability of what holds) and `preferences`, which say what
         is to hold, come before it. Several terms are added up. Raises MissionError for what is no
-        expression over counts.
+        expression over them.
 
         >>> import tsplan
         >>> problem = tsplan.Problem(tsplan.load_mission("mission.yaml"))
@@ -159,7 +222,7 @@ class Problem:
         self._extend(expression, maximised=False)
 
     def maximise(self, expression: Expression) -> None:
-        """Add a linear term over counts, maximised; otherwise as `minimise`.
+        """Add a linear term over such quantities, maximised; otherwise as `minimise`.
 
         Together with terms to minimise, it is taken off these, and the difference is minimised.
 
@@ -176,7 +239,7 @@ class Problem:
             remedy = "give a sum of counts, such as 2 * problem.count(place, step=5)"
             raise MissionError([Finding(f"{clipped(expression)} is not an objective", remedy)])
         self._refuse_expected()
-        checked_terms(expression.terms, self.mission, expression.constant)
+        checked_terms(expression.terms, self.mission, self._variables, expression.constant)
         first = not self._objective.terms
         self._maximised = maximised and (first or self._maximised)
         self._objective += -expression if maximised else expression
@@ -194,14 +257,43 @@ class Problem:
         return Own(-self._objective if maximised else self._objective, maximised)
 
     def broken(self, plan: Plan) -> tuple[str, ...]:
-        """The own constraints that a plan does not keep, in words; told by the agents' paths."""
-        system = self.mission.system
-        sums = [(item, worth(item.terms, plan, system)) for item in self._constraints]
-        return tuple(
-            f"'{item.name}' asks for {item}, and it comes to {total}"
-            for item, total in sums
-            if not item.holds(total)
+        """The own constraints that a plan does not keep, in words, by exact arithmetic.
+
+        Counts and flows are told by the agents' paths, own variables by the plan; what these may
+        not be is told, too.
+        """
+        sums = [(item, worth(item.terms, plan, self.mission)) for item in self._constraints]
+        used = terms_of([*self._constraints, self._watched])
+        wrong = {
+            item.name: words
+            for item in used
+            if isinstance(item, OwnVariable)
+            and (words := item.complaint(plan.variables.get(item.name)))
+        }
+        return (
+            *(f"the own variable '{name}' {words}" for name, words in sorted(wrong.items())),
+            *(
+                f"'{item.name}' asks for {item}, and it comes to {total}"
+                for item, total in sums
+                if not item.holds(total)
+            ),
         )
+
+    def completed(self, plan: Plan, point: Point) -> Plan:
+        """The plan of a point with the values of own variables, after the check of what is own.
+
+        Raises SolverError where it breaks an own constraint.
+        """
+        plan = with_values(plan, point, self.mission, self._constraints, self._objective)
+        if broken := self.broken(plan):
+            raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
+        return plan
+
+    @property
+    def _watched(self) -> Constraint:
+        """What the own objective is about, as a constraint that bounds nothing."""
+        terms = self._objective.terms
+        return Constraint(tuple((term, 1) for term, _ in terms), None, None, "objective")
 
     @property
     def setting(self) -> Setting:
@@ -211,9 +303,9 @@ class Problem:
     def prepared(self, clock: Clock) -> Setting:
         """The same, made within the time of a clock; raises Halted when that is over."""
         if self._setting is None:
-            terms = self._objective.terms
-            watched = Constraint(tuple((term, 1) for term, _ in terms), None, None, "objective")
-            constraints = [*self._constraints, *([watched] if terms else [])]
+            size = self.mission.size
+            constraints = [within_reach(item, size) for item in self._constraints]
+            constraints += [self._watched] if self._objective.terms else []
             make = prepare_soft if is_soft(self.mission) else prepare
             switches = ALL_SWITCHES - self.tuning.without
             self._setting = make(self.mission, constraints, switches, clock=clock)
@@ -271,9 +363,7 @@ class Problem:
         if not encoded.model.violation(values) <= TOLERANCE:
             raise SolverError("the point is none of this problem: it breaks rows of its model")
         point = Point(encoded, values, self.tuning.encoding == "tight")
-        plan = plan_at(self.setting, point, self.mission.solver.seed)
-        if broken := self.broken(plan):
-            raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
+        plan = self.completed(plan_at(self.setting, point, self.mission.solver.seed), point)
         return plan.with_mission(self.mission)
 
     def solve(self, effort: Effort, clock: Clock, tell: Tell[Point]) -> Outcome[Point]:

@@ -149,7 +149,8 @@ def _shortened(setting: Setting, item: AgentClass) -> Reduced:
     system, able = setting.mission.system, item.graph.capabilities
     wanted, _ = watched_states(setting.goal, able, system, setting.arrays)
     none = np.zeros_like(wanted)
-    interest = Interest(wanted, limited=none, narrow=none)
+    unwatched = np.zeros(len(item.graph.tail), dtype=np.bool_)
+    interest = Interest(wanted, limited=none, narrow=none, watched=unwatched)
     return reduce(item.graph, interest, setting.horizon, setting.clock) or whole(item.graph)
 
 
