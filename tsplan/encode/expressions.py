@@ -9,7 +9,7 @@ none) is an error where it is written.
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from fractions import Fraction
 from math import ceil, floor, log10
@@ -21,6 +21,9 @@ from tsplan.parameters import finite
 
 _LONGEST = 40  # digits that are shown
 _ZERO, _ONE = Fraction(0), Fraction(1)
+
+UNNAMED = "constraint"
+"""What own constraints are called that were given no name."""
 
 Number: TypeAlias = "float | Fraction | Decimal"
 
@@ -176,6 +179,7 @@ class Constraint:
     """`lower <= sum of the terms <= upper`; None bounds nothing.
 
     Of terms that are whole, all numbers are brought to whole ones; others stay as they are given.
+    `place` is the file and line that demanded it.
 
     A constraint is neither true nor false before there is a plan: `bool`, and so `and`, `or`,
     `not` and `1 <= count <= 3`, raise MissionError.
@@ -184,7 +188,22 @@ class Constraint:
     terms: tuple[tuple[Any, Any], ...]
     lower: Any
     upper: Any
-    name: str = "constraint"
+    name: str = UNNAMED
+    place: str = ""
+
+    @property
+    def bounds(self) -> bool:
+        """Whether it bounds anything."""
+        return self.lower is not None or self.upper is not None
+
+    @property
+    def sum(self) -> str:
+        """What it is about, in words."""
+        return _sum(self.terms, _ZERO)
+
+    def unbounded(self) -> Constraint:
+        """The same that bounds nothing."""
+        return replace(self, lower=None, upper=None)
 
     @staticmethod
     def of(
@@ -234,7 +253,7 @@ class Constraint:
     __bool__ = __and__ = __rand__ = __or__ = __ror__ = __xor__ = __rxor__ = __invert__ = _no_truth
 
     def __str__(self) -> str:
-        total = _sum(self.terms, _ZERO)
+        total = self.sum
         if self.lower is not None and self.lower == self.upper:
             return f"{total} == {self.lower}"
         if self.lower is not None and self.upper is not None:

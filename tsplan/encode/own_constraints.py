@@ -124,7 +124,7 @@ def constraint_rows(
 ) -> None:
     """Rows for every constraint that bounds anything: one, or a few where numbers are large."""
     for constraint in constraints:
-        if constraint.lower is None and constraint.upper is None:
+        if not constraint.bounds:
             continue
         constant = Fraction(0)
         for term, factor in constraint.terms:

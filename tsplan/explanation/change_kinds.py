@@ -10,6 +10,8 @@ ChangeKind: TypeAlias = Literal[
     "shorten_window",
     "loosen_limit",
     "loosen_bound",
+    "loosen_constraint",
+    "drop_constraint",
     "more_subswarms",
     "shorten_task",
     "share_agents",

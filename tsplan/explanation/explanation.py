@@ -15,12 +15,14 @@ from tsplan.plans.known_mission import OfMission
 
 if TYPE_CHECKING:
     from tsplan.explanation.whynot.mission_numbers import Edit
+    from tsplan.run.problem import Problem
     from tsplan.signals.result_check import AnyMission
 
 FORMAT = "tsplan-explanation/1"
 
 PartKind: TypeAlias = Literal[
     "formula",
+    "own",
     "team",
     "start",
     "carries",
@@ -53,8 +55,8 @@ class SoftConstraint(NamedTuple):
 
     The key says which: the way to a sub-formula and the place of a task's need (or None), the
     number of a team's entry, the name of a resource, of a state or of a zone, the ends of an edge,
-    a swarm and which bound; over signals, the name of one that begins somewhere, of one with bounds
-    and which end (0, 1), or the number of a limit.
+    a swarm and which bound, the number of an own constraint; over signals, the name of one that
+    begins somewhere, of one with bounds and which end (0, 1), or the number of a limit.
     """
 
     kind: PartKind
@@ -115,14 +117,15 @@ class Change:
 
     With `proven`, a verified plan shows that the changed mission can be met, and it could not with
     less: with one less of a whole number, with `within` less of a real one. `mission` is the
-    changed mission, `steps` says how far each edit went. `fix` numbers changes as they are found.
+    changed mission, or the problem of it where one with own constraints was explained. `steps` says
+    how far each edit went. `fix` numbers changes as they are found.
     """
 
     kind: ChangeKind
     text: str
     amount: float
     proven: bool
-    mission: AnyMission = field(repr=False, compare=False)
+    mission: AnyMission | Problem = field(repr=False, compare=False)
     steps: tuple[tuple[Edit, int], ...] = field(default=(), repr=False, compare=False)
     within: float = 1
     fix: int = field(default=0, compare=False)

@@ -10,6 +10,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, get_args
 
+from tsplan.encode.expressions import UNNAMED, Constraint
 from tsplan.explanation.explanation import Part, PartKind, Place, SoftConstraint
 from tsplan.explanation.whynot.amount_numbers import resource_of
 from tsplan.explanation.whynot.formula_places import Sources
@@ -22,6 +23,7 @@ from tsplan.explanation.whynot.occurrences import (
     counts_of,
     node_at,
 )
+from tsplan.explanation.whynot.posed_mission import own_of
 from tsplan.explanation.whynot.soft_constraints import (
     file_path,
     formula_groups,
@@ -147,6 +149,8 @@ class TeamWording(Wording):
 
     def path(self, constraint: SoftConstraint) -> Path | None:
         """Where the mission file says a bound; None where the map has a file of its own."""
+        if constraint.kind == "own":
+            return None
         path, origin = file_path(self.mission, constraint), self.mission.origin
         given = None if origin is None else origin.data["map"]
         inside = isinstance(given, dict) and not is_reference(given)
@@ -168,9 +172,15 @@ class TeamWording(Wording):
             both = len(key) > 1 and self.mission.system.edges[key].both_ways
             most = number.get(self.mission)
             return f"{room_words(number)} holds at most {most}{' (both ways together)' * both}"
-        if kind == "stock":
-            return stock_words(resource_of(self.mission, key[0]))
+        if kind in ("own", "stock"):
+            return self._named_words(kind, key[0])
         return self._group_words(kind, self.mission.team[key[0]])
+
+    def _named_words(self, kind: PartKind, which: Any) -> str:
+        """What is said of an own constraint, by its number, or of a resource, by its name."""
+        if kind == "own":
+            return own_words(own_of(self.mission)[which])
+        return stock_words(resource_of(self.mission, which))
 
     def _group_words(self, kind: PartKind, group: Group) -> str:
         """What is said of an entry of the team."""
@@ -198,6 +208,18 @@ class TeamWording(Wording):
             return f"every sub-swarm of {whose} has at least {agents(bound, None)}"
         have = "have" if (name, which) == TOGETHER else "has"
         return f"{whose} {have} at most {many(bound, 'sub-swarm')} at a step"
+
+
+def own_title(item: Constraint) -> str:
+    """Which own constraint is meant: by its name, and by where it was added."""
+    if item.name == UNNAMED:
+        return f"the own constraint of {item.place}" if item.place else "an own constraint"
+    return f"own constraint '{item.name}'" + (f" ({item.place})" if item.place else "")
+
+
+def own_words(item: Constraint) -> str:
+    """An own constraint in words."""
+    return f"{own_title(item)}: {item}"
 
 
 def amount_words(amount: Fraction | float, name: str) -> str:

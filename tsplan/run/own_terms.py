@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from inspect import currentframe
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.edge_entries import entering, entries_of
@@ -82,6 +84,16 @@ def made_variable(name: object, low: object, high: object, *, integer: bool) -> 
         what = f"the bounds of '{name}' are larger than {MOST_VALUE:,}"
         raise MissionError([Finding(what, "count in larger units")])
     return OwnVariable(nfc(name), *bounds, integer)
+
+
+def calling_place() -> str:
+    """The file and line of the statement that called the method which asks for it."""
+    frame = currentframe()
+    asking = frame and frame.f_back
+    calling = asking and asking.f_back
+    if calling is None:
+        return ""
+    return f"{Path(calling.f_code.co_filename).name}:{calling.f_lineno}"
 
 
 def _capability(name: str | None, mission: Mission) -> str | None:

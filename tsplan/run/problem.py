@@ -28,6 +28,7 @@ from tsplan.milp.solver import solver as solver_named
 from tsplan.mission import Mission
 from tsplan.routing.walks import point_of, walks_along
 from tsplan.run.own_terms import (
+    calling_place,
     checked_count,
     checked_flow,
     checked_terms,
@@ -110,7 +111,7 @@ class Problem:
     >>> problem.add(entered <= 2 * lifts, "room in the lifts")
     >>> problem.minimise(10 * lifts)
     >>> plan = tsplan.plan(problem, time_limit=10)
-    >>> int(plan.variables["lifts"]), plan.counts(states=["r0c2"])[0, 5]
+    >>> int(plan.variables["lifts"]), int(plan.counts(states=["r0c2"])[0, 5])
     (1, 2)
     """
 
@@ -126,14 +127,8 @@ class Problem:
 
     def tuned(self, tuning: Tuning) -> Problem:
         """The same problem, encoded in another way."""
-        other = Problem(self.mission, tuning)
-        other.__dict__.update(
-            _constraints=[*self._constraints],
-            _variables=dict(self._variables),
-            _objective=self._objective,
-            _maximised=self._maximised,
-            _start=self._start,
-        )
+        other = self.with_constraints(self.mission, self._constraints)
+        other.tuning = tuning
         return other
 
     def start_from(self, plan: Plan) -> None:
@@ -144,6 +139,36 @@ class Problem:
         """
         refuse_pathless(plan)
         self._start = plan
+
+    @classmethod
+    def of(
+        cls, mission: Mission, constraints: Iterable[Constraint], tuning: Tuning = Tuning()
+    ) -> Problem:
+        """A problem with constraints of another one, and the own variables in them."""
+        made = cls(mission, tuning)
+        made._constraints = [*constraints]
+        used = terms_of(made._constraints)
+        made._variables = {item.name: item for item in used if isinstance(item, OwnVariable)}
+        for item in made._constraints:
+            checked_terms(item.terms, mission, made._variables)
+        return made
+
+    def with_constraints(self, mission: Mission, constraints: Iterable[Constraint]) -> Problem:
+        """The same objective and variables with other constraints, on another mission."""
+        other = Problem(mission, self.tuning)
+        changed = {
+            "mission": mission,
+            "_constraints": [*constraints],
+            "_setting": None,
+            "_variables": dict(self._variables),
+        }
+        other.__dict__.update(self.__dict__ | changed)
+        return other
+
+    @property
+    def constraints(self) -> tuple[Constraint, ...]:
+        """The own constraints as they were added."""
+        return tuple(self._constraints)
 
     def count(self, place: str, capability: str | None = None, *, step: int) -> Expression:
         """Agents with a capability (None: all) at a state, or at a label's states, at a step.
@@ -193,19 +218,21 @@ class Problem:
             raise MissionError([Finding(what, "choose another name")])
         return Expression.sum_of([made])
 
-    def add(self, constraint: Constraint, name: str = "constraint") -> None:
+    def add(self, constraint: Constraint, name: str = "") -> None:
         """Demand a linear constraint over counts, flows and own variables of every plan.
 
         Constraints are comparisons of expressions: `<=`, `>=`, `==`, `<`, `>`, and
         `expression.between(low, high)`. They mean exactly what they say: `count > 1.5` is
-        `count >= 2`. Raises MissionError for anything else.
+        `count >= 2`. What is said of one names it by its `name`, or by the file and line that added
+        it. Raises MissionError for anything else.
         """
         if not isinstance(constraint, Constraint):
             remedy = "compare counts: problem.add(problem.count(place, step=5) >= 2)"
             raise MissionError([Finding(f"{clipped(constraint)} is not a constraint", remedy)])
         self._refuse_expected()
         checked_terms(constraint.terms, self.mission, self._variables)
-        self._constraints.append(replace(constraint, name=name))
+        named = replace(constraint, name=name or constraint.name, place=calling_place())
+        self._constraints.append(named)
         self._setting = None
 
     def minimise(self, expression: Expression) -> None:

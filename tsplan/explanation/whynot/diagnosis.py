@@ -29,12 +29,14 @@ from tsplan.explanation.whynot.changes import Repairs
 from tsplan.explanation.whynot.conflict_search import PATIENCE, ConflictSearch
 from tsplan.explanation.whynot.conflicts import Core, Finder
 from tsplan.explanation.whynot.oracle import EnoughError, Oracle
+from tsplan.explanation.whynot.posed_mission import PosedMission
 from tsplan.explanation.whynot.signal_subject import Signals
 from tsplan.explanation.whynot.team_subject import Teams
 from tsplan.mission import Mission
 from tsplan.parameters import refuse_options
 from tsplan.process.interrupt import on_interrupt
 from tsplan.process.quiet_output import audible, hushed_alone
+from tsplan.run.problem import Problem
 from tsplan.signals.signal_files import mission_given
 from tsplan.signals.signal_mission import SignalMission
 
@@ -55,7 +57,7 @@ _REASONS: tuple[Cut, ...] = get_args(Cut)  # gravest first
 
 
 def explain(
-    mission: AnyMission | str | Path,
+    mission: AnyMission | Problem | str | Path,
     *,
     conflicts: int = 1,
     slack: bool = False,
@@ -66,12 +68,14 @@ def explain(
 ) -> Explanation:
     """Say why a mission cannot be met and what would help; or what is tight where it can be.
 
-    The mission, for a team or over signals, may be the path of its file. Up to `conflicts`
-    different conflicts are looked for. With `slack`, for a mission that can be met, it is found how
-    much sooner each deadline could be. `time_limit` is in seconds; `on_stage` hears the stage of
-    the work with every question of it, `on_found` each fact, conflict and change as it is found
-    (`Found`). Ctrl-C and the time limit end the search with what is known; `cut` says what they
-    kept from being looked at, `likely` what from being proven.
+    The mission, for a team or over signals, may be the path of its file, or a `Problem` with own
+    constraints, which can be in conflicts and be loosened; changed missions are problems then.
+
+    Up to `conflicts` different conflicts are looked for. With `slack`, for a mission that can be
+    met, it is found how much sooner each deadline could be. `time_limit` is in seconds; `on_stage`
+    hears the stage of the work with every question of it, `on_found` each fact, conflict and change
+    as it is found (`Found`). Ctrl-C and the time limit end the search with what is known; `cut`
+    says what they kept from being looked at, `likely` what from being proven.
 
     Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails, and
     InputError for a time limit out of range; MissionError for a mission over expected numbers.
@@ -86,13 +90,14 @@ def explain(
     ('feasible', True)
     """
     refuse_options(time_limit=time_limit)
-    known = mission_given(mission)
+    posed = mission if isinstance(mission, Problem) else None
+    known = mission.mission if isinstance(mission, Problem) else mission_given(mission)
     if getattr(known, "expected", None) is not None:
         what = "why expected numbers cannot be met is not told"
         raise MissionError([Finding(what, "ask for less in the formula, or add agents")])
     limit = known.solver.time_limit if time_limit is None else time_limit
     hear = (audible(on_stage or (lambda _: None)), audible(on_found or (lambda _: None)))
-    run = _Run(known, limit, solver, *hear)
+    run = _Run(known, limit, solver, *hear, posed=posed)
     with on_interrupt(run.stop), hushed_alone():
         return run.explanation(conflicts, slack=slack).with_mission(known)
 
@@ -126,14 +131,16 @@ class _Run:
     cut: dict[str, Cut] = field(default_factory=dict)
     cores: list[Core] = field(default_factory=list)
     possible: bool | None = None
+    posed: Problem | None = None
     _stopped: bool = False
     _at: str = "facts"
     _work: ChangeSearch | None = None
 
     def __post_init__(self) -> None:
         self.clock = Clock(self.limit, lambda: self._stopped)
-        self._kind = _KINDS[type(self.mission)]
-        subject = self._kind.subject(self.mission, lambda: self.oracle.pause())  # noqa: PLW0108
+        self._kind = _KINDS[SignalMission if isinstance(self.mission, SignalMission) else Mission]
+        asked = self.mission if self.posed is None else PosedMission.from_problem(self.posed)
+        subject = self._kind.subject(asked, lambda: self.oracle.pause())  # noqa: PLW0108
         self.oracle = Oracle(
             subject, self.clock, self.solver, stop=self.stop, asking=lambda: self.tell(self._at)
         )
@@ -179,6 +186,8 @@ class _Run:
             if any(item.text == other.text for other in self.known.changes):
                 return
             item = replace(item, fix=len(self.known.changes) + 1)
+            if self.posed is not None and isinstance(item.mission, PosedMission):
+                item = replace(item, mission=item.mission.over(self.posed))
         self.known = self.known.with_found(item)
         self.found(item)
 

@@ -5,13 +5,14 @@ Which may help against a conflict: those that touch one of its parts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
 from math import ceil
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 from tsplan.explanation.explanation import SoftConstraint
-from tsplan.explanation.part_words import closed_words, ends_words, room_of, room_words
+from tsplan.explanation.part_words import closed_words, ends_words, own_title, room_of, room_words
 from tsplan.explanation.whynot.amount_edits import (
     lower_amount,
     more_carried,
@@ -36,6 +37,7 @@ from tsplan.explanation.whynot.occurrences import (
     occurrences,
     separable,
 )
+from tsplan.explanation.whynot.posed_mission import own_of
 from tsplan.explanation.whynot.reconfiguration_edits import numbers_of
 from tsplan.explanation.whynot.relaxing import modules_of, useful_number
 from tsplan.explanation.whynot.soft_constraints import (
@@ -46,6 +48,7 @@ from tsplan.explanation.whynot.soft_constraints import (
 )
 from tsplan.logic import Eventually, Percent, Task, Until
 from tsplan.logic import labels as labels_of
+from tsplan.run.own_terms import reach
 from tsplan.ts.waits import without_wait
 
 if TYPE_CHECKING:
@@ -84,6 +87,8 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
         return frozenset({SoftConstraint("stock" if kind == "stock" else "carries", key[:1])})
     if kind == "closed":
         return frozenset()
+    if kind == "own":
+        return frozenset({SoftConstraint("own", key[:1])})
     if kind in ("wait", "booking"):
         return frozenset({WAITING if kind == "wait" else BOOKING})
     part = SoftConstraint(kind if kind in ("capacity", "zone") else "swarm", key)
@@ -122,10 +127,8 @@ def _against(
             yield from _more_agents(context, key[0], conflict)
             if kind == "start":
                 yield from _quicker_edges(context, key[0], conflict)
-        case "carries":
-            yield from more_carried(context.mission, key[0])
-        case "stock":
-            yield from more_stock(context.mission, key[0])
+        case "own" | "carries" | "stock":
+            yield from _OF_ONE[kind](context.mission, key[0])
         case "booking":
             yield _shared_agents(context.mission)
         case "waiting":
@@ -301,6 +304,25 @@ def _waits(context: Context, conflict: frozenset[SoftConstraint]) -> Iterator[Ed
     yield Edit(Number("wait", ()), "waiting", 1, text)
 
 
+def _looser_own(mission: Mission, number: int) -> Iterator[Edit]:
+    """An own constraint with other bounds, of real numbers without any alone; and without it."""
+    item = own_of(mission)[number]
+    title, about = literal(own_title(item)), literal(item.sum)
+    least, most = reach(item, mission.size)
+    if all(term.whole for term, _ in item.terms):
+        if item.lower is not None:
+            text = f"ask for {about} >= {{new}} (now {item.lower}) in {title}"
+            lower = Number("own", (number, "lower"))
+            far = int(item.lower - least)
+            yield Edit(lower, "loosen_constraint", far, text, item.lower, -1)
+        if item.upper is not None:
+            text = f"allow {about} <= {{new}} (now {item.upper}) in {title}"
+            far = int(most - item.upper)
+            yield Edit(Number("own", (number, "upper")), "loosen_constraint", far, text, item.upper)
+    text = f"drop {title}: {literal(str(item))}"
+    yield Edit(Number("own", (number, "kept")), "drop_constraint", 1, text, 1, -1)
+
+
 def _states_of(mission: Mission, conflict: frozenset[SoftConstraint]) -> Iterator[str]:
     """The states that the needs of a conflict speak about; limits need nobody."""
     for constraint in sorted(conflict, key=repr):
@@ -333,6 +355,12 @@ def _looser_bound(mission: Mission, key: tuple[str, str]) -> Edit:
     most = swarm_size(mission, name) - (now or 0)
     text = f"raise max_subswarms{whose} from {now} to {{new}}"
     return Edit(number, "more_subswarms", most, text, now)
+
+
+_OF_ONE: Mapping[PartKind, Callable[[Mission, Any], Iterator[Edit]]] = MappingProxyType(
+    {"own": _looser_own, "carries": more_carried, "stock": more_stock}
+)
+"""Ways to make one thing of a mission easier, which is told by its number or name."""
 
 
 def swarm_size(mission: Mission, name: str) -> int:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 from tsplan.exact import exact
 from tsplan.explanation.whynot.amount_numbers import carried, put_carried, put_stock, stock
 from tsplan.explanation.whynot.occurrences import Way, amounts_of, exchanged, node_at
+from tsplan.explanation.whynot.posed_mission import own_of, with_own
 from tsplan.explanation.whynot.reconfiguration_edits import ACCESS as REBUILDING
 from tsplan.explanation.whynot.signal_numbers import ACCESS
 from tsplan.logic import Count, Formula, Percent, horizon, translate
@@ -51,6 +52,7 @@ NumberKind: TypeAlias = Literal[
     "begin",
     "limit",
     "last",
+    "own",
 ]
 
 MARGIN = ("", "margin")
@@ -72,8 +74,10 @@ class Number(NamedTuple):
     state where there is one (1) or none (0), or nothing for all states at once; of steps to
     `rebuild` structures, the number of the reconfiguration; of a `site` of it, this and the state
     where it can be done (1) or not (0), or nothing more for all states; of `booking`, which is 1
-    where agents are booked and 0 where they are shared, nothing. Over signals: of a `side` of the
-    bounds of a signal or control, and of where it may `begin`, its name and which end (0, 1); of a
+    where agents are booked and 0 where they are shared, nothing; of an `own` constraint, its
+    number and which of its ends, or `kept`, which is 1 while it bounds anything. Over signals: of a
+    `side` of the bounds of a signal or control, and of where it may `begin`, its name and which end
+    (0, 1); of a
     `limit`, its number; of the `last` step of the mission, nothing.
     """
 
@@ -345,6 +349,24 @@ def _put_bound(mission: Mission, value: Any, name: str, which: str) -> Mission:
     return replace(mission, swarm=rules, warnings=())
 
 
+# --- own constraints ----------------------------------------------------------------------------
+
+
+def _own(mission: Mission, number: int, end: str) -> Any:
+    item = own_of(mission)[number]
+    return int(item.bounds) if end == "kept" else getattr(item, end)
+
+
+def _put_own(mission: Mission, value: Any, number: int, end: str) -> Mission:
+    every = list(own_of(mission))
+    item = every[number]
+    if end == "kept":
+        every[number] = item if value else item.unbounded()
+    else:
+        every[number] = replace(item, **{end: value})
+    return with_own(mission, every)
+
+
 _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = MappingProxyType(
     {
         "formula": (_in_formula, _put_in_formula),
@@ -359,6 +381,7 @@ _ACCESS: Mapping[str, tuple[Callable[..., Any], Callable[..., Mission]]] = Mappi
         "wait": (_waits, _put_waits),
         **REBUILDING,
         "swarm": (_bound, _put_bound),
+        "own": (_own, _put_own),
         **ACCESS,
     }
 )

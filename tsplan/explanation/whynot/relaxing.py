@@ -20,6 +20,13 @@ from tsplan.explanation.explanation import PartKind, SoftConstraint
 from tsplan.explanation.whynot.amount_numbers import useful_amount, useful_hold, with_carries
 from tsplan.explanation.whynot.mission_numbers import remapped, with_bound
 from tsplan.explanation.whynot.occurrences import counts_of, without
+from tsplan.explanation.whynot.posed_mission import (
+    begun_later,
+    own_of,
+    problem_of,
+    useful_robots,
+    with_own,
+)
 from tsplan.explanation.whynot.soft_constraints import (
     BOOKING,
     WAITING,
@@ -58,7 +65,7 @@ def relaxed(
     parts = [occurrence_of(item) for item in gone if item.kind == "formula"]
     formula = without(mission.formula, parts)
     rules = mission.swarm
-    mission = _supplied(mission, gone)
+    mission = _without_own(_supplied(mission, gone), gone)
     if rules is not None:
         for item in gone:
             if item.kind == "swarm":
@@ -73,7 +80,7 @@ def relaxed(
     )
     if any(item.kind in ("team", "start") for item in gone):
         return _from_depots(left, gone, tuning)
-    return Problem(left, tuning) if robot_entries(mission) else left
+    return problem_of(left, tuning) if robot_entries(mission) else left
 
 
 def _supplied(mission: Mission, gone: Dropped) -> Mission:
@@ -84,6 +91,15 @@ def _supplied(mission: Mission, gone: Dropped) -> Mission:
         mission = replace(mission, resources=found, warnings=())
     most = float(useful_hold(mission))
     return with_carries(mission, {item.key[0]: most for item in gone if item.kind == "carries"})
+
+
+def _without_own(mission: Mission, gone: Dropped) -> Mission:
+    """The mission without some of its own constraints."""
+    left = (
+        item.unbounded() if SoftConstraint("own", (number,)) in gone else item
+        for number, item in enumerate(own_of(mission))
+    )
+    return with_own(mission, left)
 
 
 def _plenty(mission: Mission, resource: Resource) -> Resource:
@@ -122,12 +138,12 @@ def without_zones(system: TransitionSystem, names: Container[str]) -> Transition
 
 
 def bounded_above(mission: Mission) -> bool:
-    """Whether more robots somewhere can do harm: by a limit, or by a capacity."""
+    """Whether more robots somewhere can do harm: by a limit, a capacity, or an own constraint."""
     system = mission.system
     return (
         any(isinstance(node, Count) and node.relation == "<=" for node in walk(mission.goal))
         or any(state.capacity is not None for state in system.states.values())
-        or bool(system.capacity_groups or system.zones)
+        or bool(system.capacity_groups or system.zones or own_of(mission))
     )
 
 
@@ -200,7 +216,7 @@ def useful_number(mission: Mission, entry: int) -> int:
             total += asked * (node.last + 1) * len(labels[node.label])
     for_good = waits_everywhere(mission) and not bounded_above(mission)
     steps = 1 if for_good else mission.horizon + 1
-    useful = total * steps + _useful_carriers(mission)
+    useful = total * steps + _useful_carriers(mission) + (useful_robots(mission) or 0)
     group, rules = mission.team[entry], mission.modular
     if group.configuration is not None:
         sizes = [rules.modules(rule.parts) for rule in rules.reconfigurations]
@@ -276,7 +292,7 @@ def _from_depots(mission: Mission, gone: Dropped, tuning: Tuning) -> Problem:
         modular=_built_there(mission),
         resources=_with_lost(mission, team),
     )
-    problem = Problem(later, tuning)
+    problem = problem_of(begun_later(later, before), tuning)
     if not harmless:  # robots leave before the mission begins or, where they may, never
         for name, gone_by in all_:
             problem.add(problem.count(name, step=gone_by) <= 0, "everybody starts")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from tsplan.explanation.explanation import SoftConstraint
 from tsplan.explanation.whynot.mission_numbers import MARGIN, TOGETHER
 from tsplan.explanation.whynot.occurrences import Occurrence, conjuncts, occurrences
+from tsplan.explanation.whynot.posed_mission import own_of, useful_robots
 from tsplan.ts.waits import without_wait
 
 if TYPE_CHECKING:
@@ -48,12 +49,15 @@ def named_facts(mission: Mission) -> tuple[SoftConstraint, ...]:
     out, and how much there is of a resource; of a swarm how it may divide and its head-room. Its
     size and its start stay, and so does the map, but for its capacities (those of edges by the
     direction that comes first) and for states without a wait. Agents that are booked for tasks can
-    be shared.
+    be shared. Where own constraints weigh agents against each other, any number of robots may be of
+    use, and their numbers stay as they are.
     """
     system = mission.system
     entries = robot_entries(mission)
+    sized = () if useful_robots(mission) is None else entries
     return (
-        *(SoftConstraint("team", (number,)) for number in entries),
+        *(SoftConstraint("own", (n,)) for n, item in enumerate(own_of(mission)) if item.bounds),
+        *(SoftConstraint("team", (number,)) for number in sized),
         *(SoftConstraint("start", (number,)) for number in entries),
         *(
             SoftConstraint("carries", (number,))

@@ -14,6 +14,7 @@ from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.edits import candidates, rank, touched
 from tsplan.explanation.whynot.fact_finders import facts_of
 from tsplan.explanation.whynot.least_shortage import Shortage, least_shortage
+from tsplan.explanation.whynot.posed_mission import problem_of
 from tsplan.explanation.whynot.relaxing import any_plan, bounded_above, can_idle, needless, relaxed
 from tsplan.explanation.whynot.shortages import undeliverable
 from tsplan.explanation.whynot.soft_constraints import named_facts, robot_entries
@@ -83,7 +84,7 @@ class Teams(Subject[Mission]):
         Most questions have no plan, so that what looks for a first one by a restriction, and proves
         nothing, has to wait.
         """
-        problem = question if isinstance(question, Problem) else Problem(question)
+        problem = question if isinstance(question, Problem) else problem_of(question)
         if not _has_chains(problem.mission.goal):
             return plan(problem, time_limit=time_limit, solver=solver, on_event=enough)
         without = problem.tuning.without | {Switch.CHAINS}
