@@ -152,6 +152,8 @@ class Asked:
         for terms, relation, bound in self.demands:
             made = self._built(problem, terms)
             problem.add(made >= bound if relation == ">=" else made <= bound)
+        if self.own and not self._built(problem, self.own).terms:
+            self.own = []
         if self.own:
             problem.minimise(self._built(problem, self.own))
 

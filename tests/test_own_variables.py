@@ -61,7 +61,11 @@ def test_a_real_variable_is_exact(encoding):
     assert '"variables": {"share": "1/3"}' in plan.to_json()
     assert tsplan.Plan.from_json(plan.to_json()) == plan
     assert not problem.broken(plan)
-    assert tsplan.check(problem.mission, plan).ok
+    assert tsplan.check(problem, plan).ok
+    forged = replace(plan, variables={"share": Fraction(1, 2)})
+    assert tsplan.check(problem.mission, forged).ok
+    [finding] = tsplan.check(problem, forged).findings
+    assert "asks for 3*share - count('dock', step=5) == 0" in str(finding)
 
 
 def test_variables_alone_can_be_in_conflict(problem):

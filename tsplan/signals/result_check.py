@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TypeAlias
 
 from tsplan.checking import plan_check
-from tsplan.checking.check_report import Report
+from tsplan.checking.check_report import Report, findings_of
 from tsplan.document.files import beginning
 from tsplan.errors import Finding, InputError, PlanError
 from tsplan.mission import Mission
 from tsplan.plans.plan import Plan
 from tsplan.plans.plan_file import load_plan
 from tsplan.plans.plan_text import TRAJECTORIES
+from tsplan.run.problem import Problem
 from tsplan.signals import trajectory_check
 from tsplan.signals.signal_files import mission_given
 from tsplan.signals.signal_mission import SignalMission
@@ -25,10 +27,11 @@ Result: TypeAlias = Plan | Trajectory
 _GLANCE = 1000  # bytes within which a file says what it is
 
 
-def check(mission: AnyMission | str | Path, result: Result | str | Path) -> Report:
+def check(mission: AnyMission | Problem | str | Path, result: Result | str | Path) -> Report:
     """Judge a plan or a trajectory against its mission by itself alone, without any solver.
 
-    Both may be the paths of their files.
+    Both may be the paths of their files. Against a `Problem` its own constraints are judged, too,
+    by the agents' paths and the plan's values of own variables, in exact arithmetic.
     Of a plan the agents' paths and the swarms' moves are followed over the map, of a trajectory
     the start and the controls are simulated; then the formula is evaluated as written. The report
     lists everything that is wrong at once. Raises PlanError where one is not of the other's kind,
@@ -39,9 +42,13 @@ def check(mission: AnyMission | str | Path, result: Result | str | Path) -> Repo
     >>> tsplan.check("mission.yaml", "plan.json").verdict
     'the plan is accepted'
     """
-    known, made = mission_given(mission), result_given(result)
+    made = result_given(result)
+    known = mission.mission if isinstance(mission, Problem) else mission_given(mission)
     if isinstance(known, Mission) and isinstance(made, Plan):
-        return plan_check.check(known, made)
+        report = plan_check.check(known, made)
+        if not isinstance(mission, Problem) or report.availability is None:  # no paths to judge by
+            return report
+        return replace(report, findings=report.findings + findings_of(mission.broken(made)))
     if isinstance(known, SignalMission) and isinstance(made, Trajectory):
         return trajectory_check.check(known, made)
     raise PlanError([mixed_up(known, made)])
