@@ -8,7 +8,6 @@ is tried alone: a small mission is proven impossible sooner than a large one.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -17,8 +16,8 @@ from tsplan.explanation.whynot.changes import Step, fewest
 
 if TYPE_CHECKING:
     from tsplan.clock import Clock
-    from tsplan.explanation.explanation import Fact
-    from tsplan.explanation.whynot.conflicts import Core, Finder
+    from tsplan.explanation.explanation import Cut, Fact
+    from tsplan.explanation.whynot.conflicts import Core, Finder, Set
     from tsplan.explanation.whynot.mission_numbers import Edit
     from tsplan.explanation.whynot.oracle import Oracle
 
@@ -27,8 +26,13 @@ PATIENCE = 10.0
 
 _SHARE = 0.5  # of what is left of the time goes to conflicts at most, and
 _FOR_WHOLE = 0.8  # to whether there is a plan at all
-_GUESSED = 2.0  # seconds for the least shortage, and for each guess that it leads to
+_SOON = 0.2  # seconds for the mission at first
+_TIMES = 2  # so many times as long a guess gets, and after it the mission
+_LONGER = 4  # times as long each of them gets the next time
+_GUESSED = 2.0  # seconds for the least shortage; where guesses get less, it is not worth its while
 _EASY = 0.1  # seconds of a proof beside which guesses do not pay
+_HOPELESS: frozenset[Cut] = frozenset({"memory", "precision"})
+"""Why a question may be left open that more time does not answer."""
 
 
 @dataclass(eq=False)
@@ -42,7 +46,7 @@ class ConflictSearch:
     clock: Clock
     shortage: Sequence[Step] = ()
     _core: Core | None = field(default=None, init=False)
-    _spent: float = field(default=0.0, init=False)
+    _sought: bool = field(default=False, init=False)
 
     @property
     def _oracle(self) -> Oracle:
@@ -67,40 +71,71 @@ class ConflictSearch:
         return None
 
     def possible(self) -> bool | None:
-        """Whether there is a plan; None where the time is too short to find out."""
+        """Whether there is a plan; None where the time is too short to find out.
+
+        The mission and a few parts of it are asked about in turn, longer every time: whichever is
+        refuted soonest decides.
+        """
         oracle = self._oracle
         oracle.clock, oracle.patience = self.clock, None
-        began = time.perf_counter()
-        with oracle.hasty():
+        with oracle.hasty(_SOON):
             answer = oracle.without(())
-        self._spent = time.perf_counter() - began
-        if answer is None and self._guess():
-            return False
-        if answer is None:
-            if self.clock.left is not None:
-                oracle.clock = self.clock.within(_FOR_WHOLE * self.clock.left)
-            oracle.patience = None
-            answer = oracle.without(())
-        self._spent = time.perf_counter() - began
+        if self.clock.left is not None:
+            oracle.clock = self.clock.within(_FOR_WHOLE * self.clock.left)
+        seconds = _TIMES * self._spent
+        while answer is None and not (oracle.refuses() or oracle.unanswered & _HOPELESS):
+            if self._guess(seconds):
+                return False
+            oracle.patience = seconds
+            with oracle.unnoticed():
+                answer = oracle.without(())
+            seconds *= _LONGER
         return answer
+
+    @property
+    def _spent(self) -> float:
+        """Seconds of questions so far."""
+        return self._oracle.seconds
 
     def found(self) -> Core | None:
         """A conflict of a mission that cannot be met."""
         if self._core is None and not self.shortage and self._spent > _EASY:
-            self._guess()
+            self._guess(min(_GUESSED, _TIMES * self._spent))
         self._limit_questions(self._spent)
         return self._core or self.finder.within(self.finder.everything)
 
-    def _guess(self) -> bool:
-        """Whether a conflict is found among what asks for those of whom there are too few."""
+    def _guess(self, seconds: float) -> bool:
+        """Whether a conflict is found among a few parts that are tried alone, each so long.
+
+        Of a hard mission the least shortage is looked for, and what asks for those of whom there
+        are too few is tried alone, too.
+        """
         oracle = self._oracle
-        every = oracle.subject.candidates(self.finder.everything)
-        oracle.patience = _GUESSED
-        self.shortage = fewest(oracle, [edit for edit in every if _at_home(oracle, edit)]) or ()
-        for guess in oracle.subject.guesses(self.shortage):
+        if self._tried(oracle.subject.guesses(()), seconds):
+            return True
+        if seconds < _GUESSED:
+            return False
+        if not self._sought:
+            self._sought = True
+            every = oracle.subject.candidates(self.finder.everything)
             oracle.patience = _GUESSED
+            self.shortage = fewest(oracle, [edit for edit in every if _at_home(oracle, edit)]) or ()
+        return bool(self.shortage) and self._tried(oracle.subject.guesses(self.shortage), seconds)
+
+    def _tried(self, guesses: Iterable[Set], seconds: float) -> bool:
+        """Whether some of the guesses is impossible by itself, so that a conflict is in it.
+
+        After one that was left open, none is looked at that asks for still more.
+        """
+        oracle = self._oracle
+        open_: Set | None = None
+        for guess in guesses:
+            if open_ is not None and open_ < guess:
+                continue
+            oracle.patience = seconds
             with oracle.unnoticed():
                 answer = oracle.without(self.finder.everything - guess)
+            open_ = guess if answer is None else None
             if answer is False:
                 self._limit_questions(self._spent)
                 self._core = self.finder.within(guess)

@@ -20,6 +20,7 @@ from tsplan.stopping import StoppedBy
 if TYPE_CHECKING:
     from tsplan.clock import Clock
     from tsplan.explanation.whynot.subject import Question, Subject
+    from tsplan.plans.plan import Plan
     from tsplan.run.events import Event
     from tsplan.signals.result_check import AnyMission
 
@@ -34,7 +35,7 @@ _LEAST = 0.05  # seconds that a question gets at least
 _SOON, _TIMES = (
     0.5,
     4,
-)  # seconds that a hasty one gets, or as often as long as the slowest plan took
+)  # seconds that a hasty one gets, or so many times as long as the slowest plan took
 
 
 @dataclass(eq=False, slots=True)
@@ -101,9 +102,13 @@ class Oracle:
             return False
         if self.refuses():
             return None
-        answer = self.asked(self.subject.without(gone))
-        if answer is not None:
-            (self._met if answer else self._unmet).append(gone)
+        question = self.subject.without(gone)
+        found = self._timed(question)
+        answer = _answer(found)
+        if answer:
+            self._met.append(self.subject.broken_by(gone, question, found))
+        elif answer is False:
+            self._unmet.append(gone)
         return answer
 
     def learn_impossible(self, dropped: Iterable[SoftConstraint]) -> None:
@@ -116,20 +121,21 @@ class Oracle:
 
     def asked(self, question: Question) -> Answer:
         """One question to the planner."""
+        return _answer(self._timed(question))
+
+    def _timed(self, question: Question) -> Any:
+        """What the planner finds; how long it takes at most to find a plan is kept."""
         began = time.perf_counter()
         found = self.planned(question, self.patience)
-        if found is None:
-            return None
-        there = found.has_signals if isinstance(found, Trajectory) else found.has_paths
-        if there:
+        if _answer(found):
             self.slowest = max(self.slowest, time.perf_counter() - began)
-        return True if there else False if found.status is Status.INFEASIBLE else None
+        return found
 
     @contextmanager
-    def hasty(self) -> Iterator[None]:
+    def hasty(self, soon: float = _SOON) -> Iterator[None]:
         """Questions are given up soon, and that is no news."""
         patience = self.patience
-        soon = max(_SOON, _TIMES * self.slowest)
+        soon = max(soon, _TIMES * self.slowest)
         self.patience = soon if patience is None else min(patience, soon)
         try:
             with self.unnoticed():
@@ -173,3 +179,11 @@ class Oracle:
         if found.stopped_by is not None and not self.refuses():
             self.unanswered.add(_CUTS.get(found.stopped_by, "patience"))
         return found
+
+
+def _answer(found: Plan | Trajectory | None) -> Answer:
+    """What a plan, a proof that there is none, or neither of them answers."""
+    if found is None:
+        return None
+    there = found.has_signals if isinstance(found, Trajectory) else found.has_paths
+    return True if there else False if found.status is Status.INFEASIBLE else None

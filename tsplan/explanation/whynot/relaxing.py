@@ -10,10 +10,11 @@ are as many as any plan could use.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import ceil
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from tsplan.explanation.explanation import PartKind, SoftConstraint
@@ -51,9 +52,13 @@ _UNBOUNDED = {"most": None, "least": 1, "margin": Fraction(0)}
 """Bounds of swarms that bound nothing."""
 
 
+_AIMLESS: Mapping[str, Any] = MappingProxyType({"objective": (), "prefer": (), "warnings": ()})
+"""The parts of a mission of which any plan will do."""
+
+
 def any_plan(mission: Mission) -> Mission:
     """The mission that asks for no more than that its formula holds, as a whole."""
-    return replace(mission, objective=(), prefer=(), warnings=())
+    return replace(mission, **_AIMLESS)
 
 
 def relaxed(
@@ -71,7 +76,8 @@ def relaxed(
             if item.kind == "swarm":
                 rules = with_bound(rules, _UNBOUNDED[item.key[1]], *item.key)
     left = replace(
-        any_plan(mission),
+        mission,
+        **_AIMLESS,
         formula=formula,
         text=str(formula),
         system=_roomier(mission.system, gone),
@@ -89,12 +95,18 @@ def _supplied(mission: Mission, gone: Dropped) -> Mission:
     if names:
         found = tuple(_plenty(mission, r) if r.name in names else r for r in mission.resources)
         mission = replace(mission, resources=found, warnings=())
-    most = float(useful_hold(mission))
-    return with_carries(mission, {item.key[0]: most for item in gone if item.kind == "carries"})
+    carrying = [item.key[0] for item in gone if item.kind == "carries"]
+    return (
+        with_carries(mission, dict.fromkeys(carrying, float(useful_hold(mission))))
+        if carrying
+        else mission
+    )
 
 
 def _without_own(mission: Mission, gone: Dropped) -> Mission:
     """The mission without some of its own constraints."""
+    if not own_of(mission):
+        return mission
     left = (
         item.unbounded() if SoftConstraint("own", (number,)) in gone else item
         for number, item in enumerate(own_of(mission))

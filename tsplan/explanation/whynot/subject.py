@@ -86,6 +86,11 @@ class Subject(ABC, Generic[M]):
         del gone
         return frozenset()
 
+    def broken_by(self, gone: Constraints, question: Question, found: Any) -> Constraints:
+        """Those of some constraints that what was found without them breaks, or may break."""
+        del question, found
+        return gone
+
     @abstractmethod
     def planned(
         self,

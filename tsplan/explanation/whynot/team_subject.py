@@ -13,6 +13,7 @@ from tsplan.explanation.change_kinds import ORDER
 from tsplan.explanation.whynot.context import Context
 from tsplan.explanation.whynot.edits import candidates, rank, touched
 from tsplan.explanation.whynot.fact_finders import facts_of
+from tsplan.explanation.whynot.fulfilment import broken_by
 from tsplan.explanation.whynot.least_shortage import Shortage, least_shortage
 from tsplan.explanation.whynot.posed_mission import problem_of
 from tsplan.explanation.whynot.relaxing import any_plan, bounded_above, can_idle, needless, relaxed
@@ -72,6 +73,10 @@ class Teams(Subject[Mission]):
         """The plain mission without some of its constraints."""
         return relaxed(self.mission, gone)
 
+    def broken_by(self, gone: Constraints, question: Mission | Problem, found: Plan) -> Constraints:
+        """Those of some constraints that a plan without them breaks, or may break."""
+        return broken_by(self.mission, self.groups, gone, question, found)
+
     def planned(
         self,
         question: Mission | Problem,
@@ -123,14 +128,18 @@ class Teams(Subject[Mission]):
     def guesses(self, steps: Iterable[tuple[Edit, int]]) -> Iterator[Constraints]:
         """All that asks for one capability that more agents would have; then for any of them.
 
-        Without such agents, a few parts of the formula.
+        Without such agents, a few parts of the formula: several first without where anybody starts,
+        which is no part of most conflicts. If they are refuted so, that need not be proven again.
         """
         entries = {edit.number.key[0] for edit, _ in steps if edit.number.kind == "agents"}
         able = sorted({name for n in entries for name in self.mission.team[n].capabilities})
         for names in [{name} for name in able] + ([set(able)] if len(able) > 1 else []):
             yield about(self.mission, self.groups, names) | frozenset(self.bounds)
-        if not able:
-            yield from super().guesses(steps)
+        starts = {fact for fact in self.bounds if fact.kind == "start"}
+        for guess in super().guesses(steps) if not able else ():
+            if sum(not guess.isdisjoint(group) for group in self.groups) > 1:
+                yield guess.difference(starts)
+            yield guess
 
     def shortage(self, edits: Sequence[Edit]) -> Shortage | None:
         """By how few agents more, or fewer needed, some edits may do together."""
