@@ -61,6 +61,11 @@ def test_what_a_plan_keeps_can_be_met_beside_the_rest(seed: int) -> None:
     answers_more(seed)
 
 
+def test_who_is_late_is_in_the_way_of_a_limit_that_is_put_back():
+    """Where the limit was left out robots may leave their depot late, and with it they may not."""
+    assert not answers_more(425)
+
+
 def test_many_plans_keep_more_than_was_asked():
     assert sum(answers_more(seed) for seed in range(15)) >= 3
 

@@ -48,10 +48,11 @@ def broken_by(
 
     `groups` are the parts of each conjunct; those of one are looked at together first.
     """
-    if len(gone) == 1:  # without all of it nothing is left to be asked
+    team = {item for item in gone if item.kind in ("team", "start")}
+    # who leaves a depot late may be in the way of a limit that is put back
+    if len(gone) == 1 or (team and not can_idle(mission)):
         return gone
     posed = question.mission if isinstance(question, Problem) else question
-    team = {item for item in gone if item.kind in ("team", "start")}
     judged = None
     if gone.difference(team) and _told_by_counts(mission, gone):
         judged = _by_counts(mission, posed, plan)
@@ -61,8 +62,7 @@ def broken_by(
         fewer = gone.difference(some)
         if fewer != gone and judged is not None and judged(fewer):
             gone = fewer
-    kept = _at_home(mission, posed, team, plan) if team and can_idle(mission) else ()
-    return gone.difference(kept)
+    return gone.difference(_at_home(mission, posed, team, plan)) if team else gone
 
 
 def _told_by_counts(mission: Mission, gone: Constraints) -> bool:
