@@ -46,6 +46,7 @@ class ConflictSearch:
     clock: Clock
     shortage: Sequence[Step] = ()
     _core: Core | None = field(default=None, init=False)
+    _proof: float = field(default=0.0, init=False)  # seconds of the last question about it all
     _sought: bool = field(default=False, init=False)
 
     @property
@@ -79,7 +80,7 @@ class ConflictSearch:
         oracle = self._oracle
         oracle.clock, oracle.patience = self.clock, None
         with oracle.hasty(_SOON):
-            answer = oracle.without(())
+            answer = self._whole()
         if self.clock.left is not None:
             oracle.clock = self.clock.within(_FOR_WHOLE * self.clock.left)
         seconds = _TIMES * self._spent
@@ -88,8 +89,15 @@ class ConflictSearch:
                 return False
             oracle.patience = seconds
             with oracle.unnoticed():
-                answer = oracle.without(())
+                answer = self._whole()
             seconds *= _LONGER
+        return answer
+
+    def _whole(self) -> bool | None:
+        """Whether all of the mission can be met."""
+        before = self._spent
+        answer = self._oracle.without(())
+        self._proof = self._spent - before
         return answer
 
     @property
@@ -99,8 +107,8 @@ class ConflictSearch:
 
     def found(self) -> Core | None:
         """A conflict of a mission that cannot be met."""
-        if self._core is None and not self.shortage and self._spent > _EASY:
-            self._guess(min(_GUESSED, _TIMES * self._spent))
+        if self._core is None and not self.shortage and self._proof > _EASY:
+            self._guess(_LONGER * self._proof)
         self._limit_questions(self._spent)
         return self._core or self.finder.within(self.finder.everything)
 
@@ -125,17 +133,18 @@ class ConflictSearch:
     def _tried(self, guesses: Iterable[Set], seconds: float) -> bool:
         """Whether some of the guesses is impossible by itself, so that a conflict is in it.
 
-        After one that was left open, none is looked at that asks for still more.
+        None is looked at that asks for more than one which was left open.
         """
         oracle = self._oracle
-        open_: Set | None = None
+        open_: list[Set] = []
         for guess in guesses:
-            if open_ is not None and open_ < guess:
+            if any(known < guess for known in open_):
                 continue
             oracle.patience = seconds
             with oracle.unnoticed():
                 answer = oracle.without(self.finder.everything - guess)
-            open_ = guess if answer is None else None
+            if answer is None:
+                open_.append(guess)
             if answer is False:
                 self._limit_questions(self._spent)
                 self._core = self.finder.within(guess)

@@ -135,11 +135,12 @@ class Teams(Subject[Mission]):
         able = sorted({name for n in entries for name in self.mission.team[n].capabilities})
         for names in [{name} for name in able] + ([set(able)] if len(able) > 1 else []):
             yield about(self.mission, self.groups, names) | frozenset(self.bounds)
+        few = [] if able else list(super().guesses(steps))
+        several = [g for g in few if sum(not g.isdisjoint(group) for group in self.groups) > 1]
+        yield from (guess for guess in few if guess not in several)
         starts = {fact for fact in self.bounds if fact.kind == "start"}
-        for guess in super().guesses(steps) if not able else ():
-            if sum(not guess.isdisjoint(group) for group in self.groups) > 1:
-                yield guess.difference(starts)
-            yield guess
+        yield from (guess.difference(starts) for guess in several)
+        yield from several
 
     def shortage(self, edits: Sequence[Edit]) -> Shortage | None:
         """By how few agents more, or fewer needed, some edits may do together."""
