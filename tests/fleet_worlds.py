@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from random import Random
 
 import numpy as np
-
 from tsplan.checking.count_traces import count_trace
+
 from tsplan.logic import CountTrace, conjunction, horizon, parse
 from tsplan.mission import Agent, Mission
 from tsplan.plans.agent_plans import AgentPlan, joined

@@ -15,8 +15,8 @@ from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.expressions import Constraint, Expression, Own
 from tsplan.encode.model_objectives import OwnSum, objectives_of
 from tsplan.encode.native_names import column_names, row_names
-from tsplan.encode.planned_ways import Planned, planned_ways
 from tsplan.encode.own_constraints import terms_of
+from tsplan.encode.planned_ways import Planned, planned_ways
 from tsplan.encode.preparation import prepare
 from tsplan.encode.quantities import CountTerm, FlowTerm, OwnVariable
 from tsplan.encode.switches import ALL_SWITCHES, Switch
