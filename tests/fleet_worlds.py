@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 from random import Random
 
 import numpy as np
-from tsplan.checking.count_traces import count_trace
 
 from tsplan.logic import CountTrace, conjunction, horizon, parse
 from tsplan.mission import Agent, Mission
 from tsplan.plans.agent_plans import AgentPlan, joined
+from tsplan.plans.count_traces import count_trace
 from tsplan.plans.outcomes import MissionRef, Status
 from tsplan.plans.plan import Plan
 from tsplan.stopping import StoppedBy

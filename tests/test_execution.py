@@ -21,7 +21,7 @@ from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.plans.worlds import OnEdge
 from tsplan.replanning.execution import Execution
 from tsplan.replanning.execution_journal import ExecutionJournal, seen_from
-from tsplan.replanning.fleet import Seen, difference
+from tsplan.replanning.robot_fleet import Seen, difference
 from tsplan.replanning.robot_process import RobotProcess, RobotsError
 from tsplan.replanning.simulated_fleet import Chances, SimulatedFleet
 from tsplan.testing import random_mission

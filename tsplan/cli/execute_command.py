@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from tsplan.plans.plan import Plan
     from tsplan.replanning.execution_trial import TrialRun
-    from tsplan.replanning.fleet import Seen
+    from tsplan.replanning.robot_fleet import Seen
 
 
 def run(options: argparse.Namespace) -> Exit:

@@ -18,8 +18,8 @@ from tsplan.plans.bundles import Agents
 from tsplan.plans.outcomes import Status
 from tsplan.plans.worlds import OnEdge, World
 from tsplan.replanning.catching_up import catching_up
-from tsplan.replanning.fleet import Fleet, MoveOrder, Seen, difference
 from tsplan.replanning.replanner import left, replanned
+from tsplan.replanning.robot_fleet import Fleet, MoveOrder, Seen, difference
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission

@@ -19,7 +19,7 @@ from tsplan.errors import Finding, InputError, PlanError
 from tsplan.plans.plan import Plan
 from tsplan.plans.records import as_json
 from tsplan.plans.worlds import Closed, Opened
-from tsplan.replanning.fleet import Seen
+from tsplan.replanning.robot_fleet import Seen
 
 
 class Kept(NamedTuple):

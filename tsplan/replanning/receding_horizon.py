@@ -1,6 +1,6 @@
 """Long missions planned in pieces: a window at a time, of which the first steps are kept.
 
-Every window is planned for what the formula asks for within it (`tsplan.logic.outlook`): what may
+Every window is planned for what the formula asks for within it (`tsplan.logic.first_steps`): what may
 come to hold later counts as holding, so that nothing is asked for too early, and nothing that has
 to hold is left out. Then its first steps are kept, and what is left is planned again from where
 everybody is. The plan is judged as a whole in the end.
@@ -21,7 +21,7 @@ from tsplan.errors import Finding, InputError
 from tsplan.history.joined_plan import joined_plan
 from tsplan.history.rest_mission import refuse_unknown_kinds
 from tsplan.limits import MOST_STEPS, Range
-from tsplan.logic.outlook import within
+from tsplan.logic.first_steps import within
 from tsplan.plans.bundles import Agents, Bundle
 from tsplan.plans.outcomes import MissionRef, ObjectiveValue, Status, Timings
 from tsplan.plans.plan import Plan

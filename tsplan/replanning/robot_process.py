@@ -20,7 +20,7 @@ from tsplan.errors import TsplanError
 from tsplan.limits import clipped
 from tsplan.plans.worlds import OnEdge
 from tsplan.replanning.execution_journal import seen_from
-from tsplan.replanning.fleet import MoveOrder, Seen
+from tsplan.replanning.robot_fleet import MoveOrder, Seen
 
 FORMAT = "tsplan-robots/1"
 

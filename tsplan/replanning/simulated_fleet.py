@@ -8,7 +8,7 @@ from hashlib import blake2b
 from typing import TYPE_CHECKING
 
 from tsplan.plans.worlds import Closed, OnEdge
-from tsplan.replanning.fleet import MoveOrder, Seen, Sighting
+from tsplan.replanning.robot_fleet import MoveOrder, Seen, Sighting
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission

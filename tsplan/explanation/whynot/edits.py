@@ -83,16 +83,12 @@ def touched(mission: Mission, number: Number) -> frozenset[SoftConstraint]:
     if kind == "agents":
         kinds: tuple[PartKind, ...] = ("team", "start") if number.get(mission) == 0 else ("team",)
         return frozenset(SoftConstraint(name, key[:1]) for name in kinds)
-    if kind in ("stock", "carries"):
-        return frozenset({SoftConstraint("stock" if kind == "stock" else "carries", key[:1])})
-    if kind == "closed":
-        return frozenset()
-    if kind == "own":
-        return frozenset({SoftConstraint("own", key[:1])})
+    if kind in ("stock", "carries", "own"):
+        return frozenset({SoftConstraint(kind, key[:1])})
     if kind in ("wait", "booking"):
         return frozenset({WAITING if kind == "wait" else BOOKING})
     part = SoftConstraint(kind if kind in ("capacity", "zone") else "swarm", key)
-    return frozenset() if kind in ("edge", "rebuild", "site") else frozenset({part})
+    return frozenset() if kind in ("edge", "rebuild", "site", "closed") else frozenset({part})
 
 
 def rank(mission: Mission, number: Number) -> int:

@@ -15,7 +15,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
-from tsplan.checking.count_traces import count_trace
 from tsplan.checking.plan_check import certify
 from tsplan.checking.traffic import read_traffic
 from tsplan.errors import SolverError
@@ -25,6 +24,7 @@ from tsplan.explanation.whynot.relaxing import can_idle, relaxed
 from tsplan.explanation.whynot.soft_constraints import occurrence_of
 from tsplan.logic import Always, capabilities
 from tsplan.logic.evaluation import robustness
+from tsplan.plans.count_traces import count_trace
 from tsplan.run.problem import Problem
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.seeds import quick
 from tsplan.logic import horizon, labels, parse
 from tsplan.logic.evaluation import CountTrace, holds
-from tsplan.logic.outlook import within
+from tsplan.logic.first_steps import within
 from tsplan.testing import formulas
 
 
