@@ -24,7 +24,7 @@ with hushed():
     from highspy import HighsModelStatus as Ended
     from highspy import HighsPresolveStatus as Presolved
 
-LPStatus: TypeAlias = Literal["optimal", "infeasible", "cutoff", "limit"]
+LPStatus: TypeAlias = Literal["optimal", "infeasible", "cutoff", "limit", "unproven"]
 _ENDS: dict[Ended, LPStatus] = {
     Ended.kOptimal: "optimal",
     Ended.kModelEmpty: "optimal",
@@ -48,15 +48,18 @@ MOMENT = 0.2
 class LPResult:
     """The end of one LP solve; unless optimal, `objective` is infinite and the arrays are None.
 
-    "cutoff" means that no point below the cutoff exists, "limit" that the solve was stopped. The
-    arrays are made when they are first asked for: one value and one reduced cost per column, one
-    dual value per row (of a minimisation: positive where the lower side of the row holds it up).
+    "cutoff" means that no point below the cutoff exists, "limit" that the solve was stopped,
+    "unproven" that what the solver says does not follow from its multipliers; a `proof` has those
+    by which it does (`tsplan.milp.proven_lp`). The arrays are made when they are first asked for:
+    one value and one reduced cost per column, one dual value per row (of a minimisation: positive
+    where the lower side of the row holds it up).
     """
 
     status: LPStatus
     objective: float
     seconds: float
     _solution: Any = field(default=None, repr=False)
+    proof: Any = field(default=None, repr=False)
 
     @cached_property
     def values(self) -> Floats | None:
@@ -111,6 +114,7 @@ class WarmLP:
         self._refuted = trivially_infeasible(model)
         self._patience = patience
         self._degenerate = degenerate
+        self._span = model.lower, model.upper
         set_option(self._highs, "solver", "simplex")
 
     def bounds(
@@ -121,6 +125,11 @@ class WarmLP:
         low, high = _spread(lower, count), _spread(upper, count)
         status = self._highs.changeColsBounds(count, _indices(columns), low, high)
         checked(status, "column bounds")
+
+    def span(self, column: int) -> tuple[float, float]:
+        """The bounds that a column had at first."""
+        lower, upper = self._span
+        return float(lower[column]), float(upper[column])
 
     def costs(self, columns: Ints, costs: npt.ArrayLike) -> None:
         """New objective coefficients for some columns."""
@@ -144,6 +153,28 @@ class WarmLP:
     def delete_rows(self, rows: Ints) -> None:
         """Take rows away; those after them move up."""
         checked(self._highs.deleteRows(len(rows), _indices(rows)), "to delete rows")
+
+    @property
+    def multipliers(self) -> Floats:
+        """The dual values of the rows after the last solve, however it ended."""
+        listed = self._highs.getSolution().row_dual
+        return np.fromiter(listed, np.float64, len(listed))
+
+    @property
+    def ray(self) -> Floats | None:
+        """Multipliers that refute a program which was called infeasible, up to their sign."""
+        _, known, ray = self._highs.getDualRay()
+        return np.array(ray, dtype=np.float64) if known else None
+
+    @property
+    def trivially_refuted(self) -> bool:
+        """Whether a row without entries asks for something."""
+        return self._refuted
+
+    def forget(self) -> None:
+        """Solve from scratch the next time."""
+        checked(self._highs.clearSolver(), "to forget the basis")
+        self._warm = False
 
     @property
     def row_count(self) -> int:

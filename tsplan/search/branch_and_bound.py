@@ -6,12 +6,15 @@ witness or not", which leaves the rest of the choice as vague as before (branchi
 ordered sets: Beale and Tomlin, 1970). The choice split first is the one spread widest. Nodes are
 taken best first, and below each the likelier half is followed as far as it leads: that finds
 points, and its LPs differ little from one to the next.
+
+Asked to, it goes on below whole witnesses and splits what is left of whole columns, until nothing
+is left for a general solver to decide.
 """
 
 from __future__ import annotations
 
 import heapq
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import NamedTuple, TypeAlias
@@ -19,12 +22,17 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from tsplan.clock import Clock
+from tsplan.milp.exact_rows import Multipliers
 from tsplan.milp.lp import LPResult, WarmLP
 from tsplan.milp.model import Floats, Ints
+from tsplan.milp.proof_tree import Branch, Leaf, Trail
 from tsplan.milp.target import Target
 from tsplan.search.dive import TOLERANCE, fractional
 
-Fixed: TypeAlias = dict[int, float]
+_HALF = 0.5
+
+Fixed: TypeAlias = dict[int, tuple[float, float]]
+Child: TypeAlias = tuple[Fixed, Branch]
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +51,15 @@ class _Node(NamedTuple):
     bound: float
     order: int
     fixed: Fixed
+    trail: Trail
+    proof: Multipliers | None
 
 
 class BranchAndBound:
     """Branch and bound over the indicators of one model, for the least value of its target.
 
     `choices` are the groups of indicators that can be split; `root` is the LP's solution as it is.
+    `record` keeps what proves it all.
     """
 
     def __init__(
@@ -68,8 +79,24 @@ class BranchAndBound:
         self._value = np.inf
         self._leaf = np.inf  # the least program of a node whose witnesses were whole
         self._order = count(1)
-        self._heap = [_Node(root.objective, 0, {})]
+        self._heap = [_Node(root.objective, 0, {}, (), root.proof)]
         self._deep: list[_Node] = []
+        self._closed: list[Leaf] = []
+        self._further = indicators[:0]
+        self._hear: Callable[[Floats], float] = lambda _: np.inf
+        self.record = False
+
+    def deepen(self, further: Ints, hear: Callable[[Floats], float]) -> None:
+        """Split further columns where the witnesses are whole.
+
+        `hear` is told of such points, and says what the best known one is worth.
+        """
+        self._further, self._hear = further, hear
+
+    @property
+    def leaves(self) -> tuple[Leaf, ...]:
+        """All ends of the tree so far, open ones too; only if they are recorded."""
+        return (*self._closed, *(Leaf(n.trail, n.proof) for n in (*self._heap, *self._deep)))
 
     def run(
         self,
@@ -92,15 +119,18 @@ class BranchAndBound:
                 break
             node = deep.pop() if deep else heapq.heappop(heap)
             if not self._promising(node.bound):
+                self._close(node.trail, node.proof)
                 continue
             result = self._solve(node.fixed, clock)
             solved += 1
             if result.status == "limit":
                 heapq.heappush(heap, node)
                 break
+            known = result.status == "optimal"
+            bound, proof = (result.objective, result.proof) if known else (node.bound, node.proof)
             children = [
-                _Node(result.objective, next(self._order), fixed)
-                for fixed in self._split(node, result)
+                _Node(bound, next(self._order), fixed, (*node.trail, branch), proof)
+                for fixed, branch in self._split(node, result)
             ]
             if children:
                 deep.append(children.pop(0))
@@ -119,30 +149,79 @@ class BranchAndBound:
         """Whether a node with this bound can hold a point that is better by a whole step."""
         return bound <= self._cutoff
 
-    def _split(self, node: _Node, result: LPResult) -> list[Fixed]:
+    def _close(self, trail: Trail, proof: Multipliers | None) -> None:
+        if self.record:
+            self._closed.append(Leaf(trail, proof))
+
+    def _split(self, node: _Node, result: LPResult) -> list[Child]:
         """The children of a node, the likelier one first; none if it is settled."""
+        if result.status == "unproven":
+            return self._blindly(node)
         if result.status != "optimal" or not self._promising(result.objective):
+            self._close(node.trail, result.proof)
             return []
         values = result.values
         assert values is not None
         open_ = fractional(values, self._indicators)
         if not len(open_):
-            self._leaf = min(self._leaf, result.objective)
-            # parts of agents may be better than whole ones: only the next whole value is at stake
-            value = self._target.proven(result.objective)
-            if self._values is None or value < self._value:
-                self._values, self._value = values, min(value, self._value)
-            return []
+            return self._below_whole(node, result, values)
         group = self._widest(values)
         if group is None:
             column = int(open_[np.argmax(values[open_])])
-            return [{**node.fixed, column: choice} for choice in (1.0, 0.0)]
+            return self._by_column(node, column, 0)
         early, late = _halves(group, values)
-        halves = [(late, early), (early, late)]
-        if values[early].sum() < values[late].sum():
-            halves.reverse()
-        # the half that stays open is listed second: the other one is ruled out
-        return [{**node.fixed, **dict.fromkeys(out.tolist(), 0.0)} for out, _ in halves]
+        return self._by_halves(node, early, late, swapped=values[early].sum() < values[late].sum())
+
+    def _below_whole(self, node: _Node, result: LPResult, values: Floats) -> list[Child]:
+        """A node whose witnesses are whole: its children, if it is to be split further."""
+        open_ = fractional(values, self._further)
+        if len(open_):
+            if not np.isin(self._further, [each.columns[0] for each in node.trail]).any():
+                self._move_to({})
+                self._value = min(self._value, self._hear(values))
+            if not self._promising(result.objective):
+                self._close(node.trail, result.proof)
+                return []
+            column = int(open_[np.argmin(np.abs(values[open_] % 1.0 - _HALF))])
+            return self._by_column(node, column, int(np.floor(values[column])))
+        self._close(node.trail, result.proof)
+        self._leaf = min(self._leaf, result.objective)
+        # parts of agents may be better than whole ones: only the next whole value is at stake
+        value = self._target.proven(result.objective)
+        if self._values is None or value < self._value:
+            self._values, self._value = values, min(value, self._value)
+        return []
+
+    def _blindly(self, node: _Node) -> list[Child]:
+        """Children of a node of which its program says nothing: what is open is halved."""
+        for group in self._choices:
+            left = np.array([column for column in group.tolist() if column not in node.fixed])
+            if len(left) > 1:
+                return self._by_halves(node, *np.split(left, [len(left) // 2]), swapped=False)
+        for column in self._indicators.tolist():
+            if column not in node.fixed:
+                return self._by_column(node, column, 0)
+        self._leaf = min(self._leaf, node.bound)
+        self._close(node.trail, node.proof)
+        return []
+
+    def _by_column(self, node: _Node, column: int, most: int) -> list[Child]:
+        """One column at most so much, or more; of witnesses one that is chosen comes first."""
+        low, high = node.fixed.get(column, self._lp.span(column))
+        below, above = Branch((column,), most, above=False), Branch((column,), most, above=True)
+        return [
+            ({**node.fixed, column: (most + 1.0, high)}, above),
+            ({**node.fixed, column: (low, float(most))}, below),
+        ]
+
+    def _by_halves(self, node: _Node, early: Ints, late: Ints, *, swapped: bool) -> list[Child]:
+        """A choice that comes early or late, the half of more weight first."""
+        low, rest = tuple(early.tolist()), tuple(late.tolist())
+        made = []
+        for out, above in ((rest, True), (low, False)):
+            fixed = {**node.fixed, **dict.fromkeys(out, (0.0, 0.0))}
+            made.append((fixed, Branch(low, 0, above, rest)))
+        return made[::-1] if swapped else made
 
     def _widest(self, values: Floats) -> Ints | None:
         """The group whose weight is spread widest over its steps."""
@@ -166,7 +245,7 @@ class BranchAndBound:
     def _move_to(self, fixed: Fixed) -> None:
         """Change only the bounds in which this node differs from the last one."""
         changes = {
-            column: (fixed.get(column, 0.0), fixed.get(column, 1.0))
+            column: fixed.get(column, self._lp.span(column))
             for column in self._fixed.keys() | fixed.keys()
             if self._fixed.get(column) != fixed.get(column)
         }

@@ -84,6 +84,7 @@ def dive(
     left to a full search.
     """
     decisions: list[tuple[int, float]] = []
+    certain = True
     try:
         while not clock.over:
             if result.status == "optimal" and (cutoff is None or result.objective < cutoff):
@@ -97,8 +98,9 @@ def dive(
             elif result.status == "limit":
                 break
             else:
+                certain = certain and result.status != "unproven"
                 if not _turn(lp, decisions):
-                    return Dived(None, refuted=True)
+                    return Dived(None, refuted=certain)
                 turns = None if turns is None else turns - 1
                 if turns is not None and turns < 0:
                     break

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from tsplan.clock import Clock
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
+from tsplan.milp.proven_lp import Tally
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import Solver
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
@@ -20,7 +21,8 @@ class Effort:
     """How to solve: the solver, what was chosen of it, and which switches to use.
 
     `grace` is how long native code may take to stop once its time is up; `log` gets the lines that
-    the solver says.
+    the solver says. With `certified` nothing counts as proven that only a solver says, and with
+    `record` what proves it is kept. `tally` counts linear programs that were verified.
     """
 
     solver: Solver
@@ -28,6 +30,9 @@ class Effort:
     switches: frozenset[Switch] = frozenset(Switch)
     grace: GracePeriod = NATIVE
     log: Hear | None = None
+    certified: bool = False
+    record: bool = False
+    tally: Tally = field(default_factory=Tally)
 
     def options(self, clock: Clock, target: Target, start: Floats | None = None) -> Options:
         """What to ask a solver for: the least value of a target, in the time that is left."""

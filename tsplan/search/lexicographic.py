@@ -38,7 +38,8 @@ class Found:
     """The best point known, a true lower bound, and whether the search was carried to its end.
 
     `objective` and `bound` are values of the target. `proven` without values means that there is
-    no point, with values that none is better; a search that was `stopped_by` a gap is not.
+    no point, with values that none is better; a search that was `stopped_by` a gap is not. What is
+    `certified` was worked out exactly, and does not rest on a solver being right.
     """
 
     values: Floats | None
@@ -46,6 +47,7 @@ class Found:
     bound: float
     proven: bool
     stopped_by: StoppedBy | None = None
+    certified: bool = False
 
 
 @dataclass(frozen=True, eq=False)

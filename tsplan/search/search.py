@@ -19,8 +19,10 @@ from tsplan.encode.encoded import Encoded
 from tsplan.encode.switches import Switch
 from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
-from tsplan.milp.lp import MOMENT, PATIENCE, LPResult, WarmLP
+from tsplan.milp.lp import MOMENT, PATIENCE, LPResult
 from tsplan.milp.model import Floats, Model
+from tsplan.milp.proof_tree import Leaf, ProofTree
+from tsplan.milp.proven_lp import ProvenLP
 from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
@@ -60,10 +62,11 @@ class Search:
         self._effort = effort
         self._clock = clock
         self._known = Standing(target, report, effort.choice.gap, encoded.refuted)
-        self._lp: WarmLP | None = None
+        self._lp: ProvenLP | None = None
         self._shared = False  # whether the best witnesses are known, but for classes in parts
         self._rounding = Rounding(encoded, target, effort, clock)
         self._began = clock.elapsed
+        self._leaves: tuple[Leaf, ...] = ()  # of what proves the exact bound
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
         self.patience = _PATIENCE
@@ -80,6 +83,8 @@ class Search:
                 self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
                 self._lp = None
+        if self._alone:
+            return self._known.found(self._clock)
         if not self.done and not self._clock.over and self._shared:
             self._by_shares()
         if not self.done and not self._clock.over:
@@ -90,6 +95,18 @@ class Search:
     def done(self) -> bool:
         """Whether the question is answered."""
         return self._known.done
+
+    @property
+    def _alone(self) -> bool:
+        """Whether no solver's word counts."""
+        return self._effort.certified
+
+    @property
+    def proof(self) -> ProofTree:
+        """What proves the exact bound, or that there is no point; if it was recorded."""
+        bound = None if self._known.refuted else self._known.exact
+        whole = bool(self._target.step)
+        return ProofTree(self._model, bound, whole, self._leaves)
 
     def know(self, bound: float) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""
@@ -147,6 +164,8 @@ class Search:
 
     def _judged(self, root: LPResult) -> LPResult | None:
         """What the program of all points says; None where it has no solution to go on with."""
+        if root.status in ("infeasible", "optimal"):
+            self._leaves = (Leaf((), root.proof),)
         if root.status == "infeasible":
             self._known.none_below(self._known.cutoff)
         if root.status != "optimal":
@@ -155,7 +174,7 @@ class Search:
         return root
 
     def _tightened(
-        self, lp: WarmLP, root: LPResult | None, cuts: Separation | None, seconds: float
+        self, lp: ProvenLP, root: LPResult | None, cuts: Separation | None, seconds: float
     ) -> LPResult | None:
         """The program with more cuts, which the model gets, too."""
         if root is None or cuts is None or self.done:
@@ -165,14 +184,14 @@ class Search:
         finally:
             self._model = cuts.model
 
-    def _descend(self, lp: WarmLP, root: LPResult | None) -> None:
+    def _descend(self, lp: ProvenLP, root: LPResult | None) -> None:
         """Dive from the root; what that finds is made better if all is slow."""
         if root is not None and not self.done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
             if self._long and not self.done:
                 self._improve()
 
-    def _dive(self, lp: WarmLP, root: LPResult) -> None:
+    def _dive(self, lp: ProvenLP, root: LPResult) -> None:
         """Look for points by diving, or find that there is none."""
         encoded = self._encoded
         turns = 20 + len(encoded.indicators) // 10
@@ -196,7 +215,7 @@ class Search:
             )
             if dived.values is not None:
                 self._keep(dived.values)
-            if dived.refuted:
+            if dived.refuted and not self._effort.record:  # the tree writes down what proves it
                 self._known.none_below(cutoff)
             if self.done:
                 break
@@ -219,7 +238,7 @@ class Search:
             if self.done:
                 break
 
-    def _plunge(self, lp: WarmLP, root: LPResult) -> None:
+    def _plunge(self, lp: ProvenLP, root: LPResult) -> None:
         """Look for a point with few linear programs."""
         found = plunge(lp, self._encoded.choices, root, self._clock, cutoff=self._known.cutoff)
         if found is not None and found.values is not None:
@@ -227,18 +246,40 @@ class Search:
             if not len(fractional(values, self._encoded.indicators)):
                 self._keep(values)
 
-    def _grow(self, lp: WarmLP) -> None:
+    def _grow(self, lp: ProvenLP) -> None:
         root = lp.solve(time_limit=self._clock.left)
         if root.status != "optimal":
             return
         encoded = self._encoded
         tree = BranchAndBound(lp, encoded.indicators, encoded.choices, self._target, root)
+        tree.record = self._effort.record
+        if self._alone:
+            self._settle(tree)
+            return
         budget = max(self.patience, 15 * (self._clock.elapsed - self._began))
         self._take_turns(tree, _TURNS)
         if not self.done and not self._shared:
             explored = self._climb(tree, budget)
             if not self.done and not self._shared and self._nearly(explored, root.objective):
                 self._climb(tree, budget)
+
+    def _settle(self, tree: BranchAndBound) -> None:
+        """Let the tree decide everything; while there is no point the solver may look for one."""
+        others = np.setdiff1d(np.flatnonzero(self._model.integer), self._encoded.indicators)
+
+        def hear(values: Floats) -> float:
+            self._keep(values)
+            return self._known.value
+
+        tree.deepen(others, hear)
+        seconds = _TURNS
+        while not self.done and not self._clock.over:
+            explored = self._climb(tree, seconds)
+            if explored.done or (self._known.first and explored.values is not None):
+                break
+            if self._known.values is None and not self._clock.over:
+                self._by_solver(self._clock.within(seconds))
+            seconds *= 2
 
     def _take_turns(self, tree: BranchAndBound, seconds: float) -> None:
         """Let the tree and the general solver search in turn while the model is small.
@@ -263,11 +304,12 @@ class Search:
         blind = self._known.values is None
         clock = self._clock.within(seconds)
         explored = tree.run(clock, self._known.value, first=self._known.first, most=most)
-        if explored.done and explored.values is None and blind:
-            self._known.refuted = True
+        self._leaves = tree.leaves or self._leaves
+        if explored.done and explored.values is None and blind and np.isinf(explored.bound):
+            self._known.refute()
             return explored
         self._known.raise_bound(explored.bound)
-        if explored.values is not None and explored.done:
+        if explored.values is not None and explored.done and not self._alone:
             self._whole(explored.values)
             self._shared = not self.done and bool(self._encoded.served)
         elif explored.values is not None:
@@ -298,12 +340,18 @@ class Search:
             if best is not None:
                 self._known.accept(best, self._model)
 
-    def _warm(self) -> WarmLP:
+    def _warm(self) -> ProvenLP:
         if self._lp is None:
             # programs of expected numbers are degenerate, and slow by the simplex method
             slow = self._encoded.network.expected
             patience = MOMENT if slow else PATIENCE
-            self._lp = WarmLP(self._model, self._clock.stop, patience=patience, degenerate=slow)
+            self._lp = ProvenLP(
+                self._model,
+                self._clock.stop,
+                patience=patience,
+                degenerate=slow,
+                tally=self._effort.tally,
+            )
         return self._lp
 
     # --- the solver's side -------------------------------------------------------------------
@@ -335,7 +383,7 @@ class Search:
         asked = model.with_integrality(loose)
         solution = confirmed(self._effort.solver, asked, options, self._watch)
         if solution.bound is not None:
-            self._known.raise_bound(solution.bound)
+            self._known.raise_bound(solution.bound, exact=False)
         if solution.values is not None and not self.done:
             self._whole(solution.values[:count])
 
@@ -347,14 +395,15 @@ class Search:
         if solution.status is Status.INFEASIBLE:
             if self._known.values is not None:
                 raise SolverError("the solver calls a model infeasible of which a plan is known")
-            self._known.refuted = True
-        elif solution.bound is not None:
-            self._known.raise_bound(solution.bound)
+            if not self._alone:
+                self._known.refute(sure=False)
+        elif solution.bound is not None and not self._alone:
+            self._known.raise_bound(solution.bound, exact=False)
         if solution.values is not None and model is self._model:
             self._known.accept(solution.values, self._model)
         return solution
 
     def _watch(self, progress: Progress) -> bool:
-        if progress.bound is not None:
-            self._known.raise_bound(progress.bound)
+        if progress.bound is not None and not self._alone:
+            self._known.raise_bound(progress.bound, exact=False)
         return self._clock.stop()

@@ -26,6 +26,8 @@ Reporter: TypeAlias = Callable[[Floats | None, float | None, float | None], None
 class Standing:
     """The best point of one search, `bound` as far as it is proven, and `refuted` if there is none.
 
+    `exact` is the part of the bound that rests on no solver's word; so does a refutation if it is
+    `sure`.
     `gap` is the relative one that is enough; with `first` any point is. All news are reported.
     """
 
@@ -37,6 +39,8 @@ class Standing:
     values: Floats | None = field(default=None, init=False)
     value: float = field(default=np.inf, init=False)
     bound: float = field(default=-np.inf, init=False)
+    exact: float = field(default=-np.inf, init=False)
+    sure: bool = field(default=True, init=False)
 
     @property
     def done(self) -> bool:
@@ -64,19 +68,26 @@ class Standing:
         self.values, self.value = values, value
         self.report(values, value, self.bound if np.isfinite(self.bound) else None)
 
-    def raise_bound(self, bound: float) -> None:
+    def raise_bound(self, bound: float, *, exact: bool = True) -> None:
         """Take in what a linear program or a solver says, as far as it can be believed.
 
-        A bound that the known point refutes says nothing.
+        A bound that the known point refutes says nothing. One that is not `exact` is a solver's.
         """
         proven = self.target.proven(bound)
-        if proven > self.bound and not self.target.refutes(self.value, proven):
+        if self.target.refutes(self.value, proven):
+            return
+        self.exact = max(self.exact, proven) if exact else self.exact
+        if proven > self.bound:
             self._tell(min(proven, self.value))
 
     def know(self, bound: float) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""
         if bound > self.bound:
             self._tell(bound)
+
+    def refute(self, *, sure: bool = True) -> None:
+        """There is no point; a solver that says so alone is not `sure`."""
+        self.refuted, self.sure = True, sure
 
     def none_below(self, cutoff: float | None) -> None:
         """There is no point below the cutoff, or none at all without one."""
@@ -91,11 +102,14 @@ class Standing:
         why = clock.stopped_by if clock.over else why
         if self.values is None:
             bound = np.inf if self.refuted else self.bound
-            return Found(None, None, bound, self.refuted, None if self.refuted else why)
+            why = None if self.refuted else why
+            return Found(None, None, bound, self.refuted, why, certified=self.sure)
         proven = self.target.closed(self.value, self.bound)
         bound = self.value if proven else self.bound
         stopped = StoppedBy.GAP if self._near else why
-        return Found(self.values, self.value, bound, proven, None if proven else stopped)
+        certified = self.exact >= self.bound or self.target.closed(self.value, self.exact)
+        why = None if proven else stopped
+        return Found(self.values, self.value, bound, proven, why, certified=certified)
 
     def _tell(self, bound: float) -> None:
         self.bound = bound
