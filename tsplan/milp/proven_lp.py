@@ -21,7 +21,7 @@ from tsplan.milp.exact_rows import COARSE, FINE, Bounded, ExactRows
 from tsplan.milp.lp import PATIENCE, LPResult, WarmLP
 from tsplan.milp.model import Floats, Ints, Model
 
-_NEAR = 1e-4  # of a bound's size that may be lost by rounding before finer numbers are taken
+_NEAR = 1e-7  # of a bound's size that may be lost by rounding before finer numbers are taken
 
 
 @dataclass(eq=False)

@@ -12,7 +12,7 @@ from enum import StrEnum
 from typing import Any, Protocol
 
 from tsplan.errors import Finding
-from tsplan.plans.records import Finite, Record, Whole, Word
+from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word
 from tsplan.stopping import LIMITS, StoppedBy
 
 
@@ -37,16 +37,25 @@ FOUND = frozenset({Status.OPTIMAL, Status.FEASIBLE})
 """What is known where there is a plan."""
 
 
+CERTIFIED = "certified"
+"""What is said of a bound or a refutation that was worked out exactly, whatever a solver says."""
+
+
 @dataclass(frozen=True, slots=True)
 class ObjectiveValue(Record):
     """Value of one objective in the plan, and the proven bound on what any plan can reach.
 
     Both are in the objective's own sense and unit: a bound of one that is maximised lies above.
+    `proof` says who vouches for the bound: it is `certified`, or only some solver says so. What is
+    certified `rests` on the encoding, and on the parts of it that are named, whose truth its tests
+    show.
     """
 
     name: Word
     value: Finite | None
     bound: Finite | None = None
+    proof: Word | None = field(default=None, metadata=OPTIONAL)
+    rests: tuple[Word, ...] = field(default=(), metadata=OPTIONAL)
 
     @property
     def proven(self) -> bool:
@@ -69,6 +78,18 @@ class SolverUse(Record):
     name: str = ""
     version: str = ""
     options: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Programs(Record):
+    """Linear programs whose ends were worked out exactly: at once, or solved again for it.
+
+    What is `unproven` even then counts for nothing.
+    """
+
+    verified: Whole = 0
+    again: Whole = 0
+    unproven: Whole = 0
 
 
 @dataclass(frozen=True, slots=True)

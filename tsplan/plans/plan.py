@@ -26,6 +26,7 @@ from tsplan.plans.outcomes import (
     MissionRef,
     ModelSize,
     ObjectiveValue,
+    Programs,
     SolverUse,
     Status,
     Timings,
@@ -70,7 +71,8 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
     `agents` is empty unless `status` is optimal or feasible; it and `cargo` make each item when it
     is looked at, and may be given as any sequence. `availability` is the counting robustness of the
     formula at step 0, None where it is infinite. `verified` says that the independent check
-    accepted the paths. The formula holds, and all that is told of it is told, with every agent up
+    accepted the paths; `proof` says who vouches for it that there is no plan, and what that `rests`
+    on, as objectives do. The formula holds, and all that is told of it is told, with every agent up
     to `delay` steps late. `notes` are sentences for the reader of the plan. `satisfaction` and
     `preferences` tell what holds where the mission does not demand it all.
 
@@ -104,6 +106,8 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
     satisfaction: Satisfaction | None = field(default=None, metadata=OPTIONAL)
     preferences: tuple[PreferenceSatisfaction, ...] = field(default=(), metadata=OPTIONAL)
     verified: Annotated[bool, Field(strict=True)] = False
+    proof: Word | None = field(default=None, metadata=OPTIONAL)
+    rests: tuple[Word, ...] = field(default=(), metadata=OPTIONAL)
     moves: Mapping[Word, Moves] = field(default_factory=dict, hash=False, metadata=OPTIONAL)
     groups: tuple[SubSwarm, ...] = field(default=(), metadata=OPTIONAL)
     agents: Annotated[Sequence[AgentPlan], READ_AGENTS] = field(default=(), metadata=OPTIONAL)
@@ -117,6 +121,7 @@ class Plan(Record, OfMission["Mission"], display.Displayed):
     variables: Mapping[Word, Rational] = field(default_factory=dict, hash=False, metadata=OPTIONAL)
     solver: SolverUse = field(default_factory=SolverUse)
     size: ModelSize = field(default_factory=ModelSize)
+    programs: Programs | None = field(default=None, metadata=OPTIONAL)
     timings: Timings = field(default_factory=Timings)
     notes: tuple[str, ...] = field(default=(), metadata=OPTIONAL)
 

@@ -91,6 +91,7 @@ def summary(plan: Plan) -> list[RenderableType]:
         lines += [f"  {objective_line(item, endless)}" for item in plan.objective]
         if all(item.name != "availability" for item in plan.objective):
             lines.append(f"  availability {number(plan.availability, endless)}")
+        lines += proof_lines(plan.objective)
         lines += [f"  {name} = {value}" for name, value in plan.variables.items()]
         lines += supply_lines(plan)
         lines += [late_line(plan.delay)] if plan.delay else []
@@ -100,10 +101,27 @@ def summary(plan: Plan) -> list[RenderableType]:
         events = [*_events(plan), ""] if plan.groups else []
         policies = [*policy_table(plan), ""] if plan.policies else []
         return [*seen([*lines, ""]), *robots, *structures, *events, *policies, *_work(plan)]
+    if plan.proof is not None:
+        lines.append(f"  {plan.proof}{_resting(plan.rests)}")
     return [*seen(lines), *_work(plan)]
 
 
 _WORLDS = 5  # the last times that a plan was made again that are told
+
+
+def proof_lines(objective: Iterable[ObjectiveValue]) -> list[str]:
+    """Who vouches for which of the bounds: certified, or by which solver."""
+    told: dict[str, list[str]] = {}
+    for item in objective:
+        if item.proof is not None:
+            told.setdefault(f"{item.proof}{_resting(item.rests)}", []).append(item.name)
+    return [f"  bound of {', '.join(items)}: {words}" for words, items in told.items()]
+
+
+def _resting(rests: Iterable[str]) -> str:
+    """What a certified answer rests on beside the model of the mission."""
+    words = ", ".join(rests)
+    return f", resting on {words}" if words else ""
 
 
 def seen(lines: Iterable[str]) -> Iterator[str]:

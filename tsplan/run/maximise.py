@@ -20,7 +20,7 @@ from tsplan.logic import Formula
 from tsplan.logic.witness_steps import occurrences
 from tsplan.milp.model import Floats
 from tsplan.milp.target import Target
-from tsplan.plans.outcomes import ObjectiveValue
+from tsplan.plans.outcomes import CERTIFIED, ObjectiveValue
 from tsplan.search.clique_cuts import with_clique_cuts
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found, Tell
@@ -40,7 +40,8 @@ _PATIENCE = 30.0  # seconds before the general solver takes over
 class Settled:
     """The best point known, what is proven of each level, and what ended the search.
 
-    `rivals` are the plans that reach as much as the point, whatever parts hold in them.
+    All of it may be `certified`, and `rests` on something, as with `Found`. `rivals` are the plans
+    that reach as much as the point, whatever parts hold in them.
     """
 
     point: Point | None
@@ -50,6 +51,14 @@ class Settled:
     stopped_by: StoppedBy | None
     size: tuple[int, int, int, int]
     rivals: Rivals | None = None
+    certified: bool = False
+    rests: frozenset[str] = frozenset()
+
+    def told(self, name: str, value: float | None, bound: float | None) -> ObjectiveValue:
+        """The objective as which all levels are told, with who vouches for its bound."""
+        if not self.certified or bound is None:
+            return ObjectiveValue(name, value, bound)
+        return ObjectiveValue(name, value, bound, CERTIFIED, tuple(sorted(self.rests)))
 
 
 @dataclass(eq=False)
@@ -68,6 +77,8 @@ class Settling:
     _point: Point | None = field(default=None, init=False)
     _levels: list[ObjectiveValue] = field(default_factory=list, init=False)
     _proven: bool = field(default=True, init=False)
+    _certified: bool = field(default=True, init=False)
+    _rests: frozenset[str] = field(default=frozenset(), init=False)
     _stopped: StoppedBy | None = field(default=None, init=False)
     _size: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), init=False)
 
@@ -210,6 +221,8 @@ class Settling:
         """Whether a search was carried to its end; if not, nothing after it is certain."""
         certain = found.proven and found.stopped_by is None
         self._proven = self._proven and certain
+        self._certified = self._certified and found.certified
+        self._rests |= found.rests
         self._stopped = self._stopped or found.stopped_by
         return certain
 
@@ -220,7 +233,8 @@ class Settling:
             stopped = self._stopped or self.clock.stopped_by or StoppedBy.PRECISION
         levels = tuple(self._levels)
         none = infeasible and self._point is None
-        return Settled(self._point, levels, proven, none, stopped, self._size, rivals)
+        made = Settled(self._point, levels, proven, none, stopped, self._size, rivals)
+        return replace(made, certified=self._certified, rests=self._rests)
 
 
 def _worth(

@@ -7,13 +7,22 @@ import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import Any
 
 from tsplan.checking.plan_check import certify
 from tsplan.encode.encoded import Point
 from tsplan.exact import digits
+from tsplan.milp.proven_lp import Tally
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
-from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse
+from tsplan.plans.outcomes import (
+    CERTIFIED,
+    MissionRef,
+    ModelSize,
+    ObjectiveValue,
+    Programs,
+    SolverUse,
+)
 from tsplan.plans.plan import Plan
 from tsplan.plans.satisfaction import Depth, Satisfaction
 from tsplan.process.quiet_output import Hear
@@ -37,7 +46,10 @@ class MissionRun(Run[Point, Plan]):
         choice: SolverChoice,
         listener: Listener | None,
         log: Hear | None = None,
+        *,
+        certified: bool = False,
     ) -> None:
+        self.alone = certified
         self._problem = problem
         self._mission = problem.mission
         super().__init__(choice.over(self._mission.solver), listener, log)
@@ -69,7 +81,7 @@ class MissionRun(Run[Point, Plan]):
         ways = {} if point is None else ways_of(self._problem.setting, point, seed)
         self.seconds["extract"] = time.perf_counter() - began
         # values are those that the check measures on the paths
-        reached = [replace(item, value=None, bound=known(item.bound)) for item in outcome.reached]
+        reached = [_vouched(item, used) for item in outcome.reached]
         if point is not None and not reached:
             reached = list(open_objective(mission))
         size = ModelSize(
@@ -85,6 +97,8 @@ class MissionRun(Run[Point, Plan]):
             notes=outcome.notes,
             solver=used,
             size=size,
+            programs=programs(self.tally),
+            **_refutation(outcome, used),
             **ways,
         )
         own = next((item for item in reached if item.name == "own"), None)
@@ -106,6 +120,32 @@ class MissionRun(Run[Point, Plan]):
         what = "own objective, maximised:" if own.maximised else "own objective"
         note = f"{what} {digits(value)} (bound {'open' if bound is None else digits(bound)})"
         return replace(plan, notes=(note, *plan.notes))
+
+
+def _vouched(item: ObjectiveValue, used: SolverUse) -> ObjectiveValue:
+    """What is proven of an objective, and who says so; its value is what the check measures."""
+    bound = known(item.bound)
+    return replace(item, value=None, bound=bound, proof=_word(item.proof, bound, used))
+
+
+def _word(proof: str | None, bound: float | None, used: SolverUse) -> str | None:
+    """`certified`, or by which solver something is called proven; None where nothing is."""
+    return None if bound is None else proof or f"by {used.name} {used.version}".strip()
+
+
+def _refutation(outcome: Outcome[Point], used: SolverUse) -> dict[str, Any]:
+    """Who says that there is no plan, and what that rests on."""
+    if not outcome.infeasible:
+        return {}
+    proof = CERTIFIED if outcome.certified else None
+    rests = tuple(sorted(outcome.rests)) if outcome.certified else ()
+    return {"proof": _word(proof, 0.0, used), "rests": rests}
+
+
+def programs(tally: Tally) -> Programs | None:
+    """What a plan says of the linear programs that were verified; None without any."""
+    made = Programs(tally.verified, tally.again, tally.unproven)
+    return None if made == Programs() else made
 
 
 def claimed_depths(mission: Mission, levels: Iterable[ObjectiveValue]) -> Satisfaction | None:

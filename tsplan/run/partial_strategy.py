@@ -28,7 +28,7 @@ from tsplan.logic import Formula, conjunction, positive, simplify
 from tsplan.logic.margin import shifted, tighten
 from tsplan.logic.witness_steps import is_settled, occurrences
 from tsplan.mission import Mission
-from tsplan.plans.outcomes import ObjectiveValue
+from tsplan.plans.outcomes import CERTIFIED, ObjectiveValue
 from tsplan.run.chosen_parts import ChosenParts
 from tsplan.run.maximise import Settled, Settling
 from tsplan.search.lexicographic import Outcome
@@ -98,14 +98,15 @@ def plan_soft(stages: Stages) -> Outcome[Point]:
     tried = _whole(stages, settling) if mission.partial and _tells_whole(mission) else None
     if tried is not None and tried.point is not None:
         whole = Settled(tried.point, (), True, False, None, tried.size)
-        choice = Choice(whole, mission.goal, ObjectiveValue(first, 1.0, 1.0))
+        choice = Choice(whole, mission.goal, ObjectiveValue(first, 1.0, 1.0, CERTIFIED))
     else:
         refuted = tried is not None and tried.infeasible
         choice = _chosen(settling, stages.setting, refuted=refuted)
     settled = choice.settled
     if settled.point is None:
         why = settled.stopped_by
-        return Outcome(None, (), False, settled.infeasible, why, settled.size)
+        made = Outcome[Point](None, (), False, settled.infeasible, why, settled.size)
+        return replace(made, certified=settled.certified, rests=settled.rests)
     return _pursued(stages, choice, settled.point)
 
 
@@ -244,10 +245,10 @@ def _satisfied(
         whole = {0: [(0, Fraction(1))]}
         settled = settling.weights(conjunction([]), [wish], whole, refuted=refuted)
         value, bound = _summed(settled)
-        return replace(settled, levels=()), ObjectiveValue("satisfaction", value, bound)
+        return replace(settled, levels=()), settled.told("satisfaction", value, bound)
     together = mission.satisfaction == "depth"
     settled = settling.depths(wish.tree, together=together, refuted=refuted)
-    return settled, ObjectiveValue("satisfaction", None, None)
+    return settled, settled.told("satisfaction", None, None)
 
 
 def _preferred(settling: Settling, mission: Mission) -> tuple[Settled, ObjectiveValue]:
@@ -256,7 +257,7 @@ def _preferred(settling: Settling, mission: Mission) -> tuple[Settled, Objective
     for number, preference in enumerate(mission.prefer):
         wanted[preference.level].append((number, preference.weight))
     settled = settling.weights(demand_of(mission), wishes_of(mission), wanted)
-    return settled, ObjectiveValue("preferences", *_summed(settled))
+    return settled, settled.told("preferences", *_summed(settled))
 
 
 def _held(setting: Setting, point: Point) -> Formula:

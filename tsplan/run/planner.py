@@ -24,6 +24,7 @@ def plan(
     start: Plan | None = None,
     on_event: Listener | None = None,
     on_log: Hear | None = None,
+    certified: bool = False,
 ) -> Plan:
     """Plan a mission, or a `Problem` made from one: a verified plan, or why there is none.
 
@@ -31,9 +32,10 @@ def plan(
     called with every `Event`; when it returns True the search stops and the best plan is kept.
     Ctrl-C does the same. What `on_event` raises ends the search and is raised here. `on_log` hears
     what the solver says. `without` names methods of the tight encoding to switch off. The search
-    begins with the paths of a plan to `start` with, see `Problem.start_from`. The plan of a swarm
-    mission has its moves and sub-swarms, and the agents' paths too if there are at most
-    1,000; `assign` makes them for more.
+    begins with the paths of a plan to `start` with, see `Problem.start_from`. A `certified` plan
+    takes no solver's word for a proof: what the own search tree does not prove in exact arithmetic
+    stays open. The plan of a swarm mission has its moves and sub-swarms, and the agents' paths too
+    if there are at most 1,000; `assign` makes them for more.
 
     Raises MissionError for unknown names, InputError for numbers out of range,
     SolverUnavailableError for a solver that cannot be used, and SolverError when a solver fails or
@@ -45,4 +47,5 @@ def plan(
     if start is not None:
         problem = problem.tuned(problem.tuning)
         problem.start_from(start)
-    return MissionRun(problem, choice, on_event, on_log).result().with_mission(problem.mission)
+    run = MissionRun(problem, choice, on_event, on_log, certified=certified)
+    return run.result().with_mission(problem.mission)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 from tsplan.clock import Clock, Halted
+from tsplan.milp.proven_lp import Tally
 from tsplan.milp.solver import solver as solver_named
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
 from tsplan.plans.outcomes import SolverUse, Timings
@@ -32,9 +33,12 @@ class Run(ABC, Generic[PointT, ResultT]):
     Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out, the
     best point known is made use of, with that as the reason. Native code that does not end within
     `grace` of that is left behind. `log` gets what the solver says of each program, line by line.
+    `alone` a solver's word counts for nothing; with `record` what proves an answer is kept.
     """
 
     grace: GracePeriod = NATIVE
+    alone = False
+    record = False
 
     def __init__(
         self, choice: SolverChoice, listener: Listener | None, log: Hear | None = None
@@ -45,6 +49,7 @@ class Run(ABC, Generic[PointT, ResultT]):
         self._stopped: float | None = None  # seconds after which it was asked to stop
         self._newest: PointT | None = None
         self.clock = Clock(self.choice.time_limit, lambda: self._stopped is not None)
+        self.tally = Tally()
         self.seconds = {"reduce": 0.0, "build": 0.0, "solve": 0.0, "extract": 0.0, "verify": 0.0}
 
     @abstractmethod
@@ -69,7 +74,15 @@ class Run(ABC, Generic[PointT, ResultT]):
             solver = solver_named(self.choice.name or "")
             version = solver.availability().version or ""
             used = SolverUse(solver.name, version, self.choice.numbers)
-            effort = Effort(solver, self.choice, grace=self.grace, log=self._log)
+            effort = Effort(
+                solver,
+                self.choice,
+                grace=self.grace,
+                log=self._log,
+                certified=self.alone,
+                record=self.record,
+                tally=self.tally,
+            )
             return self.finished(self._searched(effort), used)
 
     def reason(self, outcome: Outcome[PointT]) -> StoppedBy | None:

@@ -100,7 +100,7 @@ class CapacityRelaxation:
 
     def __post_init__(self) -> None:
         """Nothing is known at first."""
-        self._learnt = LearntBounds(self.objectives)
+        self._learnt = LearntBounds(self.objectives, self.effort.certified)
 
     def run(self) -> Outcome[Point]:
         """All objectives until they are settled or the time is up."""

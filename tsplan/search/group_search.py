@@ -52,7 +52,10 @@ class GroupSearch:
     known: Callable[[], Point | None]
 
     def answer(self, question: Question) -> Found:
-        """What groups alone settle of a question: nothing where there is no plan and no proof."""
+        """What groups alone settle of a question: nothing where there is no plan and no proof.
+
+        Bounds of tokens and of what groups travel are no certified ones.
+        """
         if self.encoded.refuted:  # tokens and tours may know less
             return Found(None, None, np.inf, proven=True)
         objective, kept = question.objective, question.kept
@@ -60,6 +63,7 @@ class GroupSearch:
         if objective.grouping is Grouping.TOKENS and not kept.values:
             if Switch.TOKENS in self.effort.switches:
                 bound = self._guided(question)
+            bound = -np.inf if self.effort.certified else bound
             point = self.known()
             value = np.inf if point is None else objective.minimised(self.setting, point)
             if value <= bound or (question.first and point is not None):
@@ -68,7 +72,7 @@ class GroupSearch:
                 return Found(values, best, bound, proven=value <= bound)
         if objective.by_places and kept.by_places and Switch.PLACES in self.effort.switches:
             return self._by_places(question, bound)
-        if isinstance(objective, Priced):
+        if isinstance(objective, Priced) and not self.effort.certified:
             bound = self._travelled(question, objective)
             point = self.known()
             value = np.inf if point is None else objective.minimised(self.setting, point)
@@ -105,9 +109,11 @@ class GroupSearch:
         for splits, values in guided(ways, self.encoded, target.vector, self.clock, self._solve):
             if values is None:
                 bound = splits
-                self.hear(question, None, question.shown(target, bound))
+                if not self.effort.certified:
+                    self.hear(question, None, question.shown(target, bound))
                 continue
-            self.hear(question, self._point(values), question.shown(target, bound))
+            told = None if self.effort.certified else question.shown(target, bound)
+            self.hear(question, self._point(values), told)
             if question.first or self.clock.over:
                 break
         return bound

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isfinite
 
 from tsplan.encode.objective_kinds import StageObjective
-from tsplan.plans.outcomes import ObjectiveValue
+from tsplan.plans.outcomes import CERTIFIED, ObjectiveValue
 
 
 @dataclass(eq=False)
@@ -15,6 +15,7 @@ class LearntBounds:
     """Bounds on objectives that are settled in order, from several relaxations."""
 
     objectives: Sequence[StageObjective]
+    certified: bool = False  # whether all that is heard is
     first: float | None = field(default=None, init=False)
     _reached: list[tuple[ObjectiveValue, ...]] = field(default_factory=list, init=False)
 
@@ -49,11 +50,20 @@ class LearntBounds:
             told += [self.first] if place == 0 else []
             bounds = [sign * bound for bound in told if bound is not None]
             bound = sign * min(bounds) if bounds else None
+            vouching = [reached[place] for reached in trusted if reached[place].bound == bound]
             if value is not None and bound is not None:
                 bound = objective.matched(value, bound)
-            found.append(ObjectiveValue(objective.name, value, bound))
+            found.append(self._vouched(ObjectiveValue(objective.name, value, bound), vouching))
             trusted = [item for item in trusted if _as_good(value, item[place].value, sign)]
         return tuple(found)
+
+    def _vouched(self, item: ObjectiveValue, vouching: Sequence[ObjectiveValue]) -> ObjectiveValue:
+        """An objective's bound with who vouches for it."""
+        sure = [other for other in vouching if other.proof == CERTIFIED]
+        if item.bound is None or not (sure or self.certified):
+            return item
+        rests = {*(sure[0].rests if sure else ()), "capacities left out"}
+        return replace(item, proof=CERTIFIED, rests=tuple(sorted(rests)))
 
     def _sign(self, objective: StageObjective) -> float:
         return 1.0 if objective.rises else -1.0

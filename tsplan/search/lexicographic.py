@@ -7,6 +7,7 @@ whose solver fails, leaves the best point known and the bounds proven so far.
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -16,7 +17,7 @@ from typing import Generic, Protocol, TypeAlias, TypeVar
 from tsplan.clock import Clock, Halted
 from tsplan.errors import SolverError
 from tsplan.milp.model import Floats
-from tsplan.plans.outcomes import ObjectiveValue, Status
+from tsplan.plans.outcomes import CERTIFIED, ObjectiveValue, Status
 from tsplan.stopping import StoppedBy
 
 
@@ -39,7 +40,8 @@ class Found:
 
     `objective` and `bound` are values of the target. `proven` without values means that there is
     no point, with values that none is better; a search that was `stopped_by` a gap is not. What is
-    `certified` was worked out exactly, and does not rest on a solver being right.
+    `certified` was worked out exactly, and rests on no solver being right, but on the encoding, and
+    on what is named of it in `rests`.
     """
 
     values: Floats | None
@@ -48,6 +50,7 @@ class Found:
     proven: bool
     stopped_by: StoppedBy | None = None
     certified: bool = False
+    rests: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +58,8 @@ class Outcome(Generic[PointT]):
     """How a search ended: the best point, what is proven of each objective, the model's size.
 
     `size` counts columns, integer columns, rows and nonzeros; `levels` has what an objective
-    consists of that is settled in steps.
+    consists of that is settled in steps. That there is no point may be `certified`, and `rests` on
+    something, as with `Found`.
     """
 
     point: PointT | None = None
@@ -66,6 +70,8 @@ class Outcome(Generic[PointT]):
     size: tuple[int, int, int, int] = (0, 0, 0, 0)
     levels: tuple[ObjectiveValue, ...] = ()
     notes: tuple[str, ...] = ()
+    certified: bool = False
+    rests: frozenset[str] = frozenset()
 
     @property
     def status(self) -> Status:
@@ -90,6 +96,7 @@ class Lexicographic(ABC, Generic[PointT, AimT]):
         self.size = (0, 0, 0, 0)
         self._stopped: StoppedBy | None = None
         self._notes: list[str] = []
+        self._backing: dict[str, frozenset[str]] = {}  # what the certified bounds rest on
 
     @abstractmethod
     def opened(self, opening: AimT | None) -> Found:
@@ -121,13 +128,26 @@ class Lexicographic(ABC, Generic[PointT, AimT]):
         opening = self.opening
         found = self.guarded("first plan", lambda: self.opened(opening))
         if self.point is None:
-            return self._outcome((), infeasible=found is not None and found.proven)
+            outcome = self._outcome((), infeasible=found is not None and found.proven)
+            known = found or Found(None, None, -math.inf, proven=False)
+            return replace(outcome, certified=known.certified, rests=known.rests)
         reached = []
         for number, objective in enumerate(self.objectives):
             done = found if number == 0 and opening is not None else None
             bound = self.guarded(objective.name, partial(self.settled, objective, done))
-            reached.append(ObjectiveValue(objective.name, None, bound))
+            reached.append(self._bounded(objective.name, bound))
         return self._outcome(tuple(reached), infeasible=False)
+
+    def backed(self, name: str, found: Found) -> None:
+        """Remember what the bound of an objective rests on, if it is certified."""
+        self._backing.pop(name, None)
+        if found.certified:
+            self._backing[name] = found.rests
+
+    def _bounded(self, name: str, bound: float | None) -> ObjectiveValue:
+        if bound is None or name not in self._backing:
+            return ObjectiveValue(name, None, bound)
+        return ObjectiveValue(name, None, bound, CERTIFIED, tuple(sorted(self._backing[name])))
 
     def _outcome(self, reached: tuple[ObjectiveValue, ...], *, infeasible: bool) -> Outcome[PointT]:
         point = self.point

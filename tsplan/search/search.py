@@ -43,7 +43,12 @@ _SMALL = 50_000  # nonzeros up to which a model counts as small
 _FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many, or one for each
 # so many nonzeros: larger programs take longer, but their trees are more often done soon
 _TURNS = 1.0  # seconds after which the tree searches alone
+_CUTS = {"arrival": "arrival cuts", "visitors": "visitor cuts", "clique": "clique cuts"}
 _SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
+
+
+COUNTING = "demands judged one by one"
+"""What refutes a mission without any program: no agents can be there in time."""
 
 
 class Search:
@@ -83,13 +88,11 @@ class Search:
                 self._by_lp()
             except SolverError:  # numerical trouble: the solver's own search may do without
                 self._lp = None
-        if self._alone:
-            return self._known.found(self._clock)
-        if not self.done and not self._clock.over and self._shared:
+        if not (self.done or self._alone or self._clock.over) and self._shared:
             self._by_shares()
-        if not self.done and not self._clock.over:
+        if not (self.done or self._alone or self._clock.over):
             self._by_solver(self._clock)
-        return self._known.found(self._clock)
+        return replace(self._known.found(self._clock), rests=self._rests)
 
     @property
     def done(self) -> bool:
@@ -102,15 +105,23 @@ class Search:
         return self._effort.certified
 
     @property
+    def _rests(self) -> frozenset[str]:
+        """What of the encoding a bound rests on beside the model of the mission."""
+        if self._encoded.refuted:
+            return frozenset({COUNTING})
+        added = self._model.tags[len(self._encoded.model.tags) :]
+        return frozenset(_CUTS[tag.kind] for tag in added)
+
+    @property
     def proof(self) -> ProofTree:
         """What proves the exact bound, or that there is no point; if it was recorded."""
         bound = None if self._known.refuted else self._known.exact
         whole = bool(self._target.step)
         return ProofTree(self._model, bound, whole, self._leaves)
 
-    def know(self, bound: float) -> None:
+    def know(self, bound: float, *, exact: bool = False) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""
-        self._known.know(bound)
+        self._known.know(bound, exact=exact)
 
     def dive_for(self, pick: Picker) -> Floats | None:
         """The point that a dive by `pick` finds, however often it goes wrong, or None."""

@@ -29,7 +29,7 @@ from tsplan.search.effort import Effort
 from tsplan.search.group_search import GroupSearch
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.search.question import NOTHING_KEPT, Kept, Question, start_in
-from tsplan.search.search import Search
+from tsplan.search.search import COUNTING, Search
 from tsplan.search.still_bound import still_bound
 from tsplan.search.straight_plans import StraightPlans
 from tsplan.search.sub_teams import SubTeams
@@ -124,6 +124,7 @@ class Stages(Lexicographic[Point, StageObjective]):
             ideal = objective.ideal(self.setting)
             if np.isinf(ideal):  # whatever the agents do
                 return ideal
+            self.backed(objective.name, _judged(ideal))
             if objective.by_levels(tight=self.tight):
                 bound = self._by_levels(objective, ideal)
                 self.setting = self._late(max(self.kept.built(Delay.name), self.setting.delay))
@@ -140,6 +141,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         if np.isinf(worth) and (worth > 0) is objective.rises:
             return worth
         self.stopping(found.stopped_by)
+        self.backed(objective.name, replace(found, rests=found.rests | self._reduced))
         bound = value if found.proven else min(found.bound, value)
         return target.own(bound) if np.isfinite(bound) else None
 
@@ -158,12 +160,20 @@ class Stages(Lexicographic[Point, StageObjective]):
                 value = objective.worth(self.setting, self.point)
             elif found is not None and found.proven:
                 bound = top = probe - sign
+                self.backed(objective.name, replace(found, rests=found.rests | self._reduced))
             else:
                 self.stopping(found.stopped_by if found else None)
                 top = probe - sign
             self.tell(objective.name, None, value, bound)
         self.kept = self.kept.and_also(objective, value if np.isfinite(value) else ideal)
         return sign * max(sign * bound, sign * value)
+
+    @property
+    def _reduced(self) -> frozenset[str]:
+        """That maps were reduced, if they were."""
+        maps = zip(self.setting.classes, self.setting.reduced, strict=True)
+        some = any(item.graph is not short.graph for item, short in maps)
+        return frozenset({"reduced maps"} if some else ())
 
     @property
     def _patience(self) -> float | None:
@@ -179,16 +189,16 @@ class Stages(Lexicographic[Point, StageObjective]):
         """The answer to one question: by the places of groups alone if these settle it."""
         self.tell(question.stage, None, None, None)
         encoded = self._encoded(question.kept)
-        bound = -np.inf
+        found = Found(None, None, -np.inf, proven=False)
         if encoded.occupied is not None:
             found = self._groups(encoded).answer(question)
             if found.values is not None or found.proven or self.clock.over:
                 return found
-            bound = found.bound
-        return self._by_agents(question, encoded, bound)
+        made = self._by_agents(question, encoded, found)
+        return replace(made, rests=made.rests | found.rests)
 
-    def _by_agents(self, question: Question, whole: Encoded, bound: float) -> Found:
-        """Search the whole model."""
+    def _by_agents(self, question: Question, whole: Encoded, known: Found) -> Found:
+        """Search the whole model, of which a bound is known."""
         with self.clock.timed("build"):
             narrow = question.kept.narrowed(self.setting, whole)
             encoded = question.objective.extended(narrow)
@@ -202,7 +212,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         clock = self.clock if question.seconds is None else self.clock.within(question.seconds)
         effort = self._effort(whole)
         search = Search(encoded, target, effort, clock, report)
-        search.know(bound)
+        search.know(known.bound, exact=known.certified)
         if (
             whole.shared
             and Switch.CHAINS in self.effort.switches
@@ -228,7 +238,8 @@ class Stages(Lexicographic[Point, StageObjective]):
         """Give a search of a large mission with resources plans and a bound to begin with."""
         for place, flows in enumerate(self._straight.flows(question, encoded, clock)):
             search.adopt(flows)
-            if place == 0 and not question.first and not self.setting.changes:
+            certified = self.effort.certified
+            if place == 0 and not (question.first or self.setting.changes or certified):
                 target = question.objective.target(self.setting, encoded)
                 search.know(still_bound(encoded, target, self.effort, clock))
             if search.done:
@@ -264,9 +275,11 @@ class Stages(Lexicographic[Point, StageObjective]):
         """How a whole model is searched.
 
         A tree on the witnesses leaves open where groups go and what is rebuilt: that is the
-        solver's part.
+        solver's part, unless the tree is to do without.
         """
         switches = self.effort.switches if self.tight else frozenset()
+        if self.effort.certified:
+            return replace(self.effort, switches=switches | {Switch.TREE})
         if self.setting.mission.expected is not None:  # the others count whole agents
             switches &= set() if len(encoded.flows) else {Switch.DIVE, Switch.TREE}
         open_ = bool(encoded.swarms) or len(encoded.rebuilt) > 0
@@ -330,6 +343,11 @@ class Stages(Lexicographic[Point, StageObjective]):
     def _late(self, delay: int) -> Setting:
         """The setting in which agents are so late."""
         return self.setting if delay == self.setting.delay else delayed(self.setting, delay)
+
+
+def _judged(ideal: float) -> Found:
+    """The bound that demands one by one allow for."""
+    return Found(None, None, ideal, proven=False, certified=True, rests=frozenset({COUNTING}))
 
 
 def _reference(setting: Setting, level: int) -> Encoded:

@@ -80,8 +80,9 @@ class Standing:
         if proven > self.bound:
             self._tell(min(proven, self.value))
 
-    def know(self, bound: float) -> None:
+    def know(self, bound: float, *, exact: bool = False) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""
+        self.exact = max(self.exact, bound) if exact else self.exact
         if bound > self.bound:
             self._tell(bound)
 
