@@ -139,7 +139,7 @@ class GroupSearch:
             return found
         last = question.objective.minimised(self.setting, heard[-1]) if heard else np.inf
         held = last <= found.objective
-        return found if held else Found(None, found.objective, found.bound, proven=False)
+        return found if held else replace(found, values=None, proven=False, stopped_by=None)
 
     def _counted(self, values: Floats, kept: Kept) -> Point | None:
         """Agents counted into the groups of a point of the relaxation, if they can be."""

@@ -104,7 +104,8 @@ class Standing:
         if self.values is None:
             bound = np.inf if self.refuted else self.bound
             why = None if self.refuted else why
-            return Found(None, None, bound, self.refuted, why, certified=self.sure)
+            sure = self.sure if self.refuted else self.exact >= self.bound
+            return Found(None, None, bound, self.refuted, why, certified=sure)
         proven = self.target.closed(self.value, self.bound)
         bound = self.value if proven else self.bound
         stopped = StoppedBy.GAP if self._near else why
