@@ -31,7 +31,7 @@ def violated(
     for site, family in families:
         low, high = _worst_windows(site, family, values)
         if len(low):
-            row, members, factors = _cuts(site, family, low, high)
+            row, members, factors = cut_terms(site, family, low, high)
             found.append((row + count, members, factors))
             count += len(low)
     if not count:
@@ -41,7 +41,7 @@ def violated(
     return sparse.csr_array(sparse.coo_array((factors, (rows, members)), shape=shape))
 
 
-def _cuts(site: SiteColumns, family: Family, low: Ints, high: Ints) -> Sums:
+def cut_terms(site: SiteColumns, family: Family, low: Ints, high: Ints) -> Sums:
     """The cuts of windows given by positions in the family's steps."""
     come = site.come(family.steps[low], family.steps[high])
     if family.begun.chained or family.ending.chained:

@@ -168,7 +168,7 @@ class ExactRows:
         reach = float(np.abs(given.numbers).max(initial=0)) * self._widest
         costs = self._costs.astype(np.float64)
         most = float(np.abs(costs).max(initial=0.0)) * 2.0**given.digits
-        if self._whole and reach + most < _SAFE:
+        if self.whole and reach + most < _SAFE:
             weights = np.zeros(self.model.matrix.shape[0], dtype=np.int64)
             weights[given.rows] = given.numbers
             product: Wholes = self._transposed @ weights
@@ -214,7 +214,7 @@ class ExactRows:
         return np.array([int(number) << further for number in made.numbers.tolist()], dtype=object)
 
     @cached_property
-    def _whole(self) -> bool:
+    def whole(self) -> bool:
         """Whether entries and costs are whole and fit 64-bit integers."""
         return self._entries.small and self.digits == 0 and self._costs.dtype != object
 

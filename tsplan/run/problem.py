@@ -283,6 +283,11 @@ class Problem:
         maximised = self._maximised
         return Own(-self._objective if maximised else self._objective, maximised)
 
+    @property
+    def extended(self) -> bool:
+        """Whether there are own constraints or objectives."""
+        return bool(self._constraints or self._objective.terms)
+
     def broken(self, plan: Plan) -> tuple[str, ...]:
         """The own constraints that a plan does not keep, in words, by exact arithmetic.
 
@@ -401,7 +406,8 @@ class Problem:
         tight, soft = self.tuning.encoding == "tight", is_soft(self.mission)
         effort = replace(effort, switches=setting.switches)
         ways = [] if self._start is None else planned_ways(setting, self._start)
-        if tight and not soft and not own and relaxable(setting):
+        relaxed = relaxable(setting) and not effort.record  # certificates are of whole models
+        if tight and not soft and not own and relaxed:
             known = self._known_point(setting, ways) if ways else None
             return CapacityRelaxation(setting, objectives, effort, clock, tell, known).run()
         stages = Stages(setting, objectives, effort, clock, tell, tight=tight, planned=ways)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 from tsplan.clock import Clock, Halted
+from tsplan.milp.proof_tree import StageProof
 from tsplan.milp.proven_lp import Tally
 from tsplan.milp.solver import solver as solver_named
 from tsplan.milp.solver_choice import DEFAULT_CHOICE, SolverChoice
@@ -33,12 +34,12 @@ class Run(ABC, Generic[PointT, ResultT]):
     Ctrl-C and the listener ask every stage to end with what is known. Where memory runs out, the
     best point known is made use of, with that as the reason. Native code that does not end within
     `grace` of that is left behind. `log` gets what the solver says of each program, line by line.
-    `alone` a solver's word counts for nothing; with `record` what proves an answer is kept.
+    `alone` a solver's word counts for nothing; what proves an answer is put into `proofs`.
     """
 
     grace: GracePeriod = NATIVE
     alone = False
-    record = False
+    proofs: list[StageProof] | None = None
 
     def __init__(
         self, choice: SolverChoice, listener: Listener | None, log: Hear | None = None
@@ -80,7 +81,7 @@ class Run(ABC, Generic[PointT, ResultT]):
                 grace=self.grace,
                 log=self._log,
                 certified=self.alone,
-                record=self.record,
+                proofs=self.proofs,
                 tally=self.tally,
             )
             return self.finished(self._searched(effort), used)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from tsplan.clock import Clock
 from tsplan.encode.switches import Switch
 from tsplan.milp.model import Floats
+from tsplan.milp.proof_tree import StageProof
 from tsplan.milp.proven_lp import Tally
 from tsplan.milp.solution import Options
 from tsplan.milp.solver import Solver
@@ -22,7 +23,7 @@ class Effort:
 
     `grace` is how long native code may take to stop once its time is up; `log` gets the lines that
     the solver says. With `certified` nothing counts as proven that only a solver says, and with
-    `record` what proves it is kept. `tally` counts linear programs that were verified.
+    `proofs` what proves it is put there. `tally` counts linear programs that were verified.
     """
 
     solver: Solver
@@ -31,8 +32,13 @@ class Effort:
     grace: GracePeriod = NATIVE
     log: Hear | None = None
     certified: bool = False
-    record: bool = False
+    proofs: list[StageProof] | None = None
     tally: Tally = field(default_factory=Tally)
+
+    @property
+    def record(self) -> bool:
+        """Whether what proves an answer is kept."""
+        return self.proofs is not None
 
     def options(self, clock: Clock, target: Target, start: Floats | None = None) -> Options:
         """What to ask a solver for: the least value of a target, in the time that is left."""

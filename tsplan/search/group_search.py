@@ -135,6 +135,8 @@ class GroupSearch:
         search.know(bound)
         start = None if question.first else start_in(encoded, self.known())
         found = search.minimise(start, first=question.first)
+        if self.effort.record:
+            question.note(self.effort.proofs, search.proof, places=True)
         if found.values is None or found.objective is None:
             return found
         last = question.objective.minimised(self.setting, heard[-1]) if heard else np.inf

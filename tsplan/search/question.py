@@ -10,6 +10,7 @@ from tsplan.encode.encoded import Encoded, Point, Setting
 from tsplan.encode.groups.group_sizes import smallest
 from tsplan.encode.objective_kinds import StageObjective, TargetObjective
 from tsplan.milp.model import Floats
+from tsplan.milp.proof_tree import ProofTree, StageProof
 from tsplan.milp.target import Target
 
 FIRST_PLAN = "first plan"
@@ -71,6 +72,12 @@ class Question:
     def stage(self) -> str:
         """What the search is called."""
         return FIRST_PLAN if self.told is None else self.told.name
+
+    def note(self, proofs: list[StageProof] | None, tree: ProofTree, *, places: bool) -> None:
+        """Put down what a search for the answer proved, if that is wanted."""
+        if proofs is not None and (tree.leaves or tree.refuted):
+            kept = tuple((each.name, value) for each, value in self.kept.values)
+            proofs.append(StageProof(self.stage, self.objective.name, kept, places, tree))
 
     def shown(self, target: Target, bound: float | None) -> float | None:
         """What can be told of a bound of the target."""

@@ -21,11 +21,12 @@ from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import MOMENT, PATIENCE, LPResult
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.proof_tree import Leaf, ProofTree
+from tsplan.milp.proof_tree import Leaf, ProofTree, choices_in
 from tsplan.milp.proven_lp import ProvenLP
 from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
+from tsplan.search.choice_proofs import choice_proofs
 from tsplan.search.dive import Earliest, Picker, dive, fractional, largest, plunge
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found
@@ -115,9 +116,17 @@ class Search:
     @property
     def proof(self) -> ProofTree:
         """What proves the exact bound, or that there is no point; if it was recorded."""
-        bound = None if self._known.refuted else self._known.exact
-        whole = bool(self._target.step)
-        return ProofTree(self._model, bound, whole, self._leaves)
+        known, leaves = self._known, self._leaves
+        return ProofTree(
+            self._model,
+            bound=None if known.refuted else known.exact,
+            whole=bool(self._target.step),
+            leaves=leaves,
+            choices=choice_proofs(self._encoded.model, choices_in(leaves), self._clock),
+            added=self._encoded.model.matrix.shape[0],
+            values=known.values,
+            refuted=self._encoded.refuted,
+        )
 
     def know(self, bound: float, *, exact: bool = False) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""

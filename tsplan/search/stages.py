@@ -232,7 +232,10 @@ class Stages(Lexicographic[Point, StageObjective]):
             self._begin(search, question, encoded, clock)
         if self._many(whole) and search.scout is None:
             search.scout = lambda: SubTeams(self.effort).flows(whole, clock)
-        return search.minimise(start, first=question.first)
+        found = search.minimise(start, first=question.first)
+        if self.effort.record:
+            question.note(self.effort.proofs, search.proof, places=False)
+        return found
 
     def _begin(self, search: Search, question: Question, encoded: Encoded, clock: Clock) -> None:
         """Give a search of a large mission with resources plans and a bound to begin with."""
