@@ -47,7 +47,7 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    every = (_plan, _replan, _execute, _sweep, _explain, _check, _simulate, _parse, _robustness)
+    every = (_plan, _replan, _execute, _sweep, _explain, _check, _verify, _simulate, _parse, _robustness)
     shown = (_show, _view, _animate, _export, _lint, _map)
     for command in (*every, *shown):
         command(commands)
@@ -76,6 +76,10 @@ def _plan(commands: Commands) -> None:
     words = "plan a mission and print the verified plan"
     add = _command(commands, "plan", words, "mission", epilog=_CODES)
     _solving(add)
+    what = "call nothing proven that only a solver says: the own tree proves it exactly"
+    add("--certified", action="store_true", help=what)
+    what = "write what proves it (VIPR), with --certified; several objectives: FILE with numbers"
+    add("--certificate", type=Path, metavar="FILE", help=what)
     add(
         "--encoding",
         choices=("tight", "reference"),
@@ -218,6 +222,8 @@ def _explain(commands: Commands) -> None:
     add = _command(commands, "explain", words, "mission", epilog=codes)
     add("--all", action="store_true", help="several different conflicts")
     add("--slack", action="store_true", help="how much sooner each deadline of a plan could be")
+    what = "take no solver's word for it that something cannot be met"
+    add("--certified", action="store_true", help=what)
     add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, ...")
     add("--time-limit", type=_positive, metavar="S", help="seconds of search")
     add("--fix", type=_count, metavar="N", help="write the mission after change N")
@@ -229,6 +235,16 @@ def _explain(commands: Commands) -> None:
 def _check(commands: Commands) -> None:
     words = "judge a plan or a trajectory without any solver; exit code 0 or 1"
     add = _command(commands, "check", words, "mission", "plan")
+    add("--quiet", action="store_true", help="print only what is wrong")
+
+
+def _verify(commands: Commands) -> None:
+    words = "check certificates of a mission in exact arithmetic; exit code 0 or 1"
+    add = _command(commands, "verify", words, "mission")
+    what = "what `tsplan plan --certificate` has written"
+    add("certificates", type=Path, nargs="+", metavar="CERTIFICATE", help=what)
+    what = "a plan (JSON): check it, too, and say whether it is proven to be the best"
+    add("--plan", type=Path, metavar="PLAN", help=what)
     add("--quiet", action="store_true", help="print only what is wrong")
 
 

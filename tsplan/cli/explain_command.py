@@ -34,7 +34,7 @@ def run(options: argparse.Namespace) -> Exit:
     with requests.heard():
         with Progress(quiet=options.quiet) as progress:
             heard = Heard(mission.name, report, progress)
-            how = {"every": options.all, "slack": options.slack}
+            how = {"every": options.all, "slack": options.slack, "certified": options.certified}
             explanation = explained(mission, choice, requests, heard, **how)
         if options.fix is not None:
             unwritten = attempted(lambda: _write(mission, explanation, options))

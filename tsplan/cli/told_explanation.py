@@ -58,12 +58,14 @@ def explained(
     *,
     every: bool = False,
     slack: bool = False,
+    certified: bool = False,
 ) -> Explanation:
     """The explanation, made in a child process: a crash of native code becomes a message.
 
     What the child has handed over is kept where it does not come to an end.
     """
     keywords = {"slack": slack, "time_limit": choice.time_limit, "solver": choice.name}
+    keywords |= {"certified": certified}
     leash = Leash(choice.time_limit)
     try:
         with requests.passed_to(leash.ask):

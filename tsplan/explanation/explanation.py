@@ -104,11 +104,13 @@ class Fact:
 class Conflict:
     """Requirements that cannot hold together.
 
-    With `minimal`, leaving any one of them out makes the rest possible; solves proved both.
+    With `minimal`, leaving any one of them out makes the rest possible; solves proved both. What is
+    `certified` takes no solver's word for it.
     """
 
     parts: tuple[Part, ...]
     minimal: bool
+    certified: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,7 +194,11 @@ class Explanation(OfMission["AnyMission"], Told):
             "status": str(self.status),
             "facts": [_located(fact) for fact in self.facts],
             "conflicts": [
-                {"minimal": conflict.minimal, "parts": [_located(part) for part in conflict.parts]}
+                _sure(conflict)
+                | {
+                    "minimal": conflict.minimal,
+                    "parts": [_located(part) for part in conflict.parts],
+                }
                 for conflict in self.conflicts
             ],
             "changes": [
@@ -207,6 +213,10 @@ class Explanation(OfMission["AnyMission"], Told):
             "timings": dict(self.timings),
         }
         return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _sure(conflict: Conflict) -> dict[str, bool]:
+    return {"certified": True} if conflict.certified else {}
 
 
 def ranked(changes: Iterable[Change]) -> tuple[Change, ...]:

@@ -48,14 +48,14 @@ class ObjectiveValue(Record):
     Both are in the objective's own sense and unit: a bound of one that is maximised lies above.
     `proof` says who vouches for the bound: it is `certified`, or only some solver says so. What is
     certified `rests` on the encoding, and on the parts of it that are named, whose truth its tests
-    show.
+    show. Objectives are compared by what is proven, not by who says so.
     """
 
     name: Word
     value: Finite | None
     bound: Finite | None = None
-    proof: Word | None = field(default=None, metadata=OPTIONAL)
-    rests: tuple[Word, ...] = field(default=(), metadata=OPTIONAL)
+    proof: Word | None = field(default=None, compare=False, metadata=OPTIONAL)
+    rests: tuple[Word, ...] = field(default=(), compare=False, metadata=OPTIONAL)
 
     @property
     def proven(self) -> bool:

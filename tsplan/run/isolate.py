@@ -21,6 +21,8 @@ from tsplan.process.child_process import ENDED, CrashError, Leash, reason_of, ru
 from tsplan.run.events import FINISHING, Bound, Event, Incumbent, Stage
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from tsplan.milp.solver_choice import SolverChoice
     from tsplan.process.interrupt import Requests
 
@@ -45,8 +47,9 @@ class Order:
     """What is asked of a planner: the function `planner` of a module, which makes a `kind`.
 
     With `anytime` it goes on until nothing is left to prove or time is up, else it ends with the
-    first plan. With `log` the audience is told what the solver says, too. The
-    search for the plan of a team begins with the paths of a plan to `start` with.
+    first plan. With `log` the audience is told what the solver says, too. The search for the plan
+    of a team begins with the paths of a plan to `start` with. A `certified` answer, and a
+    `certificate` of it, are those of `tsplan.plan`.
     """
 
     mission: Any
@@ -58,6 +61,14 @@ class Order:
     anytime: bool = True
     log: bool = False
     start: Plan | None = None
+    certified: bool = False
+    certificate: Path | None = None
+
+    @property
+    def further(self) -> dict[str, Any]:
+        """What not every planner can be asked for."""
+        names = ("start", "certified", "certificate")
+        return {name: value for name in names if (value := getattr(self, name))}
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +163,6 @@ def _job(order: Order, send: Callable[[object], object]) -> Any:
     """The child's part."""
     module, name = order.planner  # it loads the solver, in the child alone
     mission, choice = order.mission, order.choice
-    start = {} if order.start is None else {"start": order.start}
     many = mission.pieces * mission.horizon > _MANY
     return getattr(import_module(module), name)(
         mission,
@@ -165,7 +175,7 @@ def _job(order: Order, send: Callable[[object], object]) -> Any:
         without=order.without,
         on_event=Forward(send, 0.0 if many else _SHARE, anytime=order.anytime),
         on_log=(lambda text: send(_Said(text))) if order.log else None,
-        **start,
+        **order.further,
     )
 
 

@@ -63,6 +63,7 @@ def explain(
     slack: bool = False,
     time_limit: float | None = None,
     solver: str | None = None,
+    certified: bool = False,
     on_stage: Listener | None = None,
     on_found: Callable[[Found], object] | None = None,
 ) -> Explanation:
@@ -75,7 +76,9 @@ def explain(
     met, it is found how much sooner each deadline could be. `time_limit` is in seconds; `on_stage`
     hears the stage of the work with every question of it, `on_found` each fact, conflict and change
     as it is found (`Found`). Ctrl-C and the time limit end the search with what is known; `cut`
-    says what they kept from being looked at, `likely` what from being proven.
+    says what they kept from being looked at, `likely` what from being proven. With `certified` no
+    solver's word is taken for it that something cannot be met; over signals there are no such
+    answers.
 
     Raises SolverUnavailableError for a solver that cannot be used, SolverError if one fails, and
     InputError for a time limit out of range; MissionError for a mission over expected numbers.
@@ -92,12 +95,15 @@ def explain(
     refuse_options(time_limit=time_limit)
     posed = mission if isinstance(mission, Problem) else None
     known = mission.mission if isinstance(mission, Problem) else mission_given(mission)
+    if certified and isinstance(known, SignalMission):
+        what = "there are no certified answers over signals"
+        raise MissionError([Finding(what, "explain it without them")])
     if getattr(known, "expected", None) is not None:
         what = "why expected numbers cannot be met is not told"
         raise MissionError([Finding(what, "ask for less in the formula, or add agents")])
     limit = known.solver.time_limit if time_limit is None else time_limit
     hear = (audible(on_stage or (lambda _: None)), audible(on_found or (lambda _: None)))
-    run = _Run(known, limit, solver, *hear, posed=posed)
+    run = _Run(known, limit, solver, *hear, posed=posed, certified=certified)
     with on_interrupt(run.stop), hushed_alone():
         return run.explanation(conflicts, slack=slack).with_mission(known)
 
@@ -127,6 +133,7 @@ class _Run:
     solver: str | None
     tell: Listener
     found: Callable[[Found], object]
+    certified: bool = False
     seconds: dict[str, float] = field(default_factory=dict)
     cut: dict[str, Cut] = field(default_factory=dict)
     cores: list[Core] = field(default_factory=list)
@@ -142,7 +149,11 @@ class _Run:
         asked = self.mission if self.posed is None else PosedMission.from_problem(self.posed)
         subject = self._kind.subject(asked, lambda: self.oracle.pause())  # noqa: PLW0108
         self.oracle = Oracle(
-            subject, self.clock, self.solver, stop=self.stop, asking=lambda: self.tell(self._at)
+            replace(subject, certified=self.certified),
+            self.clock,
+            self.solver,
+            stop=self.stop,
+            asking=lambda: self.tell(self._at),
         )
         self.known = Explanation(Status.NO_ANSWER, self.mission.name)
 
@@ -199,7 +210,8 @@ class _Run:
         """One that was not proven minimal may hold a smaller one, which is found later."""
         self._outcome(Status.EXPLAINED)
         self.cores = [c for c in self.cores if not core.constraints < c.constraints] + [core]
-        self._hear(Conflict(self.subject.wording.parts(core.constraints), core.minimal))
+        parts = self.subject.wording.parts(core.constraints)
+        self._hear(Conflict(parts, core.minimal, self.certified))
 
     def _find_facts(self) -> None:
         """Facts are an answer by themselves, so they get some time however short the limit is."""
@@ -243,7 +255,9 @@ class _Run:
         timings = {**self.seconds, "solve": self.oracle.seconds, "total": self.clock.elapsed}
         return replace(
             self.known,
-            conflicts=tuple(Conflict(parts(c.constraints), c.minimal) for c in self.cores),
+            conflicts=tuple(
+                Conflict(parts(c.constraints), c.minimal, self.certified) for c in self.cores
+            ),
             timings={name: round(value, 6) for name, value in timings.items()},
             cut=self.cut,
         )

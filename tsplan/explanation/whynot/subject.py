@@ -37,17 +37,19 @@ Question: TypeAlias = Any
 class Subject(ABC, Generic[M]):
     """One mission that is to be explained: what it consists of, and how its planner is asked.
 
-    `pause` is called between parts of longer work, and raises where that is to end.
+    `pause` is called between parts of longer work, and raises where that is to end. With
+    `certified` a planner's "no" counts only if no solver's word is needed for it.
     """
 
     mission: M
     pause: Callable[[], None] = lambda: None
+    certified: bool = False
     orders: ClassVar[tuple[Sequence[ChangeKind], ...]] = (ORDER,)
     """The kinds of changes that are tried together, one choice of them after the other."""
 
     def about(self, mission: M) -> Self:
         """Another mission of the same kind."""
-        return type(self)(mission, self.pause)
+        return type(self)(mission, self.pause, self.certified)
 
     @property
     def restrained(self) -> bool:

@@ -90,20 +90,21 @@ class Teams(Subject[Mission]):
         nothing, has to wait.
         """
         problem = question if isinstance(question, Problem) else problem_of(question)
+        asked: Any = {"solver": solver, "on_event": enough, "certified": self.certified}
         if not _has_chains(problem.mission.goal):
-            return plan(problem, time_limit=time_limit, solver=solver, on_event=enough)
+            return plan(problem, time_limit=time_limit, **asked)
         without = problem.tuning.without | {Switch.CHAINS}
         plain = problem.tuned(replace(problem.tuning, without=without))
         long = time_limit is None or time_limit > _UNCHAINED
         first = _UNCHAINED if long else time_limit
         began = time.perf_counter()
-        found = plan(plain, time_limit=first, solver=solver, on_event=enough)
+        found = plan(plain, time_limit=first, **asked)
         if not long or found.stopped_by is not StoppedBy.TIME_LIMIT:
             return found
         left = None if time_limit is None else time_limit - (time.perf_counter() - began)
         if left is not None and left <= 0:
             return found
-        return plan(problem, time_limit=left, solver=solver, on_event=enough)
+        return plan(problem, time_limit=left, **asked)
 
     def needless(self, gone: Constraints) -> Constraints:
         """Whose numbers and starts say nothing once some constraints are taken out."""
