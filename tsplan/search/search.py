@@ -21,17 +21,17 @@ from tsplan.errors import SolverError
 from tsplan.milp.confirmation import confirmed
 from tsplan.milp.lp import MOMENT, PATIENCE, LPResult
 from tsplan.milp.model import Floats, Model
-from tsplan.milp.proof_tree import Leaf, ProofTree, choices_in
+from tsplan.milp.proof_tree import Leaf, ProofTree
 from tsplan.milp.proven_lp import ProvenLP
 from tsplan.milp.solution import Progress, Solution, Status
 from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
-from tsplan.search.choice_proofs import choice_proofs
 from tsplan.search.dive import Earliest, Picker, dive, fractional, largest, plunge
 from tsplan.search.effort import Effort
 from tsplan.search.lexicographic import Found
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.rounding import Rounding
+from tsplan.search.search_proof import rests_on, search_proof
 from tsplan.search.separation import Separation
 from tsplan.search.standing import Reporter, Standing
 
@@ -44,12 +44,7 @@ _SMALL = 50_000  # nonzeros up to which a model counts as small
 _FEW, _EACH = 50, 50  # linear programs of the tree's first turn there: so many, or one for each
 # so many nonzeros: larger programs take longer, but their trees are more often done soon
 _TURNS = 1.0  # seconds after which the tree searches alone
-_CUTS = {"arrival": "arrival cuts", "visitors": "visitor cuts", "clique": "clique cuts"}
 _SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
-
-
-COUNTING = "demands judged one by one"
-"""What refutes a mission without any program: no agents can be there in time."""
 
 
 class Search:
@@ -73,6 +68,7 @@ class Search:
         self._rounding = Rounding(encoded, target, effort, clock)
         self._began = clock.elapsed
         self._leaves: tuple[Leaf, ...] = ()  # of what proves the exact bound
+        self._alone = effort.certified  # whether no solver's word counts
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
         self.patience = _PATIENCE
@@ -93,7 +89,7 @@ class Search:
             self._by_shares()
         if not (self.done or self._alone or self._clock.over):
             self._by_solver(self._clock)
-        return replace(self._known.found(self._clock), rests=self._rests)
+        return replace(self._known.found(self._clock), rests=rests_on(self._encoded, self._model))
 
     @property
     def done(self) -> bool:
@@ -101,32 +97,9 @@ class Search:
         return self._known.done
 
     @property
-    def _alone(self) -> bool:
-        """Whether no solver's word counts."""
-        return self._effort.certified
-
-    @property
-    def _rests(self) -> frozenset[str]:
-        """What of the encoding a bound rests on beside the model of the mission."""
-        if self._encoded.refuted:
-            return frozenset({COUNTING})
-        added = self._model.tags[len(self._encoded.model.tags) :]
-        return frozenset(_CUTS[tag.kind] for tag in added)
-
-    @property
     def proof(self) -> ProofTree:
         """What proves the exact bound, or that there is no point; if it was recorded."""
-        known, leaves = self._known, self._leaves
-        return ProofTree(
-            self._model,
-            bound=None if known.refuted else known.exact,
-            whole=bool(self._target.step),
-            leaves=leaves,
-            choices=choice_proofs(self._encoded.model, choices_in(leaves), self._clock),
-            added=self._encoded.model.matrix.shape[0],
-            values=known.values,
-            refuted=self._encoded.refuted,
-        )
+        return search_proof(self._encoded, self._model, self._known, self._leaves, self._clock)
 
     def know(self, bound: float, *, exact: bool = False) -> None:
         """Take over a bound that has been proven elsewhere, as a value of the target."""

@@ -29,7 +29,8 @@ from tsplan.search.effort import Effort
 from tsplan.search.group_search import GroupSearch
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.search.question import NOTHING_KEPT, Kept, Question, start_in
-from tsplan.search.search import COUNTING, Search
+from tsplan.search.search import Search
+from tsplan.search.search_proof import COUNTING
 from tsplan.search.still_bound import still_bound
 from tsplan.search.straight_plans import StraightPlans
 from tsplan.search.sub_teams import SubTeams

@@ -1,4 +1,7 @@
-"""Why at most one column of a choice is 1: by a row that says so, or by what rows say together."""
+"""What a search has proven, to be written down: its tree, its cuts, and why choices are choices.
+
+At most one column of a choice is 1: a row says so, or what rows say together.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +10,42 @@ from collections.abc import Iterable
 import numpy as np
 
 from tsplan.clock import Clock
+from tsplan.encode.encoded import Encoded
 from tsplan.milp.exact_rows import Multipliers
 from tsplan.milp.model import Model
+from tsplan.milp.proof_tree import Leaf, ProofTree, choices_in
 from tsplan.milp.proven_lp import ProvenLP
+from tsplan.search.standing import Standing
+
+
+COUNTING = "demands judged one by one"
+"""What refutes a mission without any program: no agents can be there in time."""
+
+_CUTS = {"arrival": "arrival cuts", "visitors": "visitor cuts", "clique": "clique cuts"}
+
+
+def rests_on(encoded: Encoded, model: Model) -> frozenset[str]:
+    """What of the encoding a bound rests on beside the rows that the model had at first."""
+    if encoded.refuted:
+        return frozenset({COUNTING})
+    added = model.tags[len(encoded.model.tags) :]
+    return frozenset(_CUTS.get(tag.kind, f"{tag.kind} cuts") for tag in added)
+
+
+def search_proof(
+    encoded: Encoded, model: Model, known: Standing, leaves: tuple[Leaf, ...], clock: Clock
+) -> ProofTree:
+    """What proves the exact bound of a search, or that there is no point."""
+    return ProofTree(
+        model,
+        bound=None if known.refuted else known.exact,
+        whole=bool(known.target.step),
+        leaves=leaves,
+        choices=choice_proofs(encoded.model, choices_in(leaves), clock),
+        added=encoded.model.matrix.shape[0],
+        values=known.values,
+        refuted=encoded.refuted,
+    )
 
 
 def choice_proofs(
