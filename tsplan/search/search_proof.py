@@ -17,7 +17,6 @@ from tsplan.milp.proof_tree import Leaf, ProofTree, choices_in
 from tsplan.milp.proven_lp import ProvenLP
 from tsplan.search.standing import Standing
 
-
 COUNTING = "demands judged one by one"
 """What refutes a mission without any program: no agents can be there in time."""
 
