@@ -98,25 +98,21 @@ class _Reading:
         self._words = " ".join(lines[begin:]).split()
         self._expect("VER", "1.0", "VAR")
         self._variables = self._count()
-        names = [self._word() for _ in range(self._variables)]
-        if len(set(names)) < len(names):
-            raise CertificateError("two variables have the same name")
+        for _ in range(self._variables):
+            self._word()  # its name
         self._expect("INT")
         self._whole = frozenset(self._variable() for _ in range(self._count()))
         self._expect("OBJ", "min")
         self._objective = self._terms(self._count())
         self._expect("CON")
-        count, bounds = self._count(), self._count()
-        if bounds > count:
-            raise CertificateError("there are more bounds than constraints")
-        for _ in range(count):
-            self._rows.append(self._row())
-            self._resting.append(_NOBODY)
+        count = self._count()
+        self._count()  # how many of them are bounds
+        self._rows = [self._row() for _ in range(count)]
+        self._resting = [_NOBODY] * count
         least, most = self._claim()
         value = self._solutions(most)
         self._expect("DER")
-        steps = self._count()
-        for _ in range(steps):
+        for _ in range(steps := self._count()):
             self._derived()
         if self._at != len(self._words):
             raise CertificateError(f"'{self._word()}' is beyond the end of the certificate")
@@ -127,8 +123,7 @@ class _Reading:
     def _claim(self) -> tuple[Number | float | None, Number | float]:
         """What is to be proven: the least and the most that the best point is worth."""
         self._expect("RTP")
-        kind = self._word()
-        if kind == "infeas":
+        if (kind := self._word()) == "infeas":
             return None, math.inf
         if kind != "range":
             raise CertificateError(f"'{kind}' is nothing that can be proven")
@@ -160,9 +155,8 @@ class _Reading:
         row = self._row()
         self._expect("{")
         kind = self._word()
-        here = len(self._rows)
         if kind == "asm":
-            resting = frozenset({here})
+            resting = frozenset({len(self._rows)})
         elif kind in ("lin", "rnd"):
             resting = self._summed(row, rounded=kind == "rnd")
         elif kind == "uns":
@@ -170,7 +164,7 @@ class _Reading:
         else:
             raise CertificateError(f"{row.name}: there is no reason '{kind}'")
         self._expect("}")
-        self._word()  # where it is last used, which matters to the memory of a checker alone
+        self._word()  # where it is last used: of no importance here
         self._rows.append(row)
         self._resting.append(resting)
 
@@ -192,8 +186,7 @@ class _Reading:
         side: Number = 0
         signs = set()
         for index, given in pairs:
-            row, factor = self._rows[index], given * scale
-            factor = int(factor) if isinstance(factor, Fraction) else factor
+            row, factor = self._rows[index], int(given * scale)
             if factor:
                 signs.add(_SIGN[row.sense] * (1 if factor > 0 else -1))
                 side += factor * row.side
@@ -247,8 +240,6 @@ class _Reading:
         elif isinstance(least, float) or not last.dominates(Row("", "G", least, self._objective)):
             raise CertificateError("the last constraint is not the bound that is claimed")
 
-    # --- words -----------------------------------------------------------------------------------
-
     def _word(self) -> str:
         if self._at >= len(self._words):
             raise CertificateError("the certificate ends too early")
@@ -267,22 +258,20 @@ class _Reading:
         return int(word)
 
     def _variable(self) -> int:
-        if (index := self._count()) >= self._variables:
-            raise CertificateError(f"there is no variable {index}")
-        return index
+        return self._below(self._variables, "variable")
 
     def _earlier(self) -> int:
-        if (index := self._count()) >= len(self._rows):
-            raise CertificateError(f"there is no constraint {index} yet")
+        return self._below(len(self._rows), "constraint")
+
+    def _below(self, count: int, what: str) -> int:
+        if (index := self._count()) >= count:
+            raise CertificateError(f"there is no {what} {index} here")
         return index
 
     def _terms(self, count: int) -> Terms:
-        found: dict[int, Number] = {}
-        for _ in range(count):
-            column = self._variable()
-            if column in found:
-                raise CertificateError(f"variable {column} is named twice")
-            found[column] = _number(self._word())
+        found = {self._variable(): _number(self._word()) for _ in range(count)}
+        if len(found) < count:
+            raise CertificateError("a variable is named twice")
         return found
 
     def _row(self) -> Row:
@@ -303,9 +292,7 @@ def _number(word: str) -> Number:
 
 
 def _meets(total: Number, row: Row) -> bool:
-    if row.sense == "E":
-        return total == row.side
-    return total >= row.side if row.sense == "G" else total <= row.side
+    return (total >= row.side or row.sense == "L") and (total <= row.side or row.sense == "G")
 
 
 def _plain(terms: Terms) -> dict[int, Number]:

@@ -94,8 +94,9 @@ class _Writing:
         least = "infeas" if tree.bound is None else f"range {shown(Fraction(tree.bound))} "
         value, point = self._solution()
         least += "" if tree.bound is None else value
-        return "\n".join(
-            [
+        return "".join(
+            f"{line}\n"
+            for line in [
                 *(f"% {comment}" for comment in comments),
                 "VER 1.0",
                 f"VAR {columns}",
@@ -110,8 +111,8 @@ class _Writing:
                 *point,
                 f"DER {len(self._lines)}",
                 *self._lines,
-                "",
             ]
+            if line
         )
 
     def _solution(self) -> tuple[str, list[str]]:
