@@ -7,9 +7,9 @@ that contradict each other cannot be constructed.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 from tsplan.errors import Finding
 from tsplan.plans.records import OPTIONAL, Finite, Record, Whole, Word
@@ -62,6 +62,11 @@ class ObjectiveValue(Record):
         """Whether no plan does better."""
         return self.value is not None and self.value == self.bound
 
+    def vouched(self, used: SolverUse, bound: float | None) -> Self:
+        """With such a bound and who vouches for it; its value is what the check measures."""
+        proof = None if bound is None else self.proof or used.word
+        return replace(self, value=None, bound=bound, proof=proof)
+
 
 @dataclass(frozen=True, slots=True)
 class MissionRef(Record):
@@ -78,6 +83,11 @@ class SolverUse(Record):
     name: str = ""
     version: str = ""
     options: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def word(self) -> str:
+        """What is said of what only the solver calls proven."""
+        return f"by {self.name} {self.version}".strip()
 
 
 @dataclass(frozen=True, slots=True)

@@ -81,7 +81,7 @@ class MissionRun(Run[Point, Plan]):
         ways = {} if point is None else ways_of(self._problem.setting, point, seed)
         self.seconds["extract"] = time.perf_counter() - began
         # values are those that the check measures on the paths
-        reached = [_vouched(item, used) for item in outcome.reached]
+        reached = [item.vouched(used, known(item.bound)) for item in outcome.reached]
         if point is not None and not reached:
             reached = list(open_objective(mission))
         size = ModelSize(
@@ -122,24 +122,13 @@ class MissionRun(Run[Point, Plan]):
         return replace(plan, notes=(note, *plan.notes))
 
 
-def _vouched(item: ObjectiveValue, used: SolverUse) -> ObjectiveValue:
-    """What is proven of an objective, and who says so; its value is what the check measures."""
-    bound = known(item.bound)
-    return replace(item, value=None, bound=bound, proof=_word(item.proof, bound, used))
-
-
-def _word(proof: str | None, bound: float | None, used: SolverUse) -> str | None:
-    """`certified`, or by which solver something is called proven; None where nothing is."""
-    return None if bound is None else proof or f"by {used.name} {used.version}".strip()
-
-
 def _refutation(outcome: Outcome[Point], used: SolverUse) -> dict[str, Any]:
     """Who says that there is no plan, and what that rests on."""
     if not outcome.infeasible:
         return {}
     proof = CERTIFIED if outcome.certified else None
     rests = tuple(sorted(outcome.rests)) if outcome.certified else ()
-    return {"proof": _word(proof, 0.0, used), "rests": rests}
+    return {"proof": proof or used.word, "rests": rests}
 
 
 def programs(tally: Tally) -> Programs | None:

@@ -88,7 +88,9 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
         read = self._nothing if point is None else partial(self.problem.read, point)
         made = replace(
             read(status, why),
-            objective=self._claimed(outcome),
+            objective=tuple(
+                item.vouched(used, known(item.bound)) for item in self._claimed(outcome)
+            ),
             depths=self._depths(outcome),
             notes=outcome.notes,
             solver=used,
@@ -117,7 +119,7 @@ class SynthesisRun(Run[SignalPoint, Trajectory]):
                 claims.append(ObjectiveValue(aim.name, None, bound))
             elif self.mission.satisfaction in (None, "weighted") or aim.name != "satisfaction":
                 claims += [replace(items.pop(0), value=None)] if items else []
-        return tuple(replace(item, bound=known(item.bound)) for item in claims)
+        return tuple(claims)
 
     def _depths(self, outcome: Outcome[SignalPoint]) -> tuple[Depth, ...]:
         """What is proven of each depth, where what holds is counted by its depth."""

@@ -141,7 +141,8 @@ def _with_claims(trajectory: Trajectory, measures: Measures) -> Trajectory:
     for worth in measures.objective:
         claimed = (claims.get(worth.name) or [ObjectiveValue(worth.name, None)]).pop(0)
         bound, words = _bound_left(worth, claimed)
-        lines.append(ObjectiveValue(worth.name, worth.value, bound))
+        proof = None if bound is None else claimed.proof
+        lines.append(ObjectiveValue(worth.name, worth.value, bound, proof))
         notes += words
         proven = proven and not words and not (worth.head and _open(worth, bound))
     bounds = {item.depth: item.bound for item in trajectory.depths}

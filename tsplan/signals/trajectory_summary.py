@@ -5,7 +5,7 @@ from __future__ import annotations
 from textwrap import shorten
 from typing import TYPE_CHECKING
 
-from tsplan.plans.summary import objective_line, outcome, seen, text_of, work_lines
+from tsplan.plans.summary import objective_line, outcome, proof_lines, seen, text_of, work_lines
 from tsplan.words import known, number
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ def trajectory_lines(trajectory: Trajectory) -> list[str]:
     lines = [title, *(f"  {note}" for note in trajectory.notes)]
     if trajectory.has_signals:
         lines += [f"  {fact}" for fact in trajectory_facts(trajectory)]
+        lines += proof_lines(trajectory.objective)
         lines += [*_part_lines(trajectory.parts), "", *_signal_lines(trajectory), ""]
     return [*seen(lines), *work_lines(trajectory)]
 
