@@ -21,7 +21,6 @@ from tsplan.process.interrupt import Requests
 from tsplan.replanning.receding_horizon import plan_in_pieces
 from tsplan.run.isolate import Order, Planning
 from tsplan.signals.mission_order import order_for, with_reading
-from tsplan.signals.signal_mission import SignalMission
 from tsplan.signals.trajectory_summary import trajectory_lines
 
 if TYPE_CHECKING:
@@ -43,9 +42,6 @@ def run(options: argparse.Namespace) -> Exit:
     """Plan, write the plan, show it, and say by the exit code how it ended."""
     mission, choice, loaded = mission_to_solve(options, "the plan")
     refuse_place(options.certificate, "the certificate", [options.mission, options.output])
-    if isinstance(mission, SignalMission) and (options.certified or options.certificate):
-        what = "there are no certified answers over signals"
-        raise InputError([Finding(what, "plan without --certified and --certificate")])
     order = order_for(mission, choice, options.encoding, tuple(options.without))
     order = replace(order, anytime=options.anytime, log=options.log_solver, start=_start(options))
     order = replace(order, certified=options.certified, certificate=options.certificate)

@@ -16,6 +16,8 @@ from tsplan.signals.synthesis import Synthesis
 from tsplan.signals.synthesiser import synthesise_mission
 
 if TYPE_CHECKING:
+    from os import PathLike
+
     from tsplan.plans.plan import Plan
     from tsplan.process.quiet_output import Hear
     from tsplan.run.run import Listener
@@ -35,6 +37,8 @@ class Options(TypedDict, total=False):
     start: Plan | None
     on_event: Listener | None
     on_log: Hear | None
+    certified: bool
+    certificate: str | PathLike[str] | None
 
 
 @overload
@@ -73,8 +77,10 @@ def plan(
     `on_event` raises ends the search and is raised here. `on_log` hears what the solver says of
     each integer program, so `on_log=print` shows it. `encoding` is `tight` or `reference`;
     `without` names methods of the tight one to switch off. The search for the plan of a team
-    begins with the paths of a plan to `start` with, of this mission or of one like it. The plan of
-    a swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
+    begins with the paths of a plan to `start` with, of this mission or of one like it. A
+    `certified` plan of a team takes no solver's word for a proof, and with a `certificate` what
+    proves it is written to that file, or to numbered ones (docs/certificates.md). The plan of a
+    swarm mission has its moves and sub-swarms, and the agents' paths too if there are at most
     1,000; `assign` makes them for more.
 
     Raises MissionError for a file with mistakes and for unknown names, InputError for numbers out

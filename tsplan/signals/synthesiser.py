@@ -7,9 +7,10 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
+from os import PathLike
 from typing import Any
 
-from tsplan.errors import SolverError
+from tsplan.errors import Finding, InputError, SolverError
 from tsplan.logic import Formula
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status
@@ -144,11 +145,17 @@ def synthesise_mission(
     without: tuple[str, ...] = (),
     on_event: Listener | None = None,
     on_log: Hear | None = None,
+    certified: bool = False,
+    certificate: str | PathLike[str] | None = None,
 ) -> Trajectory:
     """The verified trajectory of a mission over signals, or that there is none.
 
-    The options are those of `tsplan.plan`, which raises the same.
+    The options are those of `tsplan.plan`, which raises the same, and InputError where a
+    `certified` answer is asked for.
     """
+    if certified or certificate is not None:
+        what = "there are no certified answers over signals"
+        raise InputError([Finding(what, "plan without certified and certificate")])
     choice = SolverChoice(solver, time_limit, gap, threads, seed).checked()
     tuning = Tuning.named(encoding, without)
     problem = mission if isinstance(mission, Synthesis) else Synthesis(mission, tuning)
