@@ -13,8 +13,11 @@ import pytest
 
 import tsplan
 from tests.second_checker import accepts
-from tests.seeds import seed_blocks
+from tests.seeds import sampled, seed_blocks
 from tsplan.certificates.checker import CertificateError, checked
+from tsplan.certificates.cut_rows import CutRows
+from tsplan.certificates.rows_of import KINDS
+from tsplan.certificates.stage_model import Head, StageModel
 from tsplan.certificates.verification import Verified, joined, verified
 from tsplan.cli.main import main
 from tsplan.errors import InputError
@@ -267,3 +270,35 @@ def test_what_has_no_certificates_says_so(tmp_path):
     with pytest.raises(InputError, match="no certificates of missions that are met as far"):
         tsplan.plan(mission, certificate=tmp_path / "c.vipr")
     assert not list(tmp_path.iterdir())
+
+
+def test_conflicts_can_be_certified():
+    mission = tsplan.load_mission(ENVIRONMENTS / "office_double.yaml")
+    made = tsplan.explain(mission, certified=True)
+    assert "certified conflict: " in str(made)
+    assert json.loads(made.to_json())["conflicts"][0]["certified"] is True
+
+
+@pytest.mark.parametrize("name", sampled(["farm_patrol", "farm_harvest"], ["farm_patrol"]))
+def test_cuts_are_told_from_the_mission(name, tmp_path):
+    mission = tsplan.load_mission(ENVIRONMENTS / f"{name}.yaml")
+    _, texts = written(mission, tmp_path)
+    kinds = set()
+    for text in texts:
+        proven = checked(text)
+        made = StageModel.of(mission, Head.read(proven.comments))
+        cuts = CutRows(made.encoded)
+        for row in proven.rows:
+            kind = row.name.rstrip("gl").rstrip("0123456789")
+            if kind not in KINDS:
+                continue
+            kinds.add(kind)
+            assert cuts.true(kind, row)
+            # one agent more than that is too much, and so are fewer that may come
+            assert not cuts.true(kind, row._replace(side=row.side + 1))
+            coming = next(column for column, factor in row.terms.items() if factor == 1)
+            fewer = {column: f for column, f in row.terms.items() if column != coming}
+            assert not cuts.true(kind, row._replace(terms=fewer))
+            other = "visitors" if kind == "arrival" else "arrival"
+            assert not cuts.true(other, row)
+    assert kinds

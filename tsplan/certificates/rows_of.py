@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isfinite
+from types import MappingProxyType
 
 from tsplan.certificates.checker import Row
 from tsplan.milp.model import Model
 
 REFUTATION = "refuted"
 """The name of the constraint that says that demands, judged one by one, cannot be met."""
+
+
+KINDS: Mapping[str, str] = MappingProxyType({"arrival": "arrival cuts", "visitors": "visitor cuts"})
+"""The kinds of cuts that can be told from a mission, and what they are called."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ from typing import Any
 
 from tsplan.certificates.checker import CertificateError, Proven, Row
 from tsplan.certificates.cut_rows import CutRows
-from tsplan.certificates.rows_of import REFUTATION, constraints_of, exactly
+from tsplan.certificates.rows_of import KINDS, REFUTATION, constraints_of, exactly
 from tsplan.encode.assemble import tight
 from tsplan.encode.encoded import Encoded, Setting
 from tsplan.encode.model_objectives import Availability, Delay, model_objective
@@ -155,9 +155,9 @@ class StageModel:
                 yield "demands judged one by one"
                 continue
             kind = row.name.rstrip("gl").rstrip("0123456789")
-            if not cuts.true(kind, row):
+            if kind not in KINDS or not cuts.true(kind, row):
                 raise CertificateError(f"row {row.name} is no cut of the mission")
-            yield {"arrival": "arrival cuts", "visitors": "visitor cuts"}[kind]
+            yield KINDS[kind]
 
 
 def _same(own: Row, given: Row) -> bool:

@@ -14,7 +14,7 @@ from math import ceil
 import numpy as np
 from scipy import sparse
 
-from tsplan.certificates.rows_of import Limits, constraints_of
+from tsplan.certificates.rows_of import KINDS, Limits, constraints_of
 from tsplan.milp.exact_rows import ExactRows, Multipliers, defining_rows
 from tsplan.milp.model import Floats, Tag
 from tsplan.milp.proof_tree import Branch, Leaf, ProofTree
@@ -42,6 +42,8 @@ def _with_used_cuts(tree: ProofTree) -> ProofTree:
     place = np.full(rows, -1)
     place[kept] = np.arange(len(kept))
     kinds = {row: tag.kind for tag in model.tags for row in range(tag.start, tag.stop)}
+    if unknown := {kinds[row] for row in kept[tree.added :].tolist()} - KINDS.keys():
+        raise UnprovenError(f"it rests on {min(unknown)} cuts, which are not told from the mission")
     cuts = (Tag(kinds[int(kept[n])], n, n + 1) for n in range(tree.added, len(kept)))
     base = (tag for tag in model.tags if tag.start < tree.added)
     small = replace(

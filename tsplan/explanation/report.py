@@ -212,6 +212,7 @@ def _shortened(explanation: Explanation) -> Iterator[str]:
 
 def _conflict_title(conflict: Conflict, number: int) -> str:
     which = f"conflict {number}" if number else "conflict"
+    which = f"certified {which}" if conflict.certified else which
     if not conflict.minimal:
         return f"{which}: these cannot hold together (likely not all of them: not proven minimal)"
     if len(conflict.parts) == 1:
