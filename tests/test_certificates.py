@@ -95,7 +95,8 @@ def tampered(text: str, random: Random) -> str:
         return _with(lines, place, _changed(words, range(2, len(words), 2), random))
     elif kind == "choices":
         begin = words.index("uns") + 1
-        words = _changed(words, range(begin, begin + 4), random)
+        # which assumptions it is about; of what holds under them several lines may do as well
+        words = _changed(words, [begin + 1, begin + 3], random)
     elif kind == "multipliers":
         begin = words.index("{") + 4
         words = _changed(words, range(begin, len(words) - 2, 2), random)
