@@ -181,12 +181,13 @@ class DemandRows:
 
     def _visits_of(self, made: Family, place: Place) -> None:
         """What a family asks of different agents: the most that each column asks for at once."""
-        column, first, _, amount = made.pieces
+        column, first, last, amount = made.pieces
         order = np.lexsort((first, -amount, column))
         most = order[np.append(True, np.diff(column[order]) > 0)]
         steps, every = made.steps[first[most]], np.arange(len(most))
         terms = every, column[most], amount[most]
-        self._visit(Visits(*place, steps, steps, terms, np.zeros(len(most))))
+        stay = int((last - first)[most].min()) + 1
+        self._visit(Visits(*place, steps, steps, terms, np.zeros(len(most)), stay))
 
     def _once(
         self, place: Place, window: tuple[int, int], amount: float, selection: Selection

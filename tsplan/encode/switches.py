@@ -17,6 +17,7 @@ class Switch(StrEnum):
     SHARING = "sharing"  # F under G: windows share their witnesses (encode.witness)
     CHAINS = "chains"  # F under G: a first plan with the fewest witnesses (encode.witness)
     TEAMS = "teams"  # many parts: a first plan by teams that see to some of them (search.sub_teams)
+    ROUTES = "routes"  # many parts: a bound and plans by routes of single agents (search.routes)
     STRAIGHT = "straight"  # resources: a first plan by straight ways (encode.straight_ways)
     FAMILIES = "families"  # one row for demands that exclude each other (encode.demand_rows)
     BLOCKS = "blocks"  # signals: first trajectories with choices for blocks of steps

@@ -37,7 +37,8 @@ class Visits(NamedTuple):
     """Demands of agents with a capability at some states, of which at most one is made.
 
     Part p asks for agents who are all there at one step of `first[p] .. last[p]`: for
-    `constant[p]` and the sum of its `terms`.
+    `constant[p]` and the sum of its `terms`. From that step on as many are asked for at `stay`
+    steps, the first of them counted, though not the same ones at each.
     """
 
     states: Site
@@ -46,6 +47,7 @@ class Visits(NamedTuple):
     last: Ints
     terms: Terms
     constant: Floats
+    stay: int = 1
 
     @property
     def together(self) -> Visits:

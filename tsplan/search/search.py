@@ -8,8 +8,9 @@ agents; a bound of the relaxation is a bound of the problem.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Protocol
 
 import numpy as np
 
@@ -47,11 +48,22 @@ _TURNS = 1.0  # seconds after which the tree searches alone
 _SPRINT = 0.1  # seconds of the general solver's first turn, if all before took less
 
 
+class Guide(Protocol):
+    """Knows of bounds and plans by other means than the model's programs."""
+
+    def bound(self) -> int | None:
+        """What no plan is below, as a value of the target; None where that is not told."""
+
+    def flows(self) -> Iterator[Floats]:
+        """Flows of plans, one after the other."""
+
+
 class Search:
     """One search for the least value of a target on one model.
 
     `scout` and `rescue`, where set, are asked for the flows of some plan: before the first LP, and
-    after it if there may be a plan and none is known.
+    after it if there may be a plan and none is known. `guide`, where set, is asked for a bound and
+    for flows of better and better plans once the scout is back.
     """
 
     def __init__(
@@ -71,6 +83,7 @@ class Search:
         self._alone = effort.certified  # whether no solver's word counts
         self.scout: Callable[[], Floats | None] | None = None
         self.rescue: Callable[[], Floats | None] | None = None
+        self.guide: Guide | None = None
         self.patience = _PATIENCE
 
     def minimise(self, start: Floats | None = None, *, first: bool = False) -> Found:
@@ -80,6 +93,8 @@ class Search:
             self._known.accept(start, self._model)
         if not self.done:
             self._send(self.scout)
+        if not self.done and self.guide is not None:
+            self._follow(self.guide)
         if not self.done and self._effort.switches & {Switch.DIVE, Switch.TREE}:
             try:
                 self._by_lp()
@@ -122,6 +137,16 @@ class Search:
         flows = scout() if scout is not None and self._known.values is None else None
         if flows is not None:
             self.adopt(flows)
+
+    def _follow(self, guide: Guide) -> None:
+        """Take in what a guide tells, as long as there is anything to find out."""
+        bound = guide.bound()
+        if bound is not None:
+            self.know(float(bound))
+        for flows in () if self.done else guide.flows():
+            self.adopt(flows)
+            if self.done:
+                break
 
     def adopt(self, flows: Floats) -> Floats | None:
         """Keep and return the best point of this model with the given flows, if there is one."""

@@ -29,6 +29,7 @@ from tsplan.search.effort import Effort
 from tsplan.search.group_search import GroupSearch
 from tsplan.search.lexicographic import Found, Lexicographic, Tell
 from tsplan.search.question import NOTHING_KEPT, Kept, Question, start_in
+from tsplan.search.routes.route_plans import RoutePlans
 from tsplan.search.search import Search
 from tsplan.search.search_proof import COUNTING
 from tsplan.search.still_bound import still_bound
@@ -233,6 +234,9 @@ class Stages(Lexicographic[Point, StageObjective]):
             self._begin(search, question, encoded, clock)
         if self._many(whole) and search.scout is None:
             search.scout = lambda: SubTeams(self.effort).flows(whole, clock)
+            routes = Switch.ROUTES in self.effort.switches and not self.effort.certified
+            if routes and not question.first:
+                search.guide = RoutePlans(whole, target, self.effort, clock)
         found = search.minimise(start, first=question.first)
         if self.effort.record:
             question.note(self.effort.proofs, search.proof, places=False)

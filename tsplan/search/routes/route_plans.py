@@ -1,0 +1,122 @@
+"""A bound and plans of missions with many tasks, by routes of single agents.
+
+The linear program of such a mission has hundreds of thousands of columns, and says little before it
+has hundreds of cuts. Routes say more (`search.routes.route_program`), in programs that have a row
+for every task, and steps at which their agents are together are soon found
+(`search.routes.narrowing`). With these steps held the routes are nearly always a plan.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from tsplan.clock import Clock
+from tsplan.encode.encoded import Encoded
+from tsplan.milp.confirmation import tried
+from tsplan.milp.model import Floats
+from tsplan.milp.target import Target
+from tsplan.search.effort import Effort
+from tsplan.search.routes.errands import Errand, errands_of
+from tsplan.search.routes.narrowing import Narrowing, Settled
+from tsplan.search.routes.route_program import SCALE, RouteProgram
+
+MANY = 30
+"""Errands from which on routes are looked for."""
+
+_MOST = 10_000_000  # values of all routes: some hundred megabytes
+_WIDEST = 12  # errands at one place, whose memories are told apart
+_EXACT = 2.0**58  # sums up to this are whole in 64 bits
+_BOUND, _PLANS = 0.3, 0.5  # of the time that is left
+_CLOSE = 1e-4  # of its value, between a program and its bound
+_IDLE = 25  # tries without a better plan, in a row
+_HELD = 20.0  # seconds for a plan with given steps, where routes are none
+
+
+@dataclass(frozen=True, eq=False)
+class RoutePlans:
+    """Tells of one model how little its target can be, and finds plans.
+
+    There is nothing to tell where a target is not a sum of whole costs of moves, where agents have
+    to keep more than the formula and the map, and of fewer than `many` errands.
+    """
+
+    encoded: Encoded
+    target: Target
+    effort: Effort
+    clock: Clock
+    many: int = MANY
+
+    @property
+    def possible(self) -> bool:
+        """Whether costs are such that whole numbers tell of routes."""
+        target, flows = self.target, self.encoded.flows
+        other = np.ones(len(target.vector), dtype=np.bool_)
+        other[flows] = False
+        largest = float(target.vector.max(initial=0.0)) * SCALE * self.encoded.network.horizon
+        agents = sum(item.graph.agents for item in self.encoded.network.classes)
+        whole = bool(target.step) and bool((target.vector >= 0).all())
+        return whole and not target.vector[other].any() and largest * (agents + 1) ** 2 < _EXACT
+
+    def bound(self) -> int | None:
+        """What the target comes to at least; None where that is not told."""
+        program = self._program(errands_of(self.encoded), parts=True, share=_BOUND)
+        if program is None:
+            return None
+        best = 0
+        near = 1.0
+        while not program.clock.over:
+            routed = program.solve(near)
+            best = max(best, routed.bound)
+            near = max(1.0, _CLOSE * best)
+            if not program.remember(routed, _MOST):
+                break
+        return best
+
+    def flows(self) -> Iterator[Floats]:
+        """Flows of plans, each better than the ones before."""
+        errands = errands_of(self.encoded, whole=True)
+        program = self._program(errands, parts=False, share=_PLANS)
+        if program is None:
+            return
+        narrowing = Narrowing(program, errands, _MOST)
+        found = narrowing.settled(narrowing.solved(narrowing.widest, _IDLE))
+        if found is None:
+            return
+        yield from self._plan(program, found)
+        idle = 0
+        for better in narrowing.better(found):
+            idle = idle + 1 if better is None else 0
+            if better is not None:
+                yield from self._plan(program, better)
+            if idle >= _IDLE:
+                break
+
+    def _program(
+        self, errands: tuple[Errand, ...], *, parts: bool, share: float
+    ) -> RouteProgram | None:
+        if len(errands) < self.many or not self.possible:
+            return None
+        left = self.clock.left
+        clock = self.clock if left is None else self.clock.within(share * left)
+        program = RouteProgram(
+            self.encoded.network, self.target.vector, errands, clock, parts=parts
+        )
+        return program if program.widest <= _WIDEST and program.size <= _MOST else None
+
+    def _plan(self, program: RouteProgram, found: Settled) -> Iterator[Floats]:
+        """The flows of settled routes, or of a plan with the same steps."""
+        whole = program.flows(found.routed)
+        if whole is not None:
+            yield whole[self.encoded.flows]
+            return
+        upper = self.encoded.model.upper.copy()
+        for errand, (step, _) in zip(program.errands, found.windows, strict=True):
+            upper[errand.columns[errand.steps != step]] = 0.0
+        model = self.encoded.model.with_objective(self.target.vector)
+        options = self.effort.options(self.clock.within(_HELD), self.target)
+        values = tried(self.effort.solver, model.with_bounds(model.lower, upper), options)
+        if values is not None:
+            yield values[self.encoded.flows]
