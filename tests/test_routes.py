@@ -18,7 +18,7 @@ from tsplan.encode.preparation import prepare
 from tsplan.encode.priced_objectives import Travel
 from tsplan.milp.solution import Options, Status
 from tsplan.milp.solver import solver
-from tsplan.mission import Mission
+from tsplan.mission import Group, Mission
 from tsplan.search import stages
 from tsplan.search.effort import Effort
 from tsplan.search.routes import route_plans
@@ -30,6 +30,7 @@ from tsplan.search.routes.route_plans import RoutePlans
 from tsplan.search.routes.route_program import RouteProgram
 from tsplan.search.search import Search
 from tsplan.testing import random_mission
+from tsplan.ts import Edge, State, TransitionSystem
 
 
 def encoded_of(made: Mission) -> Encoded:
@@ -74,6 +75,26 @@ def test_whatever_is_asked_for_the_bound_is_true(formula: str) -> None:
     found = plans(encoded).bound() or 0
     if plan.objective:
         assert found <= float(plan.objective[0].value or 0)
+
+
+def test_agents_may_relieve_each_other() -> None:
+    """One of them holds a place until the other comes, who had to be elsewhere before."""
+    lengths = {("west", "s"): 2, ("s", "l0"): 2, ("l0", "east"): 2}
+    names = ["west", "s", "l0", "east"]
+    edges = [Edge(name, name, 1) for name in names]
+    for (one, other), steps in lengths.items():
+        edges += [Edge(one, other, steps), Edge(other, one, steps)]
+    states = [State(name, labels=frozenset([name])) for name in names]
+    formula = "F[2,3] T(0,west,{(x,1)}) && F[4,5] T(8,l0,{(x,1)}) && F[9,10] T(0,east,{(y,1)})"
+    made = Mission.of(
+        map=TransitionSystem.build(states, edges),
+        team=[Group.of("one", {"s": 1}, {"x", "y"}), Group.of("other", {"s": 1}, {"x"})],
+        formula=formula,
+        objective=["travel"],
+    )
+    encoded = encoded_of(made)
+    assert best(made) == 10
+    assert plans(encoded).bound() in range(6, 11)
 
 
 @pytest.mark.parametrize("seed", sampled(range(6000, 7000), range(6000, 6040)))

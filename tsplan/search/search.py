@@ -95,6 +95,7 @@ class Search:
             self._send(self.scout)
         if not self.done and self.guide is not None:
             self._follow(self.guide)
+            self._improve()
         if not self.done and self._effort.switches & {Switch.DIVE, Switch.TREE}:
             try:
                 self._by_lp()
@@ -165,7 +166,9 @@ class Search:
         root = self._judged(lp.solve(time_limit=self._clock.left))
         switches = self._effort.switches
         parts = self._encoded, self._model, switches, self._clock, self._known.raise_bound
-        cuts = None if self._known.first else Separation(*parts)
+        # where a guide told more than the program says, so it most often does with all cuts
+        told = root is not None and self.guide is not None and self._known.bound > root.objective
+        cuts = None if self._known.first or told else Separation(*parts)
         blind = self._known.values is None
         spent = self._clock.elapsed - self._began
         if not blind or spent < _SLOW:
@@ -206,7 +209,7 @@ class Search:
         """Dive from the root; what that finds is made better if all is slow."""
         if root is not None and not self.done and Switch.DIVE in self._effort.switches:
             self._dive(lp, root)
-            if self._long and not self.done:
+            if self._long:
                 self._improve()
 
     def _dive(self, lp: ProvenLP, root: LPResult) -> None:
@@ -245,7 +248,7 @@ class Search:
 
     def _improve(self) -> None:
         """Look for better points near the best one, for a part of the time that is left."""
-        if self._known.values is None:
+        if self._known.values is None or self.done:
             return
         left, spent = self._clock.left, self._clock.elapsed - self._began
         clock = self._clock.within(spent if left is None else min(spent, _NEAR * left))

@@ -29,6 +29,7 @@ FIRST, LAST, EACH = range(3)
 class Route:
     """What one agent of a class does: the columns it moves along from the start with a number.
 
+    `stays` tell where it stands from which step to which, in order: nodes of the map.
     `credits` are parts of the needs of errands, by way and number; no more than 1 each, if the
     route is one that runs no errand twice.
     """
@@ -36,6 +37,7 @@ class Route:
     group: int
     start: int
     columns: Ints
+    stays: Sequence[tuple[int, int, int]]
     cost: int
     credits: Mapping[tuple[int, int], float]
 
@@ -196,7 +198,8 @@ class Solved:
         )
         way = np.array(columns[::-1], dtype=np.int64)
         cost = self._routes.whole_cost(way)
-        return Route(self._routes.group, start, way, cost, dict(given))
+        stays = graph.stays(start, way)
+        return Route(self._routes.group, start, way, stays, cost, dict(given))
 
     def _leaving(self, step: int, memory: int) -> int:
         """A state of the least value with a memory."""

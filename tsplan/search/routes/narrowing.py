@@ -2,21 +2,24 @@
 
 A route program knows windows, but not that all who run an errand must be there together. So of the
 windows in which the program's routes are not there together, those of the largest errands are
-halved, the other windows being left open; then the program is solved again. In the end a step is
-chosen for each of the others. A settled plan becomes better by setting some errands free again,
-which are run at about the same time (large neighbourhood search: Shaw, 1998). Nothing here proves
-anything.
+halved, where most of their routes can begin, and the others are left open; then the program is
+solved again. In the end a step is chosen for each of the others. A settled plan becomes better by
+setting some errands free again (large neighbourhood search: Shaw, 1998): one that has become dearer
+by what was settled, the likelier the more it has, and those that are run at about the same time.
+Nothing here proves anything.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
-from tsplan.milp.model import Floats, Ints
+from tsplan.milp.model import Bools, Floats
 from tsplan.search.routes.errands import Errand, narrowed
 from tsplan.search.routes.route_program import Routed, RouteProgram
 
@@ -83,13 +86,16 @@ class Narrowing:
             found = self.solved(self._narrower(found))
         return found if found.routed.value <= most - 1 + _LITTLE else None
 
-    def better(self, found: Settled) -> Iterator[Settled | None]:
-        """Tries to better a settled plan, one after the other; None for those that did not."""
+    def better(self, found: Settled, loose: Settled) -> Iterator[Settled | None]:
+        """Tries to better a settled plan, one after the other; None for those that did not.
+
+        `loose` is what it was settled from: its prices tell what has become dear since.
+        """
         turn = 0
         while not self.program.clock.over:
             size = _FREED[turn % len(_FREED)]
             turn += 1
-            free = self._related(found.windows, size)
+            free = self._related(found, loose, size)
             windows = tuple(
                 errand.ends if number in free else window
                 for number, (errand, window) in enumerate(
@@ -100,10 +106,12 @@ class Narrowing:
             found = found if tried is None else tried
             yield tried
 
-    def _related(self, windows: Windows, size: int) -> frozenset[int]:
-        """Some errand, and those that are run at about the same time."""
-        steps = np.array([low for low, _ in windows], dtype=np.float64)
-        chosen = int(self._random.integers(len(steps)))
+    def _related(self, found: Settled, loose: Settled, size: int) -> frozenset[int]:
+        """Some errand that has become dear, and those that are run at about the same time."""
+        steps = np.array([low for low, _ in found.windows], dtype=np.float64)
+        amounts = np.array([errand.amount for errand in self.errands])
+        dearer = amounts * np.maximum(found.routed.prices - loose.routed.prices, 0.0) + _LITTLE
+        chosen = int(self._random.choice(len(steps), p=dearer / dearer.sum()))
         apart = np.abs(steps - steps[chosen]) + self._random.exponential(_APART, len(steps))
         apart[chosen] = 0.0
         return frozenset(np.argsort(apart, kind="stable")[:size].tolist())
@@ -122,10 +130,19 @@ class Narrowing:
             return tuple(windows)
         apart.sort(key=lambda number: -self.errands[number].amount)
         for number in apart[: max(int(_SHARE * len(apart)), 1)]:
-            (low, high), (early, late) = windows[number], served[number].halves
-            middle = (low + high) // 2
-            windows[number] = (low, middle) if early >= late else (middle + 1, high)
+            windows[number] = self._cheaper(found, number)
         return tuple(windows)
+
+    def _cheaper(self, found: Settled, number: int) -> tuple[int, int]:
+        """The half of an errand's window in which it costs less by the routes there are."""
+        low, high = found.windows[number]
+        middle = (low + high) // 2
+        halves = (low, middle), (middle + 1, high)
+        errand = self.errands[number]
+        return min(
+            halves,
+            key=lambda half: self.program.guessed(found.routed, number, errand.within(*half)),
+        )
 
     def _served(self, found: Settled) -> list[_Served]:
         """When the routes that are used run each errand."""
@@ -133,9 +150,8 @@ class Narrowing:
         routed = found.routed
         for place in np.flatnonzero(routed.used > _LITTLE).tolist():
             route, used = routed.routes[place], float(routed.used[place])
-            stays = self.program.stays(route)
             for number in {number for _, number in route.credits}:
-                served[number].add(self.errands[number], stays, used)
+                served[number].add(self.errands[number], route.stays, used)
         return served
 
 
@@ -144,20 +160,23 @@ class _Served:
 
     def __init__(self, window: tuple[int, int]) -> None:
         self._low, self._high = window
-        self._at: Floats = np.zeros(self._high - self._low + 1)
-        self._half = [0.0, 0.0]
+        self._able: list[Bools] = []
+        self._used: list[float] = []
 
     def add(self, errand: Errand, stays: Sequence[tuple[int, int, int]], used: float) -> None:
         """So much of a route that stands somewhere from one step to another."""
-        able = np.zeros(len(self._at), dtype=np.bool_)
+        able = np.zeros(self._high - self._low + 1, dtype=np.bool_)
         for node, since, until in stays:
             if node in errand.states:
                 first, last = max(since, self._low), until - errand.stay + 1
                 able[first - self._low : max(last - self._low + 1, 0)] = True
-        self._at += used * able
-        middle = (self._high - self._low) // 2 + 1
-        self._half[0] += used * float(able[:middle].any())
-        self._half[1] += used * float(able[middle:].any())
+        self._able.append(able)
+        self._used.append(used)
+
+    @cached_property
+    def _at(self) -> Floats:
+        none = np.zeros(self._high - self._low + 1)
+        return np.asarray(np.array(self._used) @ np.array(self._able)) if self._used else none
 
     @property
     def most(self) -> float:
@@ -167,17 +186,22 @@ class _Served:
     @property
     def best(self) -> int:
         """A step at which so many can, in the middle of all such steps."""
-        steps: Ints = np.flatnonzero(self._at >= self.most - _LITTLE)
-        return self._low + int(steps[len(steps) // 2])
+        return self._low + _middle(self._at)
 
     @property
-    def halves(self) -> tuple[float, float]:
-        """How many can begin in the early half, and how many in the late one.
+    def half(self) -> tuple[int, int]:
+        """The window of half the length in which most can begin, and of these most together."""
+        length = (self._high - self._low + 1) // 2
+        together = sliding_window_view(self._at, length).max(axis=1)
+        if self._used:
+            begun = sliding_window_view(np.array(self._able), length, axis=1).any(axis=2)
+            covered = np.array(self._used) @ begun
+            together = np.where(covered >= covered.max() - _LITTLE, together, -1.0)
+        begin = self._low + _middle(together)
+        return begin, begin + length - 1
 
-        Where all can in both, it is how many can at once.
-        """
-        early, late = self._half
-        if abs(early - late) > _LITTLE:
-            return early, late
-        middle = (self._high - self._low) // 2 + 1
-        return float(self._at[:middle].max()), float(self._at[middle:].max())
+
+def _middle(values: Floats) -> int:
+    """The place of the largest value, the middle one of several."""
+    places = np.flatnonzero(values >= values.max() - _LITTLE)
+    return int(places[len(places) // 2])

@@ -82,12 +82,13 @@ class RoutePlans:
         if program is None:
             return
         narrowing = Narrowing(program, errands, _MOST)
-        found = narrowing.settled(narrowing.solved(narrowing.widest, _IDLE))
+        loose = narrowing.solved(narrowing.widest, _IDLE)
+        found = narrowing.settled(loose)
         if found is None:
             return
         yield from self._plan(program, found)
         idle = 0
-        for better in narrowing.better(found):
+        for better in narrowing.better(found, loose):
             idle = idle + 1 if better is None else 0
             if better is not None:
                 yield from self._plan(program, better)

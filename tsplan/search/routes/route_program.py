@@ -12,7 +12,7 @@ steadies them (Wentges, 1997).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy import sparse
@@ -41,12 +41,14 @@ class Routed:
     """What a program has come to: a true `bound`, and how often each of its routes is used.
 
     `value` is that of the routes; the two differ by less than was asked for, if there was time.
+    `prices` are what one agent more for each errand would cost.
     """
 
     bound: int
     value: float
     routes: tuple[Route, ...]
     used: Floats
+    prices: Floats
 
 
 @dataclass(eq=False)
@@ -84,10 +86,6 @@ class RouteProgram:
         """The most errands that are remembered at a place for themselves."""
         graphs = (self._graph(group) for group in range(len(self.network.classes)))
         return max((len(own) for graph in graphs for own in graph.own), default=0)
-
-    def stays(self, route: Route) -> list[tuple[int, int, int]]:
-        """Where a route stands from which step to which, in order: nodes of the map."""
-        return self._graph(route.group).stays(route.start, route.columns)
 
     def flows(self, routed: Routed) -> Floats | None:
         """The columns of the network with all agents on routes; None where some are fractions."""
@@ -130,15 +128,31 @@ class RouteProgram:
         self.pool = tuple(self._credited(route) for route in routes)
 
     def _credited(self, route: Route) -> Route:
-        stays = self.stays(route)
         given: dict[tuple[int, int], float] = {}
         for number, errand in enumerate(self.errands):
-            if route.group in errand.classes and any(
-                node in errand.states and _overlap(errand, since, until) >= errand.stay
-                for node, since, until in stays
-            ):
+            if route.group in errand.classes and self._runs(route, errand):
                 given |= {(way, number): 1.0 for way in range(_WAYS)}
-        return Route(route.group, route.start, route.columns, route.cost, given)
+        return replace(route, credits=given)
+
+    def guessed(self, routed: Routed, number: int, errand: Errand) -> float:
+        """What the program comes to by the same routes where one errand has a narrower window."""
+        lp = self._dual()
+        self._add(lp, [self._without(route, number, errand) for route in routed.routes])
+        return -lp.solve(time_limit=self.clock.left).objective
+
+    def _without(self, route: Route, number: int, errand: Errand) -> Route:
+        """The route, without what it is credited with for an errand that it does not run whole."""
+        if (0, number) not in route.credits or self._runs(route, errand):
+            return route
+        given = {key: part for key, part in route.credits.items() if key[1] != number}
+        return replace(route, credits=given)
+
+    def _runs(self, route: Route, errand: Errand) -> bool:
+        """Whether a route stands at an errand's states for its whole stay."""
+        return any(
+            node in errand.states and _overlap(errand, since, until) >= errand.stay
+            for node, since, until in route.stays
+        )
 
     # --- column generation -----------------------------------------------------------------------
 
@@ -168,7 +182,10 @@ class RouteProgram:
         result = lp.solve(time_limit=self.clock.left)
         duals = result.row_duals
         used = np.zeros(len(routes)) if duals is None else np.abs(duals[: len(routes)])
-        return Routed(int(max(best, 0)), value, tuple(routes), used)
+        count = len(self.errands)
+        prices = np.zeros(_WAYS * count) if result.values is None else result.values
+        paid = prices[: _WAYS * count].reshape(_WAYS, count).sum(axis=0)
+        return Routed(int(max(best, 0)), value, tuple(routes), used, paid)
 
     def _priced(
         self, cheapest: Sequence[CheapestRoutes], result: LPResult, best: float
@@ -300,14 +317,13 @@ class RouteProgram:
     def _between(self, route: Route, number: int) -> bool:
         """Remember an errand wherever a route goes between two times it runs it."""
         errand, kept = self.errands[number], self.remembered[route.group]
-        stays = self.stays(route)
         at = [
             place
-            for place, (node, since, until) in enumerate(stays)
+            for place, (node, since, until) in enumerate(route.stays)
             if node in errand.states and _overlap(errand, since, until) > 0
         ]
         grown = False
-        for node, _, _ in stays[at[0] : at[-1]]:
+        for node, _, _ in route.stays[at[0] : at[-1]]:
             own = kept.setdefault(node, [])
             if node not in errand.states and number not in own:
                 own.append(number)
