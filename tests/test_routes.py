@@ -48,7 +48,7 @@ def best(made: Mission) -> float:
     return float(value)
 
 
-@pytest.mark.parametrize("seed", sampled(range(100), range(4)))
+@pytest.mark.parametrize("seed", sampled(range(100), range(2)))
 def test_the_bound_is_below_the_best_plan_and_above_the_linear_program(seed: int) -> None:
     made = mission(seed)
     found = plans(encoded_of(made)).bound()
@@ -97,7 +97,7 @@ def test_agents_may_relieve_each_other() -> None:
     assert plans(encoded).bound() in range(6, 11)
 
 
-@pytest.mark.parametrize("seed", sampled(range(6000, 7000), range(6000, 6040)))
+@pytest.mark.parametrize("seed", sampled(range(6000, 7000), range(6000, 6012)))
 def test_no_random_mission_has_a_plan_below_its_bound(seed: int) -> None:
     made = random_mission(seed)
     encoded = encoded_of(made)
@@ -112,14 +112,14 @@ def test_no_random_mission_has_a_plan_below_its_bound(seed: int) -> None:
         assert found <= target.value(solution.values)
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", sampled(range(20), range(1)))
 def test_routes_are_plans_of_the_whole_each_better_than_before(seed: int) -> None:
-    made = mission(seed, tasks=9)
+    made = mission(seed, tasks=7)
     encoded = encoded_of(made)
     routes = plans(encoded)
     search = Search(encoded, routes.target, routes.effort, Clock(), lambda *_: None)
     values = []
-    for flows in islice(routes.flows(), 3):
+    for flows in islice(routes.flows(), 2):
         point = search.adopt(flows)
         assert point is not None
         assert encoded.model.violation(point) < 1e-6

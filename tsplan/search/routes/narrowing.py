@@ -17,7 +17,6 @@ from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 
 from tsplan.milp.model import Bools, Floats
 from tsplan.search.routes.errands import Errand, narrowed
@@ -130,19 +129,10 @@ class Narrowing:
             return tuple(windows)
         apart.sort(key=lambda number: -self.errands[number].amount)
         for number in apart[: max(int(_SHARE * len(apart)), 1)]:
-            windows[number] = self._cheaper(found, number)
+            (low, high), (early, late) = windows[number], served[number].halves
+            middle = (low + high) // 2
+            windows[number] = (low, middle) if early >= late else (middle + 1, high)
         return tuple(windows)
-
-    def _cheaper(self, found: Settled, number: int) -> tuple[int, int]:
-        """The half of an errand's window in which it costs less by the routes there are."""
-        low, high = found.windows[number]
-        middle = (low + high) // 2
-        halves = (low, middle), (middle + 1, high)
-        errand = self.errands[number]
-        return min(
-            halves,
-            key=lambda half: self.program.guessed(found.routed, number, errand.within(*half)),
-        )
 
     def _served(self, found: Settled) -> list[_Served]:
         """When the routes that are used run each errand."""
@@ -189,16 +179,21 @@ class _Served:
         return self._low + _middle(self._at)
 
     @property
-    def half(self) -> tuple[int, int]:
-        """The window of half the length in which most can begin, and of these most together."""
-        length = (self._high - self._low + 1) // 2
-        together = sliding_window_view(self._at, length).max(axis=1)
+    def halves(self) -> tuple[float, float]:
+        """How many can begin in the early half, and how many in the late one.
+
+        Where as many can in both, it is how many can at once.
+        """
+        middle = (self._high - self._low) // 2 + 1
         if self._used:
-            begun = sliding_window_view(np.array(self._able), length, axis=1).any(axis=2)
-            covered = np.array(self._used) @ begun
-            together = np.where(covered >= covered.max() - _LITTLE, together, -1.0)
-        begin = self._low + _middle(together)
-        return begin, begin + length - 1
+            able = np.array(self._able)
+            early, late = (
+                float(np.array(self._used) @ half.any(axis=1))
+                for half in (able[:, :middle], able[:, middle:])
+            )
+            if abs(early - late) > _LITTLE:
+                return early, late
+        return float(self._at[:middle].max()), float(self._at[middle:].max())
 
 
 def _middle(values: Floats) -> int:

@@ -8,8 +8,9 @@ for every task, and steps at which their agents are together are soon found
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -29,9 +30,11 @@ MANY = 30
 _MOST = 10_000_000  # values of all routes: some hundred megabytes
 _WIDEST = 12  # errands at one place, whose memories are told apart
 _EXACT = 2.0**58  # sums up to this are whole in 64 bits
-_BOUND, _PLANS = 0.3, 0.5  # of the time that is left
+_BOUND, _PLANS = 0.3, 0.5  # of the time that is left; the latter for the bound, too
 _CLOSE = 1e-4  # of its value, between a program and its bound
-_IDLE = 25  # tries without a better plan, in a row
+_NEAR = 1.0  # between a small program and its bound: plans differ by whole numbers
+_MEMORIES = 25  # times that more is remembered before windows are narrowed
+_IDLE = 8  # tries without a better plan, in a row: what is left is for other ways
 _HELD = 20.0  # seconds for a plan with given steps, where routes are none
 
 
@@ -62,48 +65,65 @@ class RoutePlans:
 
     def bound(self) -> int | None:
         """What the target comes to at least; None where that is not told."""
-        program = self._program(errands_of(self.encoded), parts=True, share=_BOUND)
+        if self._loose is None:
+            return None
+        # routes forget the same whether they count in parts or not
+        known = self._loose[0].program.remembered
+        program = self._program(errands_of(self.encoded), share=_BOUND, known=known)
         if program is None:
             return None
-        best = 0
-        near = 1.0
+        best, near = 0, _NEAR
         while not program.clock.over:
             routed = program.solve(near)
             best = max(best, routed.bound)
-            near = max(1.0, _CLOSE * best)
+            near = max(_NEAR, _CLOSE * best)
             if not program.remember(routed, _MOST):
                 break
         return best
 
     def flows(self) -> Iterator[Floats]:
         """Flows of plans, each better than the ones before."""
-        errands = errands_of(self.encoded, whole=True)
-        program = self._program(errands, parts=False, share=_PLANS)
-        if program is None:
+        if self._loose is None:
             return
-        narrowing = Narrowing(program, errands, _MOST)
-        loose = narrowing.solved(narrowing.widest, _IDLE)
+        narrowing, loose = self._loose
         found = narrowing.settled(loose)
         if found is None:
             return
-        yield from self._plan(program, found)
+        yield from self._plan(narrowing.program, found)
         idle = 0
         for better in narrowing.better(found, loose):
             idle = idle + 1 if better is None else 0
             if better is not None:
-                yield from self._plan(program, better)
+                yield from self._plan(narrowing.program, better)
             if idle >= _IDLE:
                 break
 
+    @cached_property
+    def _loose(self) -> tuple[Narrowing, Settled] | None:
+        """The program in which errands are run whole, in their own windows."""
+        errands = errands_of(self.encoded, whole=True)
+        program = self._program(errands, share=_PLANS)
+        if program is None:
+            return None
+        narrowing = Narrowing(program, errands, _MOST)
+        return narrowing, narrowing.solved(narrowing.widest, _MEMORIES)
+
     def _program(
-        self, errands: tuple[Errand, ...], *, parts: bool, share: float
+        self,
+        errands: tuple[Errand, ...],
+        *,
+        share: float,
+        known: Sequence[Mapping[int, Sequence[int]]] | None = None,
     ) -> RouteProgram | None:
+        """A program in a part of the time; with what is `known` to be remembered, of a bound."""
         if len(errands) < self.many or not self.possible:
             return None
         left = self.clock.left
         clock = self.clock if left is None else self.clock.within(share * left)
+        kept = [{node: list(own) for node, own in of.items()} for of in known or ()]
+        parts = known is not None
         program = RouteProgram(
-            self.encoded.network, self.target.vector, errands, clock, parts=parts
+            self.encoded.network, self.target.vector, errands, clock, parts, kept
         )
         return program if program.widest <= _WIDEST and program.size <= _MOST else None
 

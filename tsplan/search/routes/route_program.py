@@ -134,19 +134,6 @@ class RouteProgram:
                 given |= {(way, number): 1.0 for way in range(_WAYS)}
         return replace(route, credits=given)
 
-    def guessed(self, routed: Routed, number: int, errand: Errand) -> float:
-        """What the program comes to by the same routes where one errand has a narrower window."""
-        lp = self._dual()
-        self._add(lp, [self._without(route, number, errand) for route in routed.routes])
-        return -lp.solve(time_limit=self.clock.left).objective
-
-    def _without(self, route: Route, number: int, errand: Errand) -> Route:
-        """The route, without what it is credited with for an errand that it does not run whole."""
-        if (0, number) not in route.credits or self._runs(route, errand):
-            return route
-        given = {key: part for key, part in route.credits.items() if key[1] != number}
-        return replace(route, credits=given)
-
     def _runs(self, route: Route, errand: Errand) -> bool:
         """Whether a route stands at an errand's states for its whole stay."""
         return any(
