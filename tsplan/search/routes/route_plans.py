@@ -17,9 +17,12 @@ import numpy as np
 from tsplan.clock import Clock
 from tsplan.encode.encoded import Encoded
 from tsplan.milp.confirmation import tried
-from tsplan.milp.model import Floats
+from tsplan.milp.lp import WarmLP
+from tsplan.milp.model import Floats, Model
 from tsplan.milp.target import Target
+from tsplan.search.dive import fractional
 from tsplan.search.effort import Effort
+from tsplan.search.rounding import Rounding
 from tsplan.search.routes.errands import Errand, errands_of
 from tsplan.search.routes.narrowing import Narrowing, Settled
 from tsplan.search.routes.route_program import SCALE, RouteProgram
@@ -35,7 +38,7 @@ _CLOSE = 1e-4  # of its value, between a program and its bound
 _NEAR = 1.0  # between a small program and its bound: plans differ by whole numbers
 _MEMORIES = 25  # times that more is remembered before windows are narrowed
 _IDLE = 8  # tries without a better plan, in a row: what is left is for other ways
-_HELD = 20.0  # seconds for a plan with given steps, where routes are none
+_HELD = 5.0  # seconds for a plan with given steps, where linear programs come to none
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,7 +140,18 @@ class RoutePlans:
         for errand, (step, _) in zip(program.errands, found.windows, strict=True):
             upper[errand.columns[errand.steps != step]] = 0.0
         model = self.encoded.model.with_objective(self.target.vector)
-        options = self.effort.options(self.clock.within(_HELD), self.target)
-        values = tried(self.effort.solver, model.with_bounds(model.lower, upper), options)
+        values = self._held(model.with_bounds(model.lower, upper))
         if values is not None:
             yield values[self.encoded.flows]
+
+    def _held(self, model: Model) -> Floats | None:
+        """A point with whole agents of a model whose steps are given."""
+        rounding = Rounding(self.encoded, self.target, self.effort, self.clock)
+        lp = WarmLP(model, self.clock.stop)
+        values = lp.solve(time_limit=self.clock.left).values
+        if values is not None and not len(fractional(values, self.encoded.indicators)):
+            values = rounding.near(lp, model, values)
+            if values is not None:
+                return values
+        options = self.effort.options(self.clock.within(_HELD), self.target)
+        return tried(self.effort.solver, model, options)
