@@ -129,6 +129,18 @@ def test_routes_are_plans_of_the_whole_each_better_than_before(seed: int) -> Non
     assert optimum <= values[-1] <= 1.3 * optimum
 
 
+def test_where_routes_are_fractions_their_steps_make_a_plan(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(RouteProgram, "flows", lambda *_: None)
+    encoded = encoded_of(mission(1, tasks=6))
+    routes = plans(encoded)
+    search = Search(encoded, routes.target, routes.effort, Clock(), lambda *_: None)
+    point = search.adopt(next(routes.flows()))
+    assert point is not None
+    assert encoded.model.violation(point) < 1e-6
+
+
 @pytest.mark.parametrize("parts", [False, True])
 def test_the_cheapest_route_is_what_its_columns_cost_less_what_it_is_credited_with(
     *, parts: bool
