@@ -184,8 +184,14 @@ def test_the_cheapest_way_of_one_agent_is_that_of_all_its_ways() -> None:
             for step in range(horizon + 1)
             if random.random() < 0.3
         }
-        costs = list(all_costs(graph, horizon, at, entering, duties))
-        way = SingleAgent(0, graph, horizon).cheapest(0, duties, at, entering)
+        prices = numbers.integers(0, 3, len(graph.tail)).astype(float)
+        costs = list(all_costs(graph, horizon, at, entering + prices, duties))
+        alone = SingleAgent(0, graph, horizon, prices)
+        entries = *np.nonzero(entering), entering[entering > 0]
+        way = alone.cheapest(0, duties, at, entries)
+        again = alone.cheapest(0, duties, at, entries)
+        assert (way is None) == (again is None)
+        assert way is None or again is None or way[1] == again[1]
         assert (way is None) == (not costs)
         if way is None:
             continue

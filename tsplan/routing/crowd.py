@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 import numpy as np
 
@@ -11,6 +12,11 @@ from tsplan.encode.class_graph import ClassGraph
 from tsplan.encode.encoded import Setting
 from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.routing.walks import UNDER_WAY, Walk
+
+_MANY = np.iinfo(np.int64).max // 2  # agents that there never are
+
+Entries: TypeAlias = tuple[Ints, Ints, Floats]
+"""Rows and columns of a table, and what is there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,26 +31,26 @@ class Quota:
 
 @dataclass(frozen=True, eq=False)
 class Room:
-    """What states, groups of edges and quotas hold; infinite without a limit.
+    """What states, groups of edges and quotas hold; more than all agents without a limit.
 
     Groups are those of the map, its zones among them; `zone` is that of each state, or -1.
     """
 
-    states: Floats
-    groups: Floats
+    states: Ints
+    groups: Ints
     zone: Ints
     quotas: tuple[Quota, ...] = ()
 
     @classmethod
     def of(cls, setting: Setting, quotas: Sequence[Quota] = ()) -> Room:
         """The capacities of the map of a setting."""
-        states = np.full(len(setting.arrays.names), np.inf)
+        states = np.full(len(setting.arrays.names), _MANY)
         for state, capacity in setting.arrays.capacity:
             states[state] = capacity
         zone = np.full(len(states), -1)
         for group, members in setting.arrays.zone_states.items():
             zone[members] = group
-        groups = np.array(setting.arrays.group_capacity, dtype=np.float64)
+        groups = np.array(setting.arrays.group_capacity, dtype=np.int64)
         return cls(states, groups, zone, tuple(quotas))
 
 
@@ -61,9 +67,11 @@ class Crowd:
     _there: Ints = field(init=False)
     _riding: Ints = field(init=False)
     _counted: Ints = field(init=False)
+    _edges: dict[int, tuple[Ints, Ints]] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
         steps = self.horizon + 1
+        self._zoned = np.flatnonzero(self.room.zone >= 0)
         self._there = np.zeros((steps, len(self.room.states)), dtype=np.int64)
         self._riding = np.zeros((steps, len(self.room.groups)), dtype=np.int64)
         self._counted = np.zeros((steps, len(self.room.quotas)), dtype=np.int64)
@@ -154,31 +162,60 @@ class Crowd:
             total += np.maximum(self._counted[quota.steps, number] - quota.most, 0).sum()
         return int(total)
 
-    def burden(self, number: int) -> tuple[Floats, Ints, Floats]:
+    def burden(self, number: int) -> tuple[Entries, Entries]:
         """What one more agent of a class finds no room for: states at steps, and edges entered.
 
-        An array (horizon + 1, states), the edges that are in a group, and for these an array
-        (horizon, edges): they count the places that are full already.
+        Steps, states (or edges of the class) and how many of the places there are full already.
         """
-        graph = self.graphs[number]
-        states = self._full_states(above=1).astype(np.float64)
-        states[0] = 0.0
+        step, state = _nonzero(self._full_states(above=1)[1:])
+        states = [(step + 1, state)]
         for place, quota in enumerate(self.room.quotas):
             if number in quota.able:
                 full = quota.steps[self._counted[quota.steps, place] >= quota.most]
-                states[np.ix_(full, quota.states)] += 1.0
-        full = (self._riding + 1 > self.room.groups).astype(np.float64)
-        zoned = np.flatnonzero(self.room.zone >= 0)
-        states[:, zoned] += full[:, self.room.zone[zoned]]
-        grouped = np.flatnonzero(graph.group >= 0)
-        edges = full[: self.horizon].take(graph.group[grouped], axis=1)
-        inside = self._from_inside(graph, grouped)
-        several = np.flatnonzero((graph.duration[grouped] > 1) | inside)
+                states.append(tuple(part.ravel() for part in np.meshgrid(full, quota.states)))
+        full = self._riding >= self.room.groups
+        if self._zoned.size:
+            step, zoned = _nonzero(full[:, self.room.zone[self._zoned]])
+            states.append((step, self._zoned[zoned]))
+        at = np.concatenate([part[0] for part in states])
+        where = np.concatenate([part[1] for part in states])
+        return (at, where, np.ones(len(at))), self._burdened(number, full)
+
+    def _burdened(self, number: int, full: Bools) -> Entries:
+        """The edges that lead through full groups, and how many of their steps do."""
+        graph, (single, several) = self.graphs[number], self._grouped(number)
+        step, group = _nonzero(full[: self.horizon])
+        edges = single[group]
+        place, column = _nonzero(edges >= 0)
+        found = [(step[place], edges[place, column], np.ones(len(place)))]
         if len(several):
-            some = grouped[several]
+            inside = self._from_inside(graph, several)
             before = np.concatenate([np.zeros((1, full.shape[1])), np.cumsum(full, axis=0)])
-            step, group = np.arange(self.horizon)[:, None], graph.group[some]
-            begun = step + inside[several]
-            ended = np.minimum(step + graph.duration[some], self.horizon)
-            edges[:, several] = before[ended, group] - before[begun, group]
-        return states, grouped, edges
+            begun, group = np.arange(self.horizon)[:, None], graph.group[several]
+            ended = np.minimum(begun + graph.duration[several], self.horizon)
+            count = before[ended, group] - before[begun + inside, group]
+            step, column = _nonzero(count)
+            found.append((step, several[column], count[step, column]))
+        steps, entered, counts = (np.concatenate(parts) for parts in zip(*found, strict=True))
+        return steps, entered, counts
+
+    def _grouped(self, number: int) -> tuple[Ints, Ints]:
+        """The edges of a class in every group that last a step, filled up with -1; all others."""
+        if number not in self._edges:
+            graph = self.graphs[number]
+            grouped = np.flatnonzero(graph.group >= 0)
+            lasting = (graph.duration[grouped] > 1) | self._from_inside(graph, grouped)
+            single = grouped[~lasting]
+            single = single[np.argsort(graph.group[single], kind="stable")]
+            groups = graph.group[single]
+            begin = np.searchsorted(groups, np.arange(len(self.room.groups) + 1))
+            table = np.full((len(self.room.groups), int(np.diff(begin).max(initial=0))), -1)
+            table[groups, np.arange(len(groups)) - begin[groups]] = single
+            self._edges[number] = table, grouped[lasting]
+        return self._edges[number]
+
+
+def _nonzero(table: Bools | Ints) -> tuple[Ints, Ints]:
+    """Rows and columns of what is not zero, faster than numpy finds them in two dimensions."""
+    rows, columns = np.divmod(np.flatnonzero(table), max(table.shape[1], 1))
+    return rows, columns

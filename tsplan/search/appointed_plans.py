@@ -1,0 +1,166 @@
+"""Plans of agents that keep appointments: tours first, then ways with room for everybody.
+
+Where a goal asks for agents at places and no more, who goes where is planned by tours, as if nobody
+were in anybody's way, and single agents are led around each other then. Other tours may leave more
+time for that, or need less, so they are begun with again and again. A bound comes from the routes
+that single agents could have (`route_bound`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from tsplan.clock import Clock
+from tsplan.encode.encoded import Setting
+from tsplan.encode.priced_objectives import Priced
+from tsplan.routing.appointments import Agenda
+from tsplan.routing.crowd import Room
+from tsplan.routing.distances import Distances
+from tsplan.routing.engagements import Engagements
+from tsplan.routing.rerouting import CLEAR, Rerouting
+from tsplan.routing.tours import TourPlanner, Tours
+from tsplan.routing.walks import Walk, point_of
+from tsplan.search.best_plan import BestPlan
+from tsplan.search.route_bound import RouteBound, boundable
+
+_SPARES = 0.3, 0.1, 0.0  # how much longer ways are taken to be, by turns
+_PATIENCE = 200  # tours in a row that are no shorter
+_REPAIRS, _CHANGES = 300, 100  # changes of ways in a row that do not help
+_STARTS = 6  # tours in a row that lead to no better plan, after which it ends
+_LEAST, _TAKING = 5.0, 0.5  # seconds, or of the time so far, that ways for tours may take
+
+
+@dataclass(eq=False)
+class AppointedPlans:
+    """Looks for plans of a problem whose goal is an agenda."""
+
+    setting: Setting
+    agenda: Agenda
+    known: BestPlan
+    seed: int = 0
+    _number: int = field(default=0, init=False)
+    _best: Rerouting | None = field(default=None, init=False)
+    _owed: float = field(default=0.0, init=False)  # seconds of plans beyond those of bounds
+    _since: float = field(default=0.0, init=False)
+
+    def __post_init__(self) -> None:
+        """Measure the map."""
+        self._prices = self.known.prices()
+        self._distances = Distances.of(self.setting, self.agenda, self._prices)
+        self._room = dict(self.setting.arrays.capacity)
+        self._routes: RouteBound | None = None
+        self._bounds: Iterator[float] | None = None
+
+    @property
+    def bounding(self) -> bool:
+        """Whether there is a plan, and a bound by routes."""
+        return self._best is not None and self._routes is not None
+
+    def search(self, clock: Clock, *, patient: bool = False) -> None:
+        """Look for better plans and bounds until that leads nowhere, or else as long as it may."""
+        idle = 0
+        while not clock.over and not self.known.settled and (patient or idle < _STARTS):
+            before = self.known.point
+            if self._number % 2 and self._best is not None:
+                self._improve(self._best, clock)
+            else:
+                self._begin(clock)
+            self._number += 1
+            if self._best is None and self._number >= _STARTS:
+                return
+            idle = idle + 1 if self.known.point is before else 0
+
+    # --- plans -----------------------------------------------------------------------------------
+
+    def _begin(self, clock: Clock) -> None:
+        """Ways for other tours."""
+        turn = self._number // 2 if self._best is not None else self._number
+        spare, seed = _SPARES[turn % len(_SPARES)], self.seed + self._number
+        planner = TourPlanner(self.agenda, self._distances, self._room, spare, seed)
+        tours = planner.best(clock, _PATIENCE)
+        times = None if tours is None else planner.times(tours)
+        if tours is None or times is None:
+            return
+        if self._routes is None and boundable(self.known.objectives, self._prices, self.agenda):
+            self._routes = RouteBound(self.agenda, self._distances, self._room)
+            self._routes.begin_with(tours)
+            self._bounds = self._routes.raised(clock)
+        ways = self._ways(tours, times, seed)
+        within = clock.within(max(_LEAST, _TAKING * clock.elapsed))
+        if ways is not None and ways.repair(CLEAR, within, _REPAIRS):
+            self._improve(ways, clock)
+
+    def _improve(self, ways: Rerouting, clock: Clock) -> None:
+        """Make ways without conflicts cheaper, and keep them if they are the best."""
+        better = True
+        while better:
+            began = clock.elapsed
+            if self._best is None or ways.price < self._best.price:
+                self._best = ways
+            self.known.take(point_of(self.setting, ways.walks, 0))
+            self._raise(clock, began - self._since)
+            self._since = clock.elapsed
+            better = not self.known.settled and ways.improve(clock, _CHANGES)
+
+    def _ways(self, tours: Tours, times: dict[int, int], seed: int) -> Rerouting | None:
+        """A way for every agent by its tour, conflicts or not; None where one is too late."""
+        setting, count = self.setting, len(self.agenda.appointments)
+        engaged = Engagements(
+            self.agenda,
+            len(setting.arrays.names),
+            tuple(times[number] for number in range(count)),
+            tuple(
+                tuple(tuple(agent for agent, _ in group) for group in tours.serving[number])
+                for number in range(count)
+            ),
+        )
+        walks = []
+        for kind, start in zip(self._kinds, self._starts, strict=True):
+            waits = setting.classes[kind].graph.waits(start, setting.horizon)
+            if waits is None:
+                return None
+            walks.append(Walk(kind, start, *waits))
+        ways = Rerouting(
+            setting,
+            walks,
+            [engaged.duties(agent) for agent in range(len(walks))],
+            self._prices,
+            Room.of(setting, self.agenda.quotas),
+            seed=seed,
+            engaged=engaged,
+        )
+        return ways if ways.begin() else None
+
+    @property
+    def _kinds(self) -> list[int]:
+        return [int(kind) for kind in self._distances.kind]
+
+    @property
+    def _starts(self) -> list[int]:
+        states = list(self._distances.place)
+        return [states[place] for place in self._distances.begin.tolist()]
+
+    # --- bounds ----------------------------------------------------------------------------------
+
+    def _raise(self, clock: Clock, seconds: float) -> None:
+        """Better bounds, in as many seconds as plans have taken, with those before."""
+        self._owed += seconds
+        while self._bounds is not None and self._owed > 0 and not self.known.settled:
+            began = clock.elapsed
+            bound = next(self._bounds, None)
+            self._owed -= clock.elapsed - began
+            if bound is None:
+                self._bounds = None
+            else:
+                self._hear(bound)
+
+    def _hear(self, bound: float) -> None:
+        """Tell of a bound, as far as it can be believed."""
+        objective, point = self.known.objectives[0], self.known.point
+        assert isinstance(objective, Priced)
+        assert point is not None
+        target = objective.target(self.setting, point.encoded)
+        proven = target.proven(bound)
+        if not target.refutes(objective.minimised(self.setting, point), proven):
+            self.known.hear(objective.name, target.own(proven))
