@@ -77,10 +77,15 @@ class Engagements:
         """The agents of an appointment."""
         return sorted({agent for agents in self.serving[number] for agent in agents})
 
-    def begun(self, number: int, time: int) -> Engagements:
-        """With an appointment that begins at another step."""
-        times = (*self.times[:number], time, *self.times[number + 1 :])
-        return replace(self, times=times)
+    def shifted(self, numbers: Sequence[int], later: int) -> Engagements | None:
+        """With some appointments that begin so many steps later; None where one must not."""
+        times = list(self.times)
+        for number in numbers:
+            times[number] += later
+            item = self.agenda.appointments[number]
+            if not item.first <= times[number] <= item.last:
+                return None
+        return replace(self, times=tuple(times))
 
     def swapped(self, one: Member, other: Member, since: int, until: int) -> Engagements | None:
         """With two agents in each other's place at all appointments that begin in some steps.

@@ -29,7 +29,7 @@ from tsplan.routing.walks import UNDER_WAY, Walk
 _MOST = 8  # agents that are taken out at once: the size that the source found to be best
 _PLAIN = 0.5  # of all attempts: without other appointments
 _LATER, _STEP = 0.6, 0.3  # of these: at another step, which is near
-_TAILS = 0.3  # of agents that swap appointments: with all later ones
+_TAILS = 0.3  # of all changes: of all later appointments, too
 _ALONE = 0.5  # of these changes: nobody else gives way to them
 _ABOUT, _NEXT = 10, 0.35  # steps around an appointment; how often it is the next that comes
 _NOISE = 1e-7  # by which equally cheap ways are told apart, at random
@@ -181,13 +181,16 @@ class Rerouting:
         return self._relieved(engaged, number)
 
     def _moved(self, engaged: Engagements, number: int) -> Change | None:
-        """An appointment at another step, not far from its own."""
-        item = engaged.agenda.appointments[number]
+        """An appointment at another step, not far from its own, and perhaps all later ones, too."""
         apart = int(self._random.choice((-1, 1)) * self._random.geometric(_STEP))
-        time = engaged.times[number] + apart
-        if not item.first <= time <= item.last:
+        numbers = [number]
+        if self._random.random() < _TAILS:
+            numbers = [n for n, time in enumerate(engaged.times) if time >= engaged.times[number]]
+        begun = engaged.shifted(numbers, apart)
+        if begun is None:
             return None
-        return self._with_others(engaged.agents(number), engaged.begun(number, time))
+        agents = {agent for number in numbers for agent in engaged.agents(number)}
+        return self._with_others(sorted(agents), begun)
 
     def _relieved(self, engaged: Engagements, number: int) -> Change | None:
         """Another agent at an appointment, and perhaps at all later ones, too."""

@@ -23,8 +23,9 @@ from tsplan.routing.tours import TourPlanner, Tours
 from tsplan.routing.walks import Walk, point_of
 from tsplan.search.best_plan import BestPlan
 from tsplan.search.route_bound import RouteBound, boundable
+from tsplan.search.route_tree import RouteTree
 
-_SPARES = 0.3, 0.1, 0.0  # how much longer ways are taken to be, by turns
+_SPARES = 0.3, 0.1, 0.0, 0.05, 0.2, 0.02  # how much longer ways are taken to be, by turns
 _PATIENCE = 200  # tours in a row that are no shorter
 _REPAIRS, _CHANGES = 300, 100  # changes of ways in a row that do not help
 _STARTS = 6  # tours in a row that lead to no better plan, after which it ends
@@ -85,7 +86,9 @@ class AppointedPlans:
         if self._routes is None and boundable(self.known.objectives, self._prices, self.agenda):
             self._routes = RouteBound(self.agenda, self._distances, self._room)
             self._routes.begin_with(tours)
-            self._bounds = self._routes.raised(clock)
+            self._bounds = RouteTree(self._routes).raised(clock, self._enough)
+        if self._best is not None and tours.length >= self._best.price:
+            return
         ways = self._ways(tours, times, seed)
         within = clock.within(max(_LEAST, _TAKING * clock.elapsed))
         if ways is not None and ways.repair(CLEAR, within, _REPAIRS):
@@ -154,6 +157,13 @@ class AppointedPlans:
                 self._bounds = None
             else:
                 self._hear(bound)
+
+    def _enough(self) -> float:
+        """Up to what a bound is of interest."""
+        objective, point = self.known.objectives[0], self.known.point
+        if point is None or not isinstance(objective, Priced):
+            return float("inf")
+        return float(objective.minimised(self.setting, point))
 
     def _hear(self, bound: float) -> None:
         """Tell of a bound, as far as it can be believed."""

@@ -17,6 +17,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, product
+from typing import TypeAlias
 
 import numpy as np
 
@@ -45,11 +46,32 @@ class Windows:
     first: tuple[int, ...]
     last: tuple[int, ...]
 
+    def cut(self, number: int, first: int, last: int) -> Windows:
+        """With another window for one appointment."""
+        sides = (self.first, first), (self.last, last)
+        cut = ((*side[:number], step, *side[number + 1 :]) for side, step in sides)
+        return Windows(*cut)
+
     @classmethod
     def of(cls, agenda: Agenda) -> Windows:
         """What the agenda says."""
         first, last = zip(*((item.first, item.last) for item in agenda.appointments), strict=True)
         return cls(first, last)
+
+
+Key: TypeAlias = tuple[int, int, tuple[int, ...]]
+"""A route: the number of a class, the place where it starts, and visits in order."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stops:
+    """The appointments of a route, and how long after the one before each is at soonest.
+
+    The first of them is after step 0. It is the beginnings of appointments that are told apart.
+    """
+
+    numbers: tuple[int, ...]
+    soonest: tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,12 +89,12 @@ class Worth:
 
 @dataclass(eq=False)
 class RouteBound:
-    """The program of routes that keep an agenda, and what it has proven; `room` is in places."""
+    """The program of routes that keep an agenda, of `room` in states."""
 
     agenda: Agenda
     distances: Distances
     room: Mapping[int, int]
-    bound: float = field(default=0.0, init=False)
+    used: list[Key] = field(default_factory=list, init=False)  # of the last program's solution
 
     def __post_init__(self) -> None:
         """Number the visits, and the rows of needs, of starts and of places."""
@@ -89,7 +111,7 @@ class RouteBound:
         self._full = np.full(len(every), -1)
         for visit, key in places.items():
             self._full[visit] = self._rows[key]
-        self._routes: dict[tuple[int, int, tuple[int, ...]], float] = {}
+        self._routes: dict[Key, float] = {}
 
     def _limited(self, every: Sequence[tuple[int, int]]) -> dict[int, tuple[int, int, int]]:
         """The appointment (or need), step after its beginning and state of visits that are limited.
@@ -130,12 +152,11 @@ class RouteBound:
         self._routes[key] = float(self.distances.prices[kind, places[:-1], places[1:]].sum())
         return True
 
-    def raised(self, clock: Clock, windows: Windows | None = None) -> Iterator[float]:
+    def raised(self, clock: Clock, windows: Windows) -> Iterator[float]:
         """Better and better bounds, until the program is solved or the time is up.
 
-        With `windows` they are bounds of plans whose appointments begin within these.
+        They are bounds of plans whose appointments begin within `windows`.
         """
-        windows = windows or Windows.of(self.agenda)
         pricings = self._pricings(windows)
         for kind, (mine, pricing) in pricings.items():
             for start, visit in product(pricing.starts.tolist(), mine.tolist()):
@@ -149,7 +170,7 @@ class RouteBound:
             value, worth = solved
             for near in (_NEAR, 0.0):  # prices near the best so far change less
                 tried = worth.mixed(centre, near)
-                bound, new = self._priced(pricings, tried, worth)
+                bound, new = self._priced(pricings, tried)
                 if bound > best:
                     best, centre = bound, tried
                     yield best
@@ -159,7 +180,7 @@ class RouteBound:
                 return
 
     def _priced(
-        self, pricings: Mapping[int, tuple[Ints, Pricing]], tried: Worth, worth: Worth
+        self, pricings: Mapping[int, tuple[Ints, Pricing]], tried: Worth
     ) -> tuple[float, bool]:
         """The bound that some prices give, and whether routes come up that the program lacks."""
         visits = tried.needs[self._need]
@@ -217,24 +238,35 @@ class RouteBound:
         dear = _DEAR * float(finite.max(initial=1.0)) + 1.0
         costs = np.array([*(self._routes[key] for key in kept), *([dear] * needs)])
         solved = WarmLP(draft.build().with_objective(costs), clock.stop).solve(clock.left)
-        duals = solved.row_duals
-        if duals is None:
+        duals, values = solved.row_duals, solved.values
+        if duals is None or values is None:
             return None
+        self.used = [kept[n] for n in np.flatnonzero(values[: len(kept)] > _CLOSE).tolist()]
         of_needs, _, of_places = np.split(duals, [needs, needs + len(counts)])
         return solved.objective, Worth(np.maximum(of_needs, 0.0), np.minimum(of_places, 0.0))
 
-    def _in_time(self, route: tuple[int, int, tuple[int, ...]], windows: Windows) -> bool:
-        """Whether an agent can follow a route within the windows."""
+    def stops(self, route: Key) -> Stops:
+        """The appointments of a route, and how far they are from each other in time.
+
+        It is counted from where the agent is wanted at one of them, not for how long.
+        """
         kind, place, visits = route
-        now = 0.0
+        numbers, soonest, before = [], [], 0
         for visit in visits:
-            number = self._of[int(self._need[visit])]
-            after = self.agenda.needs[int(self._need[visit])].after[0]
-            now += float(self.distances.steps[kind, place, self._place[visit]])
-            now = max(now, windows.first[number] + after)
-            if now > windows.last[number] + after:
+            need = int(self._need[visit])
+            after, there = self.agenda.needs[need].after[0], int(self._place[visit])
+            numbers.append(self._of[need])
+            soonest.append(float(self.distances.steps[kind, place, there]) + before - after)
+            place, before = there, after
+        return Stops(tuple(numbers), tuple(soonest))
+
+    def _in_time(self, route: Key, windows: Windows) -> bool:
+        """Whether an agent can follow a route within the windows."""
+        stops, now = self.stops(route), 0.0
+        for number, steps in zip(stops.numbers, stops.soonest, strict=True):
+            now = max(now + steps, windows.first[number])
+            if now > windows.last[number]:
                 return False
-            place = int(self._place[visit])
         return True
 
 
