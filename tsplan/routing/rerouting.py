@@ -12,7 +12,7 @@ instead of goals, and places hold several.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -84,12 +84,23 @@ class Rerouting:
         for walk in self.walks:
             self.crowd.add(walk)
         self._random = np.random.default_rng(self.seed)
-        self._alone = [
-            SingleAgent(number, graph, horizon, prices, self.last)
-            for number, (graph, prices) in enumerate(zip(graphs, self.prices, strict=True))
-        ]
+        self._alone = self._maps()
         self._far: dict[tuple[int, tuple[int, ...]], Floats] = {}
         self._noise = self._random.random((horizon + 1) * len(self.room.states) * 2) * _NOISE
+
+    def _maps(self) -> list[SingleAgent]:
+        """The map of every class; where those of several are the same there is one for all."""
+        found: dict[tuple[bytes, ...], SingleAgent] = {}
+        maps = []
+        for number, (item, prices) in enumerate(
+            zip(self.setting.classes, self.prices, strict=True)
+        ):
+            graph = item.graph
+            parts = graph.tail, graph.head, graph.duration, prices
+            key = tuple(np.ascontiguousarray(part).tobytes() for part in parts)
+            made = SingleAgent(number, graph, self.setting.horizon, prices, self.last)
+            maps.append(found.setdefault(key, made))
+        return maps
 
     def begin(self) -> bool:
         """Give all agents with duties their ways, by when the first is; False if one has none."""
@@ -318,4 +329,4 @@ class Rerouting:
         np.add.at(at, (step, state), penalty * many)
         alone = self._alone[walk.number]
         found = alone.cheapest(walk.start, self.duties[agent], at, (when, edge, penalty * full))
-        return None if found is None else found[0]
+        return None if found is None else replace(found[0], number=walk.number)

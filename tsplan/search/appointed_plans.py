@@ -27,9 +27,9 @@ from tsplan.search.route_tree import RouteTree
 
 _SPARES = 0.3, 0.1, 0.0, 0.05, 0.2, 0.02  # how much longer ways are taken to be, by turns
 _PATIENCE = 200  # tours in a row that are no shorter
-_REPAIRS, _CHANGES = 300, 100  # changes of ways in a row that do not help
+_REPAIRS, _CHANGES = 400, 100  # changes of ways in a row that do not help
 _STARTS = 6  # tours in a row that lead to no better plan, after which it ends
-_LEAST, _TAKING = 5.0, 0.5  # seconds, or of the time so far, that ways for tours may take
+_LEAST, _TAKING = 10.0, 0.5  # seconds, or of the time so far, that ways for tours may take
 
 
 @dataclass(eq=False)
@@ -65,34 +65,33 @@ class AppointedPlans:
             before = self.known.point
             if self._number % 2 and self._best is not None:
                 self._improve(self._best, clock)
-            else:
-                self._begin(clock)
-            self._number += 1
-            if self._best is None and self._number >= _STARTS:
+            elif not self._begin(clock) or (self._best is None and self._number >= _STARTS):
                 return
+            self._number += 1
             idle = idle + 1 if self.known.point is before else 0
 
     # --- plans -----------------------------------------------------------------------------------
 
-    def _begin(self, clock: Clock) -> None:
-        """Ways for other tours."""
+    def _begin(self, clock: Clock) -> bool:
+        """Ways for other tours; False where nobody has time for any."""
         turn = self._number // 2 if self._best is not None else self._number
         spare, seed = _SPARES[turn % len(_SPARES)], self.seed + self._number
         planner = TourPlanner(self.agenda, self._distances, self._room, spare, seed)
         tours = planner.best(clock, _PATIENCE)
         times = None if tours is None else planner.times(tours)
         if tours is None or times is None:
-            return
+            return spare > 0 or self._best is not None
         if self._routes is None and boundable(self.known.objectives, self._prices, self.agenda):
             self._routes = RouteBound(self.agenda, self._distances, self._room)
             self._routes.begin_with(tours)
             self._bounds = RouteTree(self._routes).raised(clock, self._enough)
         if self._best is not None and tours.length >= self._best.price:
-            return
+            return True
         ways = self._ways(tours, times, seed)
         within = clock.within(max(_LEAST, _TAKING * clock.elapsed))
         if ways is not None and ways.repair(CLEAR, within, _REPAIRS):
             self._improve(ways, clock)
+        return True
 
     def _improve(self, ways: Rerouting, clock: Clock) -> None:
         """Make ways without conflicts cheaper, and keep them if they are the best."""
