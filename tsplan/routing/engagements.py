@@ -8,7 +8,6 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from tsplan.milp.model import Ints
 from tsplan.routing.appointments import Agenda, Need
 from tsplan.routing.duties import Duties
 
@@ -31,29 +30,6 @@ class Engagements:
     states: int
     times: tuple[int, ...]
     serving: tuple[Serving, ...]
-
-    @classmethod
-    def read(
-        cls, agenda: Agenda, states: int, where: Ints, classes: Sequence[int]
-    ) -> Engagements | None:
-        """How agents keep an agenda on a map of so many states; None where they do not.
-
-        `where` has the states of each agent in a row, a column for each step; `classes` are the
-        numbers of the agents' classes.
-        """
-        times, serving = [], []
-        for item in agenda.appointments:
-            for time in range(item.first, item.last + 1):
-                found = [_present(need, time, where, classes) for need in item.needs]
-                wanted = zip(found, item.needs, strict=True)
-                if all(len(agents) >= need.many for agents, need in wanted):
-                    break
-            else:
-                return None
-            times.append(time)
-            wanted = zip(found, item.needs, strict=True)
-            serving.append(tuple(tuple(agents[: need.many]) for agents, need in wanted))
-        return cls(agenda, states, tuple(times), tuple(serving))
 
     def of(self, agent: int) -> Iterator[tuple[int, Need]]:
         """The appointments of an agent by their numbers, and for which needs."""
@@ -106,10 +82,3 @@ class Engagements:
                 for agents in self.serving[number]
             )
         return replace(self, serving=tuple(serving))
-
-
-def _present(need: Need, time: int, where: Ints, classes: Sequence[int]) -> list[int]:
-    """The agents that are where a need wants them as long as it does."""
-    steps = np.array(need.after) + time
-    there = np.asarray(np.isin(where[:, steps], need.states)).all(axis=1)
-    return [agent for agent in np.flatnonzero(there).tolist() if classes[agent] in need.able]
