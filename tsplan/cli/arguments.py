@@ -47,7 +47,18 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"tsplan {VERSION}")
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    every = (_plan, _replan, _execute, _sweep, _explain, _check, _verify, _simulate, _parse, _robustness)
+    every = (
+        _plan,
+        _replan,
+        _execute,
+        _sweep,
+        _explain,
+        _check,
+        _verify,
+        _simulate,
+        _parse,
+        _robustness,
+    )
     shown = (_show, _view, _animate, _export, _lint, _map)
     for command in (*every, *shown):
         command(commands)

@@ -86,6 +86,12 @@ class Setting:
             or self.plain is not None
         )
 
+    @property
+    def untimed(self) -> bool:
+        """Whether the map is the same at all steps, and everybody starts at a state."""
+        under_way = any(len(item.graph.coming) for item in self.classes)
+        return not (under_way or self.mission.system.timed)
+
     def at(self, level: int) -> Setting:
         """The setting of plans with availability at least `level`."""
         rules = self.mission.swarm

@@ -27,12 +27,13 @@ class BestPlan:
     objectives: Sequence[StageObjective]
     gap: float | None
     tell: Tell[Point]
+    certified: bool = False  # whether all bounds that are heard are
     point: Point | None = field(default=None, init=False)
     learnt: LearntBounds = field(init=False)
 
     def __post_init__(self) -> None:
         """Nothing is known at first."""
-        self.learnt = LearntBounds(self.objectives)
+        self.learnt = LearntBounds(self.objectives, self.certified)
 
     def take(self, point: Point) -> bool:
         """Keep a plan that is better than the one known, and tell of it."""

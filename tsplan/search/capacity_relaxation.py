@@ -58,12 +58,15 @@ def relaxable(setting: Setting) -> bool:
     """Whether capacities can be left out first, and single agents be led around each other.
 
     Not where groups move together, structures are rebuilt, things are carried, tasks book agents or
-    these may be late, nor with constraints of the user's own. Small models need no help.
+    these may be late, where places are closed for a time, nor with constraints of the user's own.
+    Small models need no help.
     """
     booked = any(isinstance(node, Execution) for node in walk(setting.goal))
-    plain = setting.formula_alone and not booked and "delay" not in setting.mission.objective
+    mission = setting.mission
+    plain = setting.formula_alone and not (booked or mission.intended)
+    plain = plain and "delay" not in mission.objective
     limited = bool(setting.arrays.capacity or setting.arrays.group_capacity)
-    on = Switch.CAPACITIES in setting.switches
+    on = Switch.CAPACITIES in setting.switches and not mission.system.timed
     return on and plain and limited and _columns(setting) > SMALL
 
 
@@ -74,13 +77,17 @@ def _columns(setting: Setting) -> int:
 
 @dataclass(eq=False)
 class CapacityRelaxation:
-    """Runs the objectives of a problem whose map has capacities; `setting` has all of them."""
+    """Runs the objectives of a problem whose map has capacities; `setting` has all of them.
+
+    `start` is a plan that is known.
+    """
 
     setting: Setting
     objectives: tuple[StageObjective, ...]
     effort: Effort
     clock: Clock
     tell: Tell[Point]
+    start: Point | None = None
     _known: BestPlan = field(init=False)
     _free: LearntBounds = field(init=False)  # of plans that keep no capacities
     _appointed: AppointedPlans | None = field(default=None, init=False)
@@ -92,14 +99,17 @@ class CapacityRelaxation:
 
     def __post_init__(self) -> None:
         """Nothing is known at first."""
-        gap = self.effort.choice.gap
-        self._known = BestPlan(self.setting, self.objectives, gap, self.tell)
-        self._free = LearntBounds(self.objectives)
+        gap, certified = self.effort.choice.gap, self.effort.certified
+        self._known = BestPlan(self.setting, self.objectives, gap, self.tell, certified)
+        self._free = LearntBounds(self.objectives, certified)
 
     def run(self) -> Outcome[Point]:
         """All objectives until they are settled or the time is up."""
+        if self.start is not None:
+            self._known.take(self.start)
         try:
-            self._by_appointments()
+            if self.setting.untimed and not self.effort.certified:  # their bounds are not
+                self._by_appointments()
             if not self._done:
                 outcome = self._by_rounds()
                 if outcome is not None:

@@ -235,7 +235,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         if self._many(whole) and search.scout is None:
             search.scout = lambda: SubTeams(self.effort).flows(whole, clock)
             routes = Switch.ROUTES in self.effort.switches and not self.effort.certified
-            if routes and not question.first:
+            if routes and self.setting.untimed and not question.first:
                 search.guide = RoutePlans(whole, target, self.effort, clock)
         found = search.minimise(start, first=question.first)
         if self.effort.record:
