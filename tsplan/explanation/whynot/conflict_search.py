@@ -8,6 +8,7 @@ is tried alone: a small mission is proven impossible sooner than a large one.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -27,7 +28,7 @@ PATIENCE = 10.0
 _SHARE = 0.5  # of what is left of the time goes to conflicts at most, and
 _FOR_WHOLE = 0.8  # to whether there is a plan at all
 _SOON = 0.2  # seconds for the mission at first
-_TIMES = 2  # so many times as long a guess gets, and after it the mission
+_TIMES = 2  # so many times as long a guess gets; all guesses of a turn get so many times of that
 _LONGER = 4  # times as long each of them gets the next time
 _GUESSED = 2.0  # seconds for the least shortage; where guesses get less, it is not worth its while
 _EASY = 0.1  # seconds of a proof beside which guesses do not pay
@@ -48,6 +49,8 @@ class ConflictSearch:
     _core: Core | None = field(default=None, init=False)
     _proof: float = field(default=0.0, init=False)  # seconds of the last question about it all
     _sought: bool = field(default=False, init=False)
+    _asked: Counter[Set] = field(default_factory=Counter, init=False)  # how often about each guess
+    _open: set[Set] = field(default_factory=set, init=False)  # guesses without an answer so far
 
     @property
     def _oracle(self) -> Oracle:
@@ -87,7 +90,7 @@ class ConflictSearch:
         while answer is None and not (oracle.refuses() or oracle.unanswered & _HOPELESS):
             if self._guess(seconds):
                 return False
-            oracle.patience = seconds
+            oracle.patience = seconds / (_TIMES if self._open else 1)
             with oracle.unnoticed():
                 answer = self._whole()
             seconds *= _LONGER
@@ -133,18 +136,22 @@ class ConflictSearch:
     def _tried(self, guesses: Iterable[Set], seconds: float) -> bool:
         """Whether some of the guesses is impossible by itself, so that a conflict is in it.
 
-        None is looked at that asks for more than one which was left open.
+        Each gets so many seconds, and all together the time of a few; those come first that were
+        asked about least. None is looked at that asks for more than one which was left open.
         """
-        oracle = self._oracle
-        open_: list[Set] = []
-        for guess in guesses:
-            if any(known < guess for known in open_):
+        oracle, until = self._oracle, self._spent + _TIMES * seconds
+        for guess in sorted(guesses, key=self._asked.__getitem__):
+            if self._spent >= until:
+                break
+            if any(known < guess for known in self._open):
                 continue
             oracle.patience = seconds
             with oracle.unnoticed():
                 answer = oracle.without(self.finder.everything - guess)
+            self._asked[guess] += 1
+            self._open.discard(guess)
             if answer is None:
-                open_.append(guess)
+                self._open.add(guess)
             if answer is False:
                 self._limit_questions(self._spent)
                 self._core = self.finder.within(guess)
