@@ -1,9 +1,10 @@
 """From what is known of a mission to its first conflict, by as few and as easy questions as may be.
 
 That a mission cannot be met is much harder to prove than that it can. So first the facts are
-confirmed, then the mission itself is asked about for a moment. If that leaves it open, the least
-shortage of agents is looked for, which says whom there are too few of, and whatever asks for them
-is tried alone: a small mission is proven impossible sooner than a large one.
+confirmed, then the mission itself is asked about for a moment. If that leaves it open, a few parts
+of it and all of it take turns, each time for longer: a small mission is mostly proven impossible
+sooner than a large one. Where these are hard, too, the least shortage of agents is looked for,
+which says whom there are too few of, and whatever asks for them is tried alone.
 """
 
 from __future__ import annotations
