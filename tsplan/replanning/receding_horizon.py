@@ -1,8 +1,8 @@
 """Long missions planned in pieces: a window at a time, of which the first steps are kept.
 
-Every window is planned for what the formula asks for within it (`tsplan.logic.first_steps`): what may
-come to hold later counts as holding, so that nothing is asked for too early, and nothing that has
-to hold is left out. Then its first steps are kept, and what is left is planned again from where
+Every window is planned for what the formula asks for within it (`tsplan.logic.first_steps`): what
+may come to hold later counts as holding, so that nothing is asked for too early, and nothing that
+has to hold is left out. Then its first steps are kept, and what is left is planned again from where
 everybody is. The plan is judged as a whole in the end.
 
 Source of the idea, for linear systems: A. Bemporad, M. Morari, "Control of systems integrating
