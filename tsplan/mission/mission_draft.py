@@ -53,14 +53,13 @@ from tsplan.mission.name_resolution import with_named_classes, with_named_config
 from tsplan.mission.objectives import default_objective
 from tsplan.mission.resource_checks import Carrying, resource_faults, spending_faults
 from tsplan.mission.resources import Resource
-from tsplan.mission.start_entries import StartEntry, UnderWayEntry
+from tsplan.mission.start_entries import starts_of
 from tsplan.mission.team import (
     ONE_SWARM,
     Expectation,
     Group,
     SwarmBounds,
     SwarmRules,
-    UnderWay,
     with_brought,
 )
 from tsplan.mission.team_checks import map_faults, team_faults
@@ -197,7 +196,7 @@ class _Draft(Filing):
         return None if self.entries is None else tuple(group for _, group in self.entries)
 
     def _swarm(self, entry: Swarm, path: Place, name: str, able: frozenset[str]) -> Group:
-        starts = self._starts(entry.at, (*path, "at"), entry.size)
+        starts = starts_of(entry.at, self.document, (*path, "at"), entry.size)
         total = sum(count for _, count in starts)
         if entry.size != total:
             what = f"the size is {entry.size:,} and the start states hold {total:,}"
@@ -205,24 +204,8 @@ class _Draft(Filing):
             self.report((*path, "size"), what, remedy)
         return Group.of(name, starts, able)
 
-    def _starts(
-        self, given: Sequence[StartEntry], path: Place, count: int | None
-    ) -> list[tuple[str | UnderWay, int]]:
-        """Where robots start; one start that says no number is of `count` of them."""
-        listed = isinstance(self.document.at(path), list)
-        starts: list[tuple[str | UnderWay, int | None]] = []
-        for number, entry in enumerate(given):
-            if isinstance(entry, UnderWayEntry):
-                starts.append((entry.start, entry.count))
-            elif isinstance(entry, dict):
-                starts += entry.items()
-            else:
-                starts.append((self.word(entry, (*path, number) if listed else path), None))
-        alone = count if len(starts) == 1 else None
-        return [(start, own or alone or 1) for start, own in starts]
-
     def _group(self, member: Member, path: Place) -> Group:
-        starts = self._starts(member.at, (*path, "at"), member.count)
+        starts = starts_of(member.at, self.document, (*path, "at"), member.count)
         total = sum(count for _, count in starts)
         if member.count is not None and member.count != total:
             what = f"the count is {member.count} and the start states hold {total}"

@@ -7,7 +7,7 @@ any of these.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, TypeAlias
 
 from pydantic import (
@@ -24,6 +24,7 @@ from pydantic_core.core_schema import (
     no_info_wrap_validator_function,
 )
 
+from tsplan.document import Document
 from tsplan.document.fields import complaint, shown
 from tsplan.document.written import Written
 from tsplan.limits import MOST_STEPS
@@ -104,6 +105,27 @@ Starts = Annotated[
     Written(_Written | Annotated[list[_Written], Field(min_length=1)]),
 ]
 """Where robots start: a list of StartEntry."""
+
+
+def starts_of(
+    given: Sequence[StartEntry], document: Document, path: Place, count: int | None
+) -> list[tuple[str | UnderWay, int]]:
+    """Where robots start, as a document has it at a path; states are named as they are written.
+
+    One start that says no number is of `count` robots.
+    """
+    listed = isinstance(document.at(path), list)
+    starts: list[tuple[str | UnderWay, int | None]] = []
+    for number, entry in enumerate(given):
+        if isinstance(entry, UnderWayEntry):
+            starts.append((entry.start, entry.count))
+        elif isinstance(entry, dict):
+            starts += entry.items()
+        else:
+            written = document.text((*path, number) if listed else path)
+            starts.append((written or entry, None))
+    alone = count if len(starts) == 1 else None
+    return [(start, own or alone or 1) for start, own in starts]
 
 
 def start_path(given: Any, start: str | int) -> Place:

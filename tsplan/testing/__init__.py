@@ -30,13 +30,12 @@ if TYPE_CHECKING:
         trace_for,
     )
     from tsplan.testing.mission_strategies import maps, missions, swarms, teams
+    from tsplan.testing.random_beginnings import with_closures, with_starts_under_way
     from tsplan.testing.random_missions import (
         random_map,
         random_mission,
         random_swarm_mission,
         random_task_mission,
-        with_closures,
-        with_starts_under_way,
     )
     from tsplan.testing.random_signals import random_signal_mission
 
@@ -73,6 +72,7 @@ class HypothesisMissingError(TsplanError, ImportError):
 _load, __dir__ = lazily(
     __name__,
     {
+        "testing.random_beginnings": ("with_closures", "with_starts_under_way"),
         "testing.corpus": ("Expectation", "expectations", "run_corpus"),
         "testing.formula_strategies": (
             "ANYTHING",
@@ -89,8 +89,6 @@ _load, __dir__ = lazily(
             "random_mission",
             "random_swarm_mission",
             "random_task_mission",
-            "with_closures",
-            "with_starts_under_way",
         ),
         "testing.random_signals": ("random_signal_mission",),
     },
