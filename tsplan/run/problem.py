@@ -316,7 +316,8 @@ class Problem:
 
         Raises SolverError where it breaks an own constraint.
         """
-        plan = with_values(plan, point, self.mission, self._constraints, self._objective)
+        if self._variables:
+            plan = with_values(plan, point, self.mission, self._constraints, self._objective)
         if broken := self.broken(plan):
             raise SolverError(f"the plan breaks an own constraint: {'; '.join(broken)}")
         return plan
