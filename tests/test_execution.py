@@ -16,6 +16,7 @@ import tsplan
 from tests.command_line import ROOT, here, posix, started
 from tests.seeds import seed_blocks
 from tsplan import Mission, Plan
+from tsplan.draw.trial_chart import draw_trial
 from tsplan.errors import InputError
 from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.plans.worlds import OnEdge
@@ -143,6 +144,24 @@ def test_what_is_seen_becomes_a_world() -> None:
     failed = difference(4, planned, Seen(4, {"b": "q1"}))
     assert failed is not None
     assert failed.moved == {"b": "q1"}
+
+
+def test_a_trial_is_drawn(tmp_path) -> None:
+    mission = tsplan.mission_from_text(MISSION)
+    plan = tsplan.plan(mission)
+    trial = tsplan.execute(mission, plan, runs=4, delay=0.6)
+    _, (shares, _) = draw_trial(trial)
+    assert trial.replanned is not None
+    heights = [bar.get_height() for bar in shares.patches]
+    assert heights == [trial.kept.rate, trial.replanned.rate]
+    with pytest.raises(InputError, match="no run to draw"):
+        draw_trial(tsplan.Trial(trial.chances))
+    files = [tmp_path / name for name in ("mission.yaml", "plan.json", "trial.png")]
+    files[0].write_text(MISSION, encoding="utf-8")
+    tsplan.save_plan(plan, files[1])
+    given = [*map(str, files[:2]), "--runs", "2", "--quiet", "--plot", str(files[2])]
+    assert here("execute", *given).code == 0
+    assert files[2].read_bytes().startswith(b"\x89PNG")
 
 
 # --- robots of another process --------------------------------------------------------------------

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.checking.group_check import misnamed
 from tsplan.checking.plan_check import with_moves
+from tsplan.checking.replanned_check import left_over
 from tsplan.checking.traffic import read_traffic
 from tsplan.errors import Finding, PlanError, nearest
 
@@ -42,7 +43,12 @@ def refuse_misfit(plan: Plan, mission: Mission, source: str = "plan") -> None:
 def refuse_impossible(plan: Plan, mission: Mission, source: str = "plan") -> None:
     """Raise PlanError as `refuse_misfit`, and for paths and moves that the map does not allow."""
     refuse_misfit(plan, mission, source)
-    traffic, problems = read_traffic(mission, plan)
+    problems: list[str] = []
+    if plan.replanned:  # what happened before is a fact
+        rest, plan, problems = left_over(mission, plan)
+        mission = mission if rest is None else rest.mission
+    traffic, wrong = (None, []) if problems else read_traffic(mission, plan)
+    problems += wrong
     if traffic is not None:
         problems += misnamed(plan.groups, traffic)
     if problems:

@@ -166,6 +166,8 @@ def _execute(commands: Commands) -> None:
     for name, (what, most) in chances.items():
         how = f"chance that {what} (default {most:g})"
         add(f"--{name}", type=_chance, default=most, metavar="P", help=how)
+    drawn = "draw how often the formula held, and how long planning again took"
+    add("--plot", type=Path, metavar="PICTURE", help=drawn)
     add("--robots", metavar="COMMAND", help="one execution by a process that speaks JSON lines")
     wait = "seconds in which the robots have to answer (default 60)"
     add("--patience", type=_positive, default=60.0, metavar="S", help=wait)

@@ -10,6 +10,9 @@ from tsplan.cli.arguments import Exit
 from tsplan.cli.inputs import any_mission_of, files_of, refuse_place, refuse_solver
 from tsplan.cli.output import attempted, remark, say, say_json
 from tsplan.cli.progress import Progress
+from tsplan.draw.matplotlib_loading import library
+from tsplan.draw.picture_files import kind_of, save_picture
+from tsplan.draw.trial_chart import draw_trial
 from tsplan.errors import Finding, InputError, PlanError
 from tsplan.history.rest_mission import refuse_unknown_kinds
 from tsplan.milp.solver_choice import SolverChoice
@@ -32,6 +35,9 @@ if TYPE_CHECKING:
 
 def run(options: argparse.Namespace) -> Exit:
     """Carry out the plan, and tell what came of it."""
+    if options.robots is not None and options.plot is not None:
+        remedy = "show what happened with tsplan show PLAN --executed FILE"
+        raise InputError([Finding("--plot is for runs by chance", remedy)])
     if options.robots is None and (options.journal or options.output):
         remedy = "name the robots with --robots, or leave these out"
         raise InputError([Finding("-o and --journal are for one execution by robots", remedy)])
@@ -53,6 +59,10 @@ def run(options: argparse.Namespace) -> Exit:
 
 
 def _by_chance(mission: Mission, plan: Plan, options: argparse.Namespace) -> Exit:
+    if options.plot is not None:
+        kind_of(options.plot)
+        library("figure")
+        refuse_place(options.plot, "the picture", [options.plan, *files_of(mission)])
     shown = None if options.quiet else _Shown(options.runs)
     trial = execute(
         mission,
@@ -70,6 +80,8 @@ def _by_chance(mission: Mission, plan: Plan, options: argparse.Namespace) -> Exi
         say_json(trial.to_json())
     else:
         say(str(trial))
+    if options.plot is not None and trial.runs:
+        save_picture(draw_trial(trial), options.plot, tell=remark)
     return Exit.DONE if trial.runs else Exit.INTERRUPTED
 
 

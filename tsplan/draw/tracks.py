@@ -170,7 +170,8 @@ def tracks(
     the map does not allow about the paths. Without the mission there are no groups.
     """
     findings: list[Finding] = []
-    exact = mission.system if mission is not None and moving else None
+    known = mission is not None and moving and not plan.replanned  # what has happened is a fact
+    exact = mission.system if mission is not None and known else None
     shown = plan.bundles if modules else plan.robots
     every = [_of_agents(plan, bundle, exact, findings) for bundle in shown]
     if plan.structures and modules:
@@ -204,6 +205,8 @@ def _of_agents(
     if path is not None:
         findings += [Finding(f"agent {ids[0]} {words}", _OTHER) for words in path.problems]
     stops, end = _stops(bundle, path, plan.horizon), plan.horizon + 1
+    if plan.replanned and bundle.heading is None and bundle.stays:  # who is lost is gone
+        end = bundle.stays[-1][1] + 1
     made = Track(bundle.class_name, len(ids), names(ids), ids, stops, end)
     return made if bundle.coming is None else replace(made, begun=bundle.coming)
 

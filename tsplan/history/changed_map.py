@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from tsplan.errors import Finding, MapError, PlanError, nearest
 from tsplan.plans.worlds import OnEdge, World
-from tsplan.ts import Edge, TransitionSystem
+from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.edges import ByClass, Pair
 
 if TYPE_CHECKING:
@@ -66,10 +66,7 @@ class Maps:
                 edges[ends] = replace(edges[ends], closed=spans)
         if edges == dict(system.edges):
             return system
-        try:
-            return system.rebuilt(system.states.values(), edges.values())
-        except MapError as error:
-            raise PlanError(error.findings) from None
+        return _rebuilt(system, system.states, edges)
 
     def _shut(self, step: int) -> Iterator[tuple[tuple[str, str], int]]:
         """The edges that are closed for a time at a step, and the last step of that."""
@@ -96,8 +93,28 @@ def changed(system: TransitionSystem, world: World) -> TransitionSystem:
             states[room.place] = replace(states[room.place], capacity=room.capacity)
         elif room.place in edges:
             edges[room.place] = replace(edges[room.place], capacity=room.capacity)
+    return _rebuilt(system, states, edges)
+
+
+def _rebuilt(
+    system: TransitionSystem, states: Mapping[str, State], edges: Mapping[Pair, Edge]
+) -> TransitionSystem:
+    """The map with other states and edges; PlanError for what no map can be.
+
+    The directions of an edge that are not alike any more share their capacity as a zone.
+    """
+    made, zones = dict(edges), dict(system.zones)
+    for pair, edge in edges.items():
+        back = edges.get(pair[::-1])
+        if not edge.both_ways or back == edge.reverse():
+            continue
+        made[pair] = replace(edge, both_ways=False)
+        if edge.capacity is not None and back is not None:
+            zone = " and ".join(sorted(pair))
+            zones[zone] = min(edge.capacity, back.capacity or edge.capacity)
+            made[pair] = replace(made[pair], zone=zone, capacity=None)
     try:
-        return system.rebuilt(states.values(), edges.values())
+        return replace(system, zones=zones).rebuilt(states.values(), made.values())
     except MapError as error:
         raise PlanError(error.findings) from None
 

@@ -46,8 +46,8 @@ def world_of(step: int, changes: Changes) -> World:
     lists = {key: _listed(value) for key, value in changes.items() if value}
     try:
         return from_values({"step": step, **lists}, common_entry, _read).world(step)
-    except InputError as error:
-        raise PlanError(error.findings) from None
+    except InputError as error:  # there is no file
+        raise PlanError(replace(finding, source=None) for finding in error.findings) from None
 
 
 def load_world(path: Path, step: int | None) -> World:

@@ -128,7 +128,7 @@ def _ways(plan: Plan, system: TransitionSystem, chosen: Collection[str]) -> dict
     for bundle in plan.bundles:
         if (name := first.get(way := _way(bundle))) is None:
             continue
-        if name in modules:
+        if name in modules or plan.replanned:  # what has happened is a fact
             ways[way] = Journey(way.class_name, way.stays, way.heading)
             problems = _strange(ways[way], system)
         else:
