@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from random import Random
@@ -304,3 +305,18 @@ def test_cuts_are_told_from_the_mission(seed, tmp_path):
             other = "visitors" if kind == "arrival" else "arrival"
             assert not cuts.true(other, row)
     assert kinds == set(KINDS) or seed not in CUT
+
+
+def test_a_bound_that_is_not_reached_is_verified_too(tmp_path):
+    mission = many_tasks(CUT[0], tasks=5)
+    plan, (text,) = written(mission, tmp_path)
+    proof = verified(mission, text)
+    worse = replace(plan.objective[0], value=plan.value("travel") + 1)
+    told = joined(mission, replace(plan, objective=(worse,)), [proof])
+    assert not told.proven
+    assert told.lines == ("travel 29: no plan has travel below 28 (certified)",)
+    # without the tree's last end nothing is proven
+    lines = text.splitlines()
+    cut = [line for line in lines if not line.startswith("d0 ")]
+    with pytest.raises(CertificateError):
+        verified(mission, "\n".join(cut))

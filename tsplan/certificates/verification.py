@@ -92,11 +92,12 @@ def joined(mission: Mission, plan: Plan, proofs: Sequence[Verified]) -> Joined:
     before: list[tuple[str, float]] = []
     for objective in objectives_of(mission):
         value = values.get(objective.name)
-        found = [p for p in proofs if p.stage == objective.name and _same(p.kept, before)]
+        found = [p for p in proofs if p.stage == objective.name and [*p.kept] == before]
         words = _told(setting, objective, value, found)
         sure = sure and words is not None
         name = f"{objective.name} {number(value)}"
-        lines.append(f"{name}: {words or 'not proven by these certificates'}")
+        open_ = f"{found[0].words} (certified)" if found else "not proven by these certificates"
+        lines.append(f"{name}: {words or open_}")
         if value is not None:
             before.append((objective.name, value))
     return Joined(tuple(lines), sure)
@@ -115,7 +116,3 @@ def _told(
     if isinstance(objective, LevelObjective) and objective.ideal(setting) == value:
         return f"{CERTIFIED}, resting on demands judged one by one"
     return None
-
-
-def _same(kept: Sequence[tuple[str, float]], before: Sequence[tuple[str, float]]) -> bool:
-    return list(kept) == list(before)
