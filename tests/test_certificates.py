@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -273,6 +274,26 @@ def test_what_has_no_certificates_says_so(tmp_path):
     with pytest.raises(InputError, match="no certificates of missions that are met as far"):
         tsplan.plan(mission, certificate=tmp_path / "c.vipr")
     assert not list(tmp_path.iterdir())
+
+
+def test_no_certificate_is_taken_for_a_mission_of_another_kind(tmp_path):
+    # that the whole formula cannot hold says nothing where it need not hold as a whole
+    whole = tsplan.load_mission(ENVIRONMENTS / "farm_overbooked.yaml")
+    _, (text,) = written(whole, tmp_path)
+    soft = replace(whole, objective=("satisfaction",), satisfaction="weighted")
+    assert soft.partial
+    with pytest.raises(CertificateError, match="met as far as possible"):
+        verified(soft, text.replace(whole.digest, soft.digest))
+
+
+def test_levels_are_whole_numbers(tmp_path):
+    mission = random_mission(45)
+    _, texts = written(mission, tmp_path)
+    (level,) = (text for text in texts if "% kept makespan" in text and "RTP infeas" in text)
+    assert verified(mission, level).bound is not None
+    forged = re.sub(r"% kept makespan (\d+)\.0", r"% kept makespan \1.5", level)
+    with pytest.raises(CertificateError, match="is a whole number"):
+        verified(mission, forged)
 
 
 def test_conflicts_can_be_certified():

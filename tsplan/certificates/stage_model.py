@@ -89,13 +89,19 @@ class StageModel:
     @classmethod
     def of(cls, mission: Mission, head: Head) -> StageModel:
         """The model that a certificate speaks of, made from the mission."""
+        if what := uncertifiable(mission):
+            raise CertificateError(f"there are no certificates of {what}")
         kept = [(_objective(name), value) for name, value in head.kept]
+        _refuse_parts(kept)
         setting = prepare(mission)
         delay = max([mission.delay, *(int(v) for o, v in kept if isinstance(o, Delay))])
         setting = setting if delay == setting.delay else delayed(setting, delay)
         level = max([0, *(int(v) for o, v in kept if isinstance(o, Availability))])
         encoded = tight(setting, level)
         if head.places:
+            told = [objective for objective, _ in kept if not objective.built]
+            if not all(objective.by_places for objective in (*told, _objective(head.objective))):
+                raise CertificateError("the places of groups do not say what it is about")
             if encoded.occupied is None:
                 raise CertificateError("there are no groups whose places it could be about")
             encoded = encoded.occupied
@@ -158,6 +164,19 @@ class StageModel:
             if kind not in KINDS or not cuts.true(kind, row):
                 raise CertificateError(f"row {row.name} is no cut of the mission")
             yield KINDS[kind]
+
+
+def _refuse_parts(kept: Sequence[tuple[StageObjective, float]]) -> None:
+    for objective, value in kept:
+        if isinstance(objective, LevelObjective) and not value.is_integer():
+            raise CertificateError(f"{objective.name} is a whole number, and not {value}")
+
+
+def uncertifiable(mission: Mission) -> str | None:
+    """What of a mission has no certificates, as it is proven by other models; None for nothing."""
+    if mission.partial or mission.prefer:
+        return "missions that are met as far as possible"
+    return None if mission.expected is None else "expected numbers"
 
 
 def _same(own: Row, given: Row) -> bool:

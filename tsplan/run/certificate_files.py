@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tsplan.certificates.checker import CertificateError, checked
-from tsplan.certificates.stage_model import Head
+from tsplan.certificates.stage_model import Head, uncertifiable
 from tsplan.certificates.vipr_text import UnprovenError, vipr_text
 from tsplan.document.files import write_whole
 from tsplan.errors import Finding, InputError
@@ -19,17 +19,14 @@ from tsplan.run.problem import Problem, Tuning
 
 def refuse_without(problem: Problem) -> None:
     """InputError for a problem whose proofs are of a kind that has no certificates."""
-    mission = problem.mission
-    kinds = {
-        "missions that are met as far as possible": bool(mission.partial or mission.prefer),
-        "expected numbers": mission.expected is not None,
-        "a user's own constraints and objectives": problem.extended,
-        "other encodings than the usual one": problem.tuning != Tuning(),
-    }
-    for what, so in kinds.items():
-        if so:
-            remedy = "plan without a certificate; --certified says who vouches for what"
-            raise InputError([Finding(f"there are no certificates of {what}", remedy)])
+    what = uncertifiable(problem.mission)
+    if problem.extended:
+        what = "a user's own constraints and objectives"
+    if problem.tuning != Tuning():
+        what = "other encodings than the usual one"
+    if what is not None:
+        remedy = "plan without a certificate; --certified says who vouches for what"
+        raise InputError([Finding(f"there are no certificates of {what}", remedy)])
 
 
 def write_certificates(
