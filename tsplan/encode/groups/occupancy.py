@@ -58,7 +58,8 @@ def occupancy(graph: ClassGraph, horizon: int, draft: Draft) -> Occupancy:
     """Columns of one swarm, and the rows that tie them to each other."""
     entered = laid_out(graph, horizon, draft, upper=1.0)
     spans = np.maximum(horizon + 1 - entered.arrival, 0)
-    columns = draft.columns(int(spans.sum()), upper=1.0)
+    # whole by themselves where edges are; said all the same, so that sums of them may be rounded
+    columns = draft.columns(int(spans.sum()), upper=1.0, integer=True)
     base = int(columns[0]) if len(columns) else 0
     made = Occupancy(entered, base + np.cumsum(spans) - spans, horizon)
     _begin(made, draft)
