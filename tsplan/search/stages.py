@@ -143,7 +143,7 @@ class Stages(Lexicographic[Point, StageObjective]):
         if np.isinf(worth) and (worth > 0) is objective.rises:
             return worth
         self.stopping(found.stopped_by)
-        self.backed(objective.name, replace(found, rests=found.rests | self._reduced))
+        self.backed(objective.name, found)
         bound = value if found.proven else min(found.bound, value)
         return target.own(bound) if np.isfinite(bound) else None
 
@@ -162,7 +162,7 @@ class Stages(Lexicographic[Point, StageObjective]):
                 value = objective.worth(self.setting, self.point)
             elif found is not None and found.proven:
                 bound = top = probe - sign
-                self.backed(objective.name, replace(found, rests=found.rests | self._reduced))
+                self.backed(objective.name, found)
             else:
                 self.stopping(found.stopped_by if found else None)
                 top = probe - sign
@@ -195,9 +195,9 @@ class Stages(Lexicographic[Point, StageObjective]):
         if encoded.occupied is not None:
             found = self._groups(encoded).answer(question)
             if found.values is not None or found.proven or self.clock.over:
-                return found
+                return replace(found, rests=found.rests | self._reduced)
         made = self._by_agents(question, encoded, found)
-        return replace(made, rests=made.rests | found.rests)
+        return replace(made, rests=made.rests | found.rests | self._reduced)
 
     def _by_agents(self, question: Question, whole: Encoded, known: Found) -> Found:
         """Search the whole model, of which a bound is known."""
