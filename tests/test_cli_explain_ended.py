@@ -9,8 +9,8 @@ import time
 import pytest
 
 from tests.command_line import linux
-from tsplan.cli import explain_command as explain
 from tsplan.cli import main
+from tsplan.cli import told_explanation as explain
 from tsplan.explanation.explanation import Explanation, Fact, Status
 from tsplan.process import child_process
 from tsplan.process.grace_period import GracePeriod

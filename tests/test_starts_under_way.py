@@ -312,7 +312,7 @@ def test_the_page_shows_them_on_their_edge() -> None:
 def test_tracks_are_on_their_way_until_they_arrive() -> None:
     mission = mission_from_text(TEAM)
     (track,) = (t for t in tracks(tsplan.plan(mission), mission) if t.class_name == "scout")
-    assert next(iter(track.ways(8))) == (0, 2)
+    assert next(iter(track.journeys(8))) == (0, 3)
     assert track.present(0)
     here, there, share = track.at(1.0)
     assert (here.state, there.state, share) == ("q1", "q2", 0.5)

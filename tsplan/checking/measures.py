@@ -126,8 +126,10 @@ def agents(traffic: Traffic) -> int:
     return sum(class_traffic.moving for class_traffic in traffic.classes)
 
 
-def stability(traffic: Traffic) -> int:
+def stability(traffic: Traffic) -> int | None:
     """How many agents do not go on as they were to."""
+    if not _of_changes(traffic):
+        return None
     paths = RunMap(
         (run, bundle)
         for item in traffic.classes
@@ -142,8 +144,17 @@ def stability(traffic: Traffic) -> int:
     )
 
 
-def deviation(traffic: Traffic) -> int:
+def _of_changes(traffic: Traffic) -> bool:
+    """Whether it matters what was to be done before the mission was planned again."""
+    return bool(traffic.mission.intended) or any(
+        name in traffic.mission.objective for name in ("stability", "deviation")
+    )
+
+
+def deviation(traffic: Traffic) -> int | None:
     """Agents that are missing where some were to be, added up over the steps."""
+    if not _of_changes(traffic):
+        return None
     intended = traffic.mission.intended
     present = [
         Presence(state, first, last, each.names.size, frozenset())

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from functools import singledispatch
-
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Execution, Known, Linear
 from tsplan.logic.nodes import TRUE, Formula, conjunction, disjunction
 from tsplan.logic.normal_form import positive
 from tsplan.logic.simplification import simplify
@@ -26,42 +23,25 @@ def within(formula: Formula, last: int) -> Formula:
     return simplify(_weaker(positive(formula), last))
 
 
-@singledispatch
 def _weaker(node: Formula, last: int) -> Formula:
     """The same of a node in positive normal form, with so many steps to go."""
-    raise TypeError(f"no outlook is registered for {type(node).__name__}")
-
-
-@_weaker.register
-def _(node: nodes.Constant | Known | Count | Linear | Execution, last: int) -> Formula:
-    return node if horizon(node) <= last else TRUE
-
-
-@_weaker.register
-def _(node: nodes.And, last: int) -> Formula:
-    return conjunction(_weaker(child, last) for child in node.children)
-
-
-@_weaker.register
-def _(node: nodes.Or, last: int) -> Formula:
-    return disjunction(_weaker(child, last) for child in node.children)
-
-
-@_weaker.register
-def _(node: nodes.Whole, last: int) -> Formula:
-    return nodes.Whole(_weaker(node.child, last))
-
-
-@_weaker.register
-def _(node: nodes.Eventually, last: int) -> Formula:
-    if node.high > last:  # it may come later
-        return TRUE
-    return disjunction(_steps(node, last))
-
-
-@_weaker.register
-def _(node: nodes.Always, last: int) -> Formula:
-    return conjunction(_steps(node, last))
+    if horizon(node) <= last:
+        return node
+    made: Formula = TRUE  # it may come to hold later
+    match node:
+        case nodes.And():
+            made = conjunction(_weaker(child, last) for child in node.children)
+        case nodes.Or():
+            made = disjunction(_weaker(child, last) for child in node.children)
+        case nodes.Whole():
+            made = nodes.Whole(_weaker(node.child, last))
+        case nodes.Always():
+            made = conjunction(_steps(node, last))
+        case nodes.Eventually() if node.high <= last:
+            made = disjunction(_steps(node, last))
+        case nodes.Until() | nodes.Release():
+            made = _changing(node, last)
+    return made
 
 
 def _steps(node: nodes.Window, last: int) -> list[Formula]:
@@ -74,25 +54,15 @@ def _steps(node: nodes.Window, last: int) -> list[Formula]:
     return parts + [type(node)(step, step, _weaker(node.child, last - step)) for step in later]
 
 
-@_weaker.register
-def _(node: nodes.Until, last: int) -> Formula:
-    if horizon(node) <= last:
-        return node
-    whole = last - max(horizon(node.left), horizon(node.right))  # a change-over there ends in time
+def _changing(node: nodes.Switch, last: int) -> Formula:
+    """Of what changes over: the change-overs that end in time, or that there may be a later one."""
+    whole = last - max(horizon(node.left), horizon(node.right))
+    sooner = None
+    if whole >= node.low:
+        sooner = type(node)(node.low, min(node.high, whole), node.left, node.right)
+    if isinstance(node, nodes.Release):
+        return TRUE if sooner is None else sooner
     # if it changes over later than that, the left side holds at least until then
     kept = min(max(whole, node.low - 1), last - horizon(node.left))
     later = nodes.Always(0, kept, node.left) if kept >= 0 else TRUE
-    if whole < node.low:
-        return later
-    sooner = nodes.Until(node.low, min(node.high, whole), node.left, node.right)
-    return disjunction([sooner, later])
-
-
-@_weaker.register
-def _(node: nodes.Release, last: int) -> Formula:
-    if horizon(node) <= last:
-        return node
-    whole = last - max(horizon(node.left), horizon(node.right))
-    if whole < node.low:
-        return TRUE
-    return nodes.Release(node.low, min(node.high, whole), node.left, node.right)
+    return later if sooner is None else disjunction([sooner, later])

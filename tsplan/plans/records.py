@@ -175,8 +175,8 @@ def plain(value: Any) -> Any:
     """
     if isinstance(value, Record):
         return {key: plain(item) for key, item in value.data().items()}
-    if isinstance(value, dict):
-        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, dict):  # whose numbers are written as they are
+        return {k: item if isinstance(item, float) else plain(item) for k, item in value.items()}
     if isinstance(value, frozenset):
         return sorted(value)
     if isinstance(value, tuple | list):
