@@ -11,6 +11,7 @@
     python scripts/benchmark.py signals --compare stlpy,sos1 --time-limit 60
     python scripts/benchmark.py signals --scenes either-or:T=40 door:T=50,n=3
     python scripts/benchmark.py control --scenes narrow:T=25 --seeds 0-9 --time-limit 0.5
+    python scripts/benchmark.py replanning --sizes 5,6 --seeds 0-49 --time-limit 60
     python scripts/benchmark.py missions FOLDER
     python scripts/benchmark.py build
 
@@ -33,6 +34,7 @@ from pathlib import Path
 import control_speed
 import families
 import floors
+import replanning_speed
 import signal_encodings
 import signal_scenes
 from benchmark_rows import Row, plot, processor, ratios, table
@@ -284,7 +286,7 @@ def parser() -> argparse.ArgumentParser:
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     choices = ["grid", "decomposition", "scaling", "swarm", "partial", "resources"]
-    choices += ["modules", "floor", "mapf", "signals", "missions", "control", "build"]
+    choices += ["modules", "floor", "mapf", "signals", "missions", "control", "build", "replanning"]
     made.add_argument("family", choices=choices)
     made.add_argument("folder", nargs="?", default="environments", help="for `missions`")
     made.add_argument(
@@ -330,6 +332,10 @@ def main() -> None:
     options = made.parse_args()
     if options.family == "build":
         build_speed(options)
+        return
+    if options.family == "replanning":
+        sizes, seeds = numbers(options.sizes), numbers(options.seeds)
+        print(replanning_speed.table(sizes, seeds, options.agents, options.time_limit))
         return
     if options.family == "control":
         scenes = options.scenes or control_speed.SCENES

@@ -5,12 +5,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 from enum import IntEnum
-from math import inf
 from pathlib import Path
-from typing import Any
 
+from tsplan.cli import argument_values as values
 from tsplan.cli.first_commands import Commands, add_first_commands
-from tsplan.limits import DIGITS, LARGEST, OPTIONS, Range
 from tsplan.version import VERSION
 
 
@@ -26,12 +24,6 @@ class Exit(IntEnum):
     UNSHOWN = 6  # what was found out could not be written to stdout
     INTERRUPTED = 130
 
-
-MOST_FRAMES = 50  # a second; players of GIFs show no more
-MOST_JOBS = 1000  # processes side by side
-LEAST_SIDE, MOST_SIDE = 200, 4000  # dots of a moving picture
-LEAST_SHEET, MOST_SHEET = 2, 100  # inches of a picture
-MOST_DOTS = 1200  # per inch
 
 _CODES = """exit codes of plan: 0 a verified plan, 2 bad input or usage, 3 infeasible,
 4 no plan within the limits, 5 internal or solver failure,
@@ -105,9 +97,9 @@ def _plan(commands: Commands) -> None:
         help="switch an idea of the tight encoding off, to find a culprit; may be repeated",
     )
     pieces = "plan in pieces: windows of so many steps, for missions that are too long for one"
-    add("--window", type=_count, metavar="STEPS", help=pieces)
+    add("--window", type=values.count, metavar="STEPS", help=pieces)
     kept = "steps of each window that are kept (default: a third of it)"
-    add("--commit", type=_count, metavar="STEPS", help=kept)
+    add("--commit", type=values.count, metavar="STEPS", help=kept)
     old = "begin the search with the paths of this plan, of the mission or of one like it (JSON)"
     add("--start", type=Path, metavar="PLAN", help=old)
     each = "a path for every agent of a swarm, and an entry for every agent, however many"
@@ -125,7 +117,9 @@ def _plan(commands: Commands) -> None:
 def _replan(commands: Commands) -> None:
     words = "plan again from a step of a plan on, as things are there"
     add = _command(commands, "replan", words, "mission", "plan", epilog=_CODES)
-    add("--at", type=_whole, metavar="STEP", help="the step from which on it is planned again")
+    add(
+        "--at", type=values.whole, metavar="STEP", help="the step from which on it is planned again"
+    )
     many = {"action": "append", "default": [], "help": ""}
     told = {
         "lost": ("AGENTS", "agents that are gone for good, with commas between them"),
@@ -138,13 +132,13 @@ def _replan(commands: Commands) -> None:
         "deadline": ("PART=STEP", "the last step of the window of a part, counted as there"),
     }
     for name, (value, what) in told.items():
-        kind = _names if name == "lost" else str
+        kind = values.names if name == "lost" else str
         action = "extend" if name == "lost" else "append"
         how = {**many, "action": action, "help": f"{what}; may be repeated"}
         add(f"--{name}", type=kind, metavar=value, **how)
     add("--world", type=Path, metavar="FILE", help="the same and more from a file (YAML)")
     names = "objectives in place of the mission's, with commas between them, as stability,travel"
-    add("--objective", type=_names, metavar="NAMES", default=[], help=names)
+    add("--objective", type=values.names, metavar="NAMES", default=[], help=names)
     add("--rest", type=Path, metavar="FILE", help="write the mission that is left (YAML)")
     _solving(add)
     add("-o", "--output", type=Path, metavar="FILE", help="write the whole plan as JSON")
@@ -156,8 +150,8 @@ def _replan(commands: Commands) -> None:
 def _execute(commands: Commands) -> None:
     words = "carry out a plan by chance or with robots, planning again where it does not work"
     add = _command(commands, "execute", words, "mission", "plan")
-    add("--runs", type=_runs, default=100, metavar="N", help="runs by chance (default 100)")
-    add("--seed", type=_seed, metavar="N", help="that of the first run (default 0)")
+    add("--runs", type=values.runs, default=100, metavar="N", help="runs by chance (default 100)")
+    add("--seed", type=values.seed, metavar="N", help="that of the first run (default 0)")
     chances = {
         "delay": ("a move takes a step longer, and again", 0.1),
         "loss": ("an agent is lost at a step", 0.0),
@@ -165,12 +159,12 @@ def _execute(commands: Commands) -> None:
     }
     for name, (what, most) in chances.items():
         how = f"chance that {what} (default {most:g})"
-        add(f"--{name}", type=_chance, default=most, metavar="P", help=how)
+        add(f"--{name}", type=values.chance, default=most, metavar="P", help=how)
     drawn = "draw how often the formula held, and how long planning again took"
     add("--plot", type=Path, metavar="PICTURE", help=drawn)
     add("--robots", metavar="COMMAND", help="one execution by a process that speaks JSON lines")
     wait = "seconds in which the robots have to answer (default 60)"
-    add("--patience", type=_positive, default=60.0, metavar="S", help=wait)
+    add("--patience", type=values.positive, default=60.0, metavar="S", help=wait)
     kept = "keep every step here, and go on where it ends"
     add("--journal", type=Path, metavar="FILE", help=kept)
     add(
@@ -180,7 +174,9 @@ def _execute(commands: Commands) -> None:
         help="plan again where the plan does not work any more (default)",
     )
     add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
-    add("--time-limit", type=_positive, metavar="S", help="seconds to plan again (default 10)")
+    add(
+        "--time-limit", type=values.positive, metavar="S", help="seconds to plan again (default 10)"
+    )
     add("-o", "--output", type=Path, metavar="FILE", help="write what happened as a plan (JSON)")
     add("--json", action="store_true", help="print the runs as JSON alone")
     add("--quiet", action="store_true", help="no progress")
@@ -189,16 +185,16 @@ def _execute(commands: Commands) -> None:
 def _solving(add: Callable[..., object]) -> None:
     """What is chosen of the solver."""
     add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, pulp:NAME")
-    add("--time-limit", type=_positive, metavar="S", help="seconds for the whole")
-    add("--gap", type=_share, metavar="G", help="accepted relative gap, as in 0.05")
+    add("--time-limit", type=values.positive, metavar="S", help="seconds for the whole")
+    add("--gap", type=values.share, metavar="G", help="accepted relative gap, as in 0.05")
     add(
         "--anytime",
         action=argparse.BooleanOptionalAction,
         default=True,
         help="go on improving until the limit or proof (default), or end with the first plan",
     )
-    add("--threads", type=_threads, metavar="N", help="threads of the solver")
-    add("--seed", type=_seed, metavar="N", help="another seed, another equal plan")
+    add("--threads", type=values.threads, metavar="N", help="threads of the solver")
+    add("--seed", type=values.seed, metavar="N", help="another seed, another equal plan")
 
 
 def _sweep(commands: Commands) -> None:
@@ -212,16 +208,16 @@ def _sweep(commands: Commands) -> None:
     add("file", type=Path, metavar="FILE", help="sweep file (YAML), or a folder of missions")
     what = "table to write, the journal beside it (default: named after FILE, in this folder)"
     add("-o", "--output", type=Path, metavar="CSV", help=what)
-    add("--jobs", type=_jobs, default=1, metavar="N", help="runs side by side (default 1)")
+    add("--jobs", type=values.jobs, default=1, metavar="N", help="runs side by side (default 1)")
     add("--dask", metavar="ADDRESS", help="run on the cluster of a scheduler, or 'local'")
     add("--fresh", action="store_true", help="forget what is recorded and start anew")
     add("--retry", action="store_true", help="once more the runs that have failed")
     add("--plans", type=Path, metavar="FOLDER", help="keep the plan of each run there")
     add("--plot", type=Path, metavar="PICTURE", help="draw the seconds by each axis")
     add("--solver", metavar="NAME", help="for every run, whatever files say")
-    add("--time-limit", type=_positive, metavar="S", help="seconds for each run, likewise")
-    add("--gap", type=_share, metavar="G", help="accepted relative gap, likewise")
-    add("--threads", type=_threads, metavar="N", help="threads of the solver, likewise")
+    add("--time-limit", type=values.positive, metavar="S", help="seconds for each run, likewise")
+    add("--gap", type=values.share, metavar="G", help="accepted relative gap, likewise")
+    add("--threads", type=values.threads, metavar="N", help="threads of the solver, likewise")
     add("--json", action="store_true", help="print the results as JSON alone")
     add("--quiet", action="store_true", help="no progress and no table")
 
@@ -238,8 +234,8 @@ def _explain(commands: Commands) -> None:
     what = "take no solver's word for it that something cannot be met"
     add("--certified", action="store_true", help=what)
     add("--solver", metavar="NAME", help="highs (default), gurobi, pulp, ...")
-    add("--time-limit", type=_positive, metavar="S", help="seconds of search")
-    add("--fix", type=_count, metavar="N", help="write the mission after change N")
+    add("--time-limit", type=values.positive, metavar="S", help="seconds of search")
+    add("--fix", type=values.count, metavar="N", help="write the mission after change N")
     add("-o", "--output", type=Path, metavar="FILE", help="where --fix writes it")
     add("--json", action="store_true", help="print the JSON alone")
     add("--quiet", action="store_true", help="no progress")
@@ -264,11 +260,11 @@ def _verify(commands: Commands) -> None:
 def _simulate(commands: Commands) -> None:
     words = "let the agents of a swarm follow their plan by chance, or shake a trajectory"
     add = _command(commands, "simulate", words, "mission", "plan")
-    add("--runs", type=_runs, default=1000, metavar="N", help="default 1000")
-    add("--seed", type=_seed, default=0, metavar="N", help="of the chances")
+    add("--runs", type=values.runs, default=1000, metavar="N", help="default 1000")
+    add("--seed", type=values.seed, default=0, metavar="N", help="of the chances")
     add(
         "--amplitude",
-        type=_amplitude,
+        type=values.amplitude,
         action="append",
         default=[],
         metavar="A",
@@ -276,7 +272,7 @@ def _simulate(commands: Commands) -> None:
     )
     add(
         "--probability",
-        type=_chance,
+        type=values.chance,
         default=0.95,
         metavar="P",
         help="say which margin makes the formula hold so often (default 0.95)",
@@ -304,7 +300,9 @@ def _robustness(commands: Commands) -> None:
     what = "traditional (default), by means (agm), or weighted (product, normalised)"
     add("--kind", choices=kinds, default="traditional", help=what)
     ends = "least and greatest value of a signal, as in x=0:10, for agm; may be repeated"
-    add("--bounds", type=_ends, action="extend", nargs="+", default=[], metavar="B", help=ends)
+    add(
+        "--bounds", type=values.ends, action="extend", nargs="+", default=[], metavar="B", help=ends
+    )
     add("--all", action="store_true", help="at every step that can be judged, not only the first")
     add("--json", action="store_true", help="print JSON alone")
 
@@ -334,12 +332,17 @@ def _show(commands: Commands) -> None:
     )
     why = "print why the formula holds: where each part does, by whom or by how much"
     add("--why", action="store_true", help=why)
-    add("--step", type=_moment, metavar="K", help="step to look at: who is where then")
+    add("--step", type=values.moment, metavar="K", help="step to look at: who is where then")
     who = "ids or classes, with commas between them, whose paths and rows to draw (default: all)"
-    add("--agents", type=_names, action="extend", default=[], metavar="IDS", help=who)
+    add("--agents", type=values.names, action="extend", default=[], metavar="IDS", help=who)
     add("--executed", type=Path, metavar="PLAN", help=_EXECUTED)
-    add("--size", type=_sheet, metavar="WxH", help="in inches, as in 7x4.5 (default: as it needs)")
-    add("--dpi", type=_dots, metavar="N", help="dots per inch of a .png file (default 150)")
+    add(
+        "--size",
+        type=values.sheet,
+        metavar="WxH",
+        help="in inches, as in 7x4.5 (default: as it needs)",
+    )
+    add("--dpi", type=values.dots, metavar="N", help="dots per inch of a .png file (default 150)")
     add("--dark", action="store_true", help="on a dark ground")
 
 
@@ -354,7 +357,7 @@ def _view(commands: Commands) -> None:
     add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
     what = "write the page here and open nothing"
     add("-o", "--output", type=Path, metavar="HTML", help=what)
-    add("--step", type=_moment, metavar="K", help="step at which the page opens")
+    add("--step", type=values.moment, metavar="K", help="step at which the page opens")
     add("--executed", type=Path, metavar="PLAN", help=_EXECUTED)
 
 
@@ -363,10 +366,10 @@ def _animate(commands: Commands) -> None:
     add("--mission", type=Path, metavar="MISSION", help=_OF_PLAN)
     what = "picture to write: .gif, .mp4 (needs ffmpeg) or .html (see view)"
     add("-o", "--output", type=Path, required=True, metavar="FILE", help=what)
-    add("--fps", type=_frames, metavar="N", help="pictures a second (default 10)")
+    add("--fps", type=values.frames, metavar="N", help="pictures a second (default 10)")
     seconds = "default 0.6, less where the whole would take more than 30 seconds"
-    add("--seconds-per-step", type=_positive, metavar="S", help=seconds)
-    add("--size", type=_size, metavar="WxH", help="in dots (default 960x600)")
+    add("--seconds-per-step", type=values.positive, metavar="S", help=seconds)
+    add("--size", type=values.size, metavar="WxH", help="in dots (default 960x600)")
 
 
 def _export(commands: Commands) -> None:
@@ -380,7 +383,7 @@ def _export(commands: Commands) -> None:
     what = "map with the coordinates, ids and seconds to write (default: the mission's)"
     add("--map", type=Path, metavar="MAP", help=what)
     ids = "ids of the agents to write, with commas between them; may be repeated (default: all)"
-    add("--agents", type=_names, action="extend", default=[], metavar="IDS", help=ids)
+    add("--agents", type=values.names, action="extend", default=[], metavar="IDS", help=ids)
     add("-o", "--output", type=Path, required=True, metavar="FILE", help="file to write")
 
 
@@ -390,102 +393,18 @@ def _lint(commands: Commands) -> None:
     add("file", type=Path, metavar="FILE", help="map or mission file")
 
 
-def _names(text: str) -> list[str]:
-    names = [name for part in text.split(",") if (name := part.strip())]
-    if not names:
-        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' names nobody")
-    return names
-
-
 def _map(commands: Commands) -> None:
     words = "convert a map of another program, and say what is dropped and what looks odd"
     add = _command(commands, "map", words)
     add("file", type=Path, metavar="FILE", help="map file of any format that is known")
     add("-o", "--output", type=Path, metavar="FILE", help="write the map in the own format (YAML)")
-    add("--step", type=_positive, metavar="S", help="seconds of a step (default 1)")
+    add("--step", type=values.positive, metavar="S", help="seconds of a step (default 1)")
     what = "metres a second (default 1), or of a class as in cart=0.5; may be repeated"
-    add("--speed", type=_speed, action="append", default=[], metavar="V", help=what)
-    add("--cell", type=_positive, metavar="M", help="metres of the side of a cell of a grid")
+    add("--speed", type=values.speed, action="append", default=[], metavar="V", help=what)
+    add("--cell", type=values.positive, metavar="M", help="metres of the side of a cell of a grid")
     what = "most agents at each state, and on each edge both ways, that says nothing of it"
-    add("--capacity", type=_whole, metavar="N", help=what)
+    add("--capacity", type=values.whole, metavar="N", help=what)
     what = "scenario (.scen) of a grid map: -o writes a mission, every robot to its own goal"
     add("--scenario", type=Path, metavar="SCEN", help=what)
-    add("--robots", type=_count, metavar="N", help="the first N robots of the scenario")
+    add("--robots", type=values.count, metavar="N", help="the first N robots of the scenario")
     add("--json", action="store_true", help="print the report as JSON alone")
-
-
-def _clipped(text: str) -> str:
-    return text if len(text) <= DIGITS else f"{text[:DIGITS]}..."
-
-
-def _reader(allowed: Range) -> Callable[[str], Any]:
-    """A reader of numbers in a range."""
-    kind, what = (int, "a whole number") if allowed.whole else (float, "a number")
-
-    def read(text: str) -> Any:
-        try:
-            value = kind(text)
-        except ValueError:
-            raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not {what}") from None
-        words = allowed.complaint(value)
-        if words is not None:
-            raise argparse.ArgumentTypeError(words)
-        return value
-
-    return read
-
-
-def _amplitude(text: str) -> tuple[str, float]:
-    """A number for all signals, by no name, or for the one that is named before it."""
-    name, _, value = text.rpartition("=")
-    size: float = _reader(Range(0, LARGEST))(value)
-    return name.strip(), size
-
-
-def _speed(text: str) -> tuple[str, float]:
-    """Metres a second for all classes, by no name, or for the one that is named before them."""
-    name, _, value = text.rpartition("=")
-    speed: float = _positive(value)
-    return name.strip(), speed
-
-
-def _size(text: str) -> tuple[int, int]:
-    width, cross, height = text.lower().partition("x")
-    if not cross:
-        raise argparse.ArgumentTypeError(f"'{text}' is not WIDTHxHEIGHT, as in 960x600")
-    side = _reader(Range(LEAST_SIDE, LARGEST, whole=True))
-    size = side(width), side(height)
-    if max(size) > MOST_SIDE:
-        raise argparse.ArgumentTypeError(f"'{text}' is larger than {MOST_SIDE}x{MOST_SIDE}")
-    return size
-
-
-def _sheet(text: str) -> tuple[float, float]:
-    width, cross, height = text.lower().partition("x")
-    if not cross:
-        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not WIDTHxHEIGHT, as in 7x4.5")
-    side = _reader(Range(LEAST_SHEET, MOST_SHEET))
-    return side(width), side(height)
-
-
-def _ends(text: str) -> tuple[str, tuple[float, float]]:
-    name, _, ends = text.rpartition("=")
-    low, colon, high = ends.partition(":")
-    if not (name and colon):
-        raise argparse.ArgumentTypeError(f"'{_clipped(text)}' is not NAME=LOW:HIGH, as in x=0:10")
-    return name, (_any_number(low), _any_number(high))
-
-
-_any_number = _reader(Range(-inf, inf))
-_positive = _reader(OPTIONS["time_limit"])
-_share = _reader(OPTIONS["gap"])
-_chance = _reader(OPTIONS["probability"])
-_count = _reader(Range(1, LARGEST, whole=True))
-_whole = _reader(Range(0, LARGEST, whole=True))
-_jobs = _reader(Range(1, MOST_JOBS, whole=True))
-_threads = _reader(OPTIONS["threads"])
-_seed = _reader(OPTIONS["seed"])
-_runs = _reader(OPTIONS["runs"])
-_moment = _reader(Range(0, LARGEST))
-_dots = _reader(Range(1, MOST_DOTS))
-_frames = _reader(Range(1, MOST_FRAMES, whole=True))
