@@ -326,10 +326,8 @@ def parser() -> argparse.ArgumentParser:
     return made
 
 
-def main() -> None:
-    """Run what the command line asks for."""
-    made = parser()
-    options = made.parse_args()
+def measure_apart(options: argparse.Namespace) -> None:
+    """Families that are no plans of missions one by one."""
     if options.family == "build":
         build_speed(options)
         return
@@ -337,10 +335,17 @@ def main() -> None:
         sizes, seeds = numbers(options.sizes), numbers(options.seeds)
         print(replanning_speed.table(sizes, seeds, options.agents, options.time_limit))
         return
-    if options.family == "control":
-        scenes = options.scenes or control_speed.SCENES
-        runs = len(numbers(options.seeds))
-        print(control_speed.table(scenes, runs, options.time_limit, options.threads))
+    scenes = options.scenes or control_speed.SCENES
+    runs = len(numbers(options.seeds))
+    print(control_speed.table(scenes, runs, options.time_limit, options.threads))
+
+
+def main() -> None:
+    """Run what the command line asks for."""
+    made = parser()
+    options = made.parse_args()
+    if options.family in ("build", "replanning", "control"):
+        measure_apart(options)
         return
     encodings = [options.encoding, *(name for name in options.compare.split(",") if name)]
     known = {"reference"} if options.family != "signals" else set(signal_encodings.ENCODINGS)
