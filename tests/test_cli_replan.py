@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 
 import pytest
+import yaml
+from jsonschema import Draft202012Validator
 
 import tsplan
 from tests.command_line import here
@@ -78,6 +81,14 @@ def test_what_happened_is_said_by_a_file(folder) -> None:
     rest = tsplan.load_mission("rest.yaml")
     assert rest.horizon == 24
     assert tsplan.plan(rest).value("travel") == made.value("travel")
+
+
+def test_the_schema_of_worlds_takes_and_refuses_them() -> None:
+    schema = Draft202012Validator(json.loads(here("schema", "world").out))
+    good = yaml.safe_load(WORLD)
+    assert not [*schema.iter_errors(good)]
+    for key, value in {"step": -1, "lost": "cart-1", "closed": [[1]], "gone": []}.items():
+        assert [*schema.iter_errors({**good, key: value})], key
 
 
 def test_it_is_planned_again_again(folder) -> None:

@@ -323,7 +323,7 @@ def test_schemas_say_what_they_are_of_and_know_no_infinite_number():
         assert not re.search(r'"(ge|gt|le|lt)":', json.dumps(schema))
 
 
-@pytest.mark.parametrize("kind", ["mission", "map", "signals", "sweep"])
+@pytest.mark.parametrize("kind", ["mission", "map", "signals", "sweep", "world"])
 def test_every_key_that_people_write_is_explained(kind):
     schema = file_schema(kind)
     for name, model in {"": schema, **schema["$defs"]}.items():

@@ -9,7 +9,7 @@ from typing import TypeAlias
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001
 
 NEW = ("team", "swarm", "signals", "fleet")
-FILES = ("mission", "map", "signals", "sweep", "plan", "trajectory")
+FILES = ("mission", "map", "signals", "sweep", "world", "plan", "trajectory")
 SHELLS = ("bash", "zsh", "fish")
 
 

@@ -47,11 +47,13 @@ _BEGINNINGS: tuple[tuple[re.Pattern[str], str], ...] = tuple(
 MISSION, MAP, PLAN, TRAJECTORY = "a mission", "a map", "a plan", "a trajectory"
 SIGNALS = "a mission over signals"
 SWEEP = "a sweep of missions"
+WORLD = "what has happened to a plan"
 _KINDS_OF_MISSIONS = ("team", "swarm", "swarms")
 _MARKS = (
     ("tsplan-mission", MISSION),
     ("tsplan-signals", SIGNALS),
     ("tsplan-sweep", SWEEP),
+    ("tsplan-world", WORLD),
     ("tsplan-plan", PLAN),
     ("tsplan-trajectory", TRAJECTORY),
 )
@@ -102,7 +104,7 @@ def kind_of_data(data: Any) -> str | None:
 
 def is_of_ours(kind: str) -> bool:
     """Whether a kind is one of the files of this project, maps included."""
-    return kind in (MISSION, MAP, PLAN, TRAJECTORY, SIGNALS, SWEEP)
+    return kind in (MISSION, MAP, PLAN, TRAJECTORY, SIGNALS, SWEEP, WORLD)
 
 
 def remedy_for(kind: str, wanted: str, source: str) -> str:

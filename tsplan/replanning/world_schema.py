@@ -36,11 +36,8 @@ def _is_name(value: Any) -> bool:
     return isinstance(value, str | int) and not isinstance(value, bool) and value != ""
 
 
-_Place = Annotated[
-    Any,
-    BeforeValidator(_place),
-    Written(Name | Annotated[list[Name], Field(min_length=2, max_length=2)]),
-]
+_Pair = Annotated[list[Name], Field(min_length=2, max_length=2)]
+_Place = Annotated[Any, BeforeValidator(_place), Written(Name | _Pair)]
 
 
 class WayEntry(Part):
@@ -87,7 +84,7 @@ def _alone(value: Any) -> Any:
     return value if isinstance(value, dict) else {"place": value}
 
 
-_Closed = Annotated[ClosedEntry, BeforeValidator(_alone), Written(ClosedEntry | Name | list[Name])]
+_Closed = Annotated[ClosedEntry, BeforeValidator(_alone), Written(ClosedEntry | Name | _Pair)]
 
 
 class WorldFile(Part):

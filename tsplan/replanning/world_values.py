@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, TypedDict
 
 from tsplan.document import Document, read_document, validated
+from tsplan.document.kinds import WORLD
 from tsplan.errors import InputError, PlanError
 from tsplan.mission.values import common_entry, from_values
 from tsplan.plans.worlds import World
@@ -87,6 +88,9 @@ def _listed(value: Any) -> Any:
 
 
 def _read(document: Document) -> WorldFile:
+    strange = document.misfit((), WORLD)
+    if strange is not None:
+        raise PlanError([strange])
     file, findings = validated(document, WorldFile)
     if file is None:
         raise PlanError(findings)

@@ -13,6 +13,7 @@ from pydantic.json_schema import GenerateJsonSchema
 from tsplan.mission.mission_schema import MissionFile
 from tsplan.plans.plan import Plan
 from tsplan.plans.plan_text import PLANS, TRAJECTORIES
+from tsplan.replanning.world_schema import WorldFile
 from tsplan.signals.signal_schema import SignalFile
 from tsplan.signals.trajectory import Trajectory
 from tsplan.starting.key_words import KEY_WORDS
@@ -24,6 +25,7 @@ SCHEMAS: Mapping[str, Any] = {
     "map": MapFile,
     "signals": SignalFile,
     "sweep": SweepFile,
+    "world": WorldFile,
     "plan": Plan,
     "trajectory": Trajectory,
 }
