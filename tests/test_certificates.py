@@ -65,6 +65,14 @@ def test_what_is_proven_can_be_verified(seeds, tmp_path):
             assert joined(mission, plan, proofs).proven
 
 
+@pytest.mark.parametrize("seed", [50, 62])
+def test_swarms_whose_program_is_refuted_at_once_have_certificates(seed, tmp_path):
+    mission = drawn(seed)
+    plan, texts = written(mission, tmp_path)
+    assert (plan.status, plan.proof) == (tsplan.Status.INFEASIBLE, CERTIFIED)
+    assert [verified(mission, text).words for text in texts] == ["no plan satisfies the mission"]
+
+
 @pytest.mark.parametrize("mission", [*map(random_mission, BRANCHED), many_tasks(CUT[0], tasks=5)])
 def test_trees_with_branchings_are_verified(mission, tmp_path):
     plan, texts = written(mission, tmp_path)

@@ -56,8 +56,8 @@ class GroupSearch:
 
         Bounds of tokens and of what groups travel are no certified ones.
         """
-        if self.encoded.refuted:  # tokens and tours may know less
-            return Found(None, None, np.inf, proven=True)
+        if self.encoded.refuted:  # the whole model knows why, tokens and tours may know less
+            return Found(None, None, -np.inf, proven=False)
         objective, kept = question.objective, question.kept
         bound = -np.inf
         if objective.grouping is Grouping.TOKENS and not kept.values:
