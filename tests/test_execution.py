@@ -117,6 +117,19 @@ def test_where_nothing_happens_the_plan_is_carried_out() -> None:
     assert (done.plan, done.adapted, done.replanned) == (plan, 0, ())
 
 
+@pytest.mark.parametrize("seed", [129, 324])
+def test_where_nobody_is_left_the_rest_happens_without(seed: int) -> None:
+    made = executable(seed)
+    assert made is not None
+    mission, plan = made
+    for planner in (None, tsplan.plan):
+        fleet = Watched(mission, Chances(0.2, 0.02, 0.05), seed)
+        done = Execution(mission, plan, fleet, planner).run()
+        assert not any(fleet.states[-1].values())
+        assert not any(done.plan.state_at(mission.horizon).values())
+        assert done.availability == slack(mission, fleet.states)
+
+
 def test_a_trial_says_how_often_the_formula_held() -> None:
     mission = tsplan.mission_from_text(MISSION)
     plan = tsplan.plan(mission)
@@ -193,6 +206,21 @@ def test_robots_carry_out_a_plan(rounds, tmp_path) -> None:
     assert executed.agents == planned.agents
     steps = [json.loads(line)["seen"]["step"] for line in journal.read_text().splitlines()[1:]]
     assert steps == list(range(1, planned.horizon + 1))
+
+
+def test_robots_may_all_be_lost(rounds, tmp_path) -> None:
+    mission, plan = rounds
+    out = tmp_path / "executed.json"
+    done = here(
+        *("execute", str(mission), str(plan), "--robots", robots("--late", "0", "--lost", "1")),
+        *("--journal", str(tmp_path / "journal.jsonl"), "-o", str(out), "--quiet"),
+    )
+    assert done.code == 1
+    assert done.out.startswith("the formula did not hold")
+    assert not any(tsplan.load_plan(out).state_at(1).values())
+    assert "nobody is left at step 1" in here("check", str(mission), str(out)).out
+    trial = tsplan.execute(mission, plan, runs=2, loss=0.999)
+    assert str(trial).endswith("it was never planned again: it worked, or nobody was left")
 
 
 @posix

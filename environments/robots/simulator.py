@@ -1,4 +1,4 @@
-"""Robots that are late now and then, as a process of their own: `tsplan execute --robots`.
+"""Robots that are now and then late, or lost, as a process: `tsplan execute --robots`.
 
     tsplan execute mission.yaml plan.json --robots "python simulator.py --late 0.2 --seed 1"
 
@@ -19,9 +19,10 @@ def main() -> None:
     """Answer every line."""
     options = argparse.ArgumentParser()
     options.add_argument("--late", type=float, default=0.1, help="chance that a move takes longer")
+    options.add_argument("--lost", type=float, default=0, help="chance to be lost, at every step")
     options.add_argument("--seed", type=int, default=0)
     given = options.parse_args()
-    robots = Robots(given.late, given.seed)
+    robots = Robots(given.late, given.lost, given.seed)
     for line in sys.stdin:
         message = json.loads(line)
         if message["type"] == "end":
@@ -31,10 +32,10 @@ def main() -> None:
 
 
 class Robots:
-    """Where everybody is: at a state, or on an edge with the step of arrival."""
+    """Where everybody is: at a state, on an edge with the step of arrival, or lost, as None."""
 
-    def __init__(self, late: float, seed: int) -> None:
-        self.late, self.seed = late, seed
+    def __init__(self, late: float, lost: float, seed: int) -> None:
+        self.late, self.lost, self.seed = late, lost, seed
         self.places: dict[str, Any] = {}
 
     def answer(self, message: dict[str, Any]) -> dict[str, Any]:
@@ -44,8 +45,15 @@ class Robots:
             return {"type": "ready"}
         step = message["step"]
         for order in message["orders"]:
-            self.set_out(order, random.Random(f"{self.seed} {step} {order['agent']}"))
+            self.set_out(order, self.chance(step, order["agent"]))
+        for name in self.places:
+            if self.chance(step, name, "lost").random() < self.lost:
+                self.places[name] = None
         return {"type": "seen", "step": step + 1, "agents": self.seen(step + 1)}
+
+    def chance(self, *about: object) -> random.Random:
+        """What happens to a robot at a step, whatever happens to others."""
+        return random.Random(" ".join(map(str, (self.seed, *about))))
 
     def set_out(self, order: dict[str, Any], chance: random.Random) -> None:
         """Begin a move, which may take longer than it should."""
@@ -55,7 +63,7 @@ class Robots:
         self.places[order["agent"]] = {**order, "arrives": arrives}
 
     def seen(self, step: int) -> dict[str, Any]:
-        """Where everybody is at a step: a state, or the two ends of an edge."""
+        """Where everybody is at a step: a state, the two ends of an edge, or None."""
         found: dict[str, Any] = {}
         for name, place in self.places.items():
             here = place

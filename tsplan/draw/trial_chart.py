@@ -37,7 +37,7 @@ def draw_trial(trial: Trial) -> tuple[Any, list[Any]]:
     if trial.seconds:
         times.hist(trial.seconds, bins=min(_BINS, len(trial.seconds)), color=_REPLANNED)
     else:
-        times.text(0.5, 0.5, "never needed", ha="center", transform=times.transAxes)
+        times.text(0.5, 0.5, "never planned again", ha="center", transform=times.transAxes)
     times.set_xlabel("seconds of planning again")
     times.set_ylabel("times")
     for ax in (shares, times):

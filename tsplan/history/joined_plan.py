@@ -14,11 +14,12 @@ from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Run, RunMap
 from tsplan.plans.agent_plans import Stay, joined
 from tsplan.plans.bundles import Agents, Bundle
-from tsplan.plans.worlds import Ahead
+from tsplan.plans.outcomes import ObjectiveValue, Status
+from tsplan.plans.worlds import Ahead, World
+from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission, Rank
-    from tsplan.plans.outcomes import ObjectiveValue
     from tsplan.plans.plan import Plan
 
 
@@ -149,6 +150,31 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
         moves=joined_moves(rest.past.moves, plan.moves, step),
         groups=joined_groups(rest.past.groups, plan.groups, step) if plan.has_paths else (),
         replanned=(*rest.worlds[:-1], replace(rest.worlds[-1], former=_former(rest, later))),
+    )
+
+
+def ended_plan(plan: Plan, past: Past, world: World) -> Plan:
+    """A plan of which nobody is left in a world: what has happened before."""
+    return replace(
+        unjudged(plan),
+        agents=past.agents,
+        moves=past.moves,
+        groups=past.groups,
+        replanned=(*plan.replanned, world),
+    )
+
+
+def unjudged(plan: Plan) -> Plan:
+    """A plan whose paths are others than those that were judged."""
+    return replace(
+        plan,
+        status=Status.FEASIBLE,
+        stopped_by=StoppedBy.INTERRUPT,
+        objective=tuple(ObjectiveValue(item.name, None) for item in plan.objective),
+        availability=None,
+        preferences=(),
+        notes=(),
+        verified=False,
     )
 
 

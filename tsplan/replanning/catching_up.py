@@ -7,12 +7,11 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from tsplan.history.joined_plan import planned_ahead
+from tsplan.history.joined_plan import planned_ahead, unjudged
 from tsplan.mission.team import UnderWay
 from tsplan.name_runs import RunMap
 from tsplan.plans.bundles import Agents, Bundle
-from tsplan.plans.outcomes import ObjectiveValue, Status
-from tsplan.stopping import StoppedBy
+from tsplan.plans.outcomes import ObjectiveValue
 
 if TYPE_CHECKING:
     from tsplan.history.rest_mission import Rest
@@ -36,17 +35,11 @@ def catching_up(rest: Rest, plan: Plan) -> Plan:
         for part, path in own.parts(rank.names)
     ]
     return replace(
-        plan,
-        status=Status.FEASIBLE,
-        stopped_by=StoppedBy.INTERRUPT,
+        unjudged(plan),
         horizon=mission.horizon,
         objective=tuple(ObjectiveValue(name, None) for name in mission.objective),
-        availability=None,
-        preferences=(),
         agents=Agents.along(stretches),
         replanned=(),
-        notes=(),
-        verified=False,
     )
 
 

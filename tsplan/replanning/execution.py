@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from tsplan.checking.plan_check import certify
 from tsplan.errors import SolverError
 from tsplan.history.changed_map import Maps
-from tsplan.history.joined_plan import joined_plan
-from tsplan.history.past_paths import Past, whereabouts
+from tsplan.history.joined_plan import ended_plan, joined_plan
+from tsplan.history.past_paths import Past, really, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.logic.evaluation import robustness
 from tsplan.plans.bundles import Agents
@@ -86,9 +86,11 @@ class Execution:
     def take(self, seen: Seen) -> None:
         """Take in what is seen at the next step."""
         self.step = seen.step
-        world = difference(seen.step, dict(self._places(seen.step)), seen)
+        planned = dict(self._places(seen.step))
+        world = difference(seen.step, planned, seen)
         if world is not None:
-            self.plan = self._adjusted(world)
+            gone = planned.keys() <= set(world.lost)
+            self.plan = self._ended(world) if gone else self._adjusted(world)
             self.keep(seen, self.plan)
 
     def outcome(self) -> Executed:
@@ -129,6 +131,11 @@ class Execution:
         except SolverError:  # it does not work any more
             made = self._replanned(world)
         return joined_plan(rest, followed) if made is None else made
+
+    def _ended(self, world: World) -> Plan:
+        """The plan where nobody is left: what has happened."""
+        maps = Maps(self.mission.system, (*self.plan.replanned, world))
+        return ended_plan(self.plan, really(self.mission, self.plan, world, maps), world)
 
     def _replanned(self, world: World) -> Plan | None:
         """Another plan, if one is asked for and found.

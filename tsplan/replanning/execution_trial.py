@@ -87,7 +87,9 @@ class Trial(Told):
         tried = [run.replanned for run in self.runs if run.replanned is not None]
         stuck = sum(each.stuck for each in tried)
         if not self.seconds:
-            return "it was never needed: the plan went on to work"
+            met = all(each.met for each in tried)
+            why = "the plan went on to work" if met else "it worked, or nobody was left"
+            return f"it was never planned again: {why}"
         times = f"{len(self.seconds):,} times in all"
         took = f"{median(self.seconds):.2f} s each (median), {max(self.seconds):.2f} s at most"
         return f"it was planned again {times}, {took}; {stuck:,} times there was no plan"
