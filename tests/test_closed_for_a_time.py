@@ -9,21 +9,6 @@ import pytest
 
 import tsplan
 from tests.explaining import check_explanation
-from tests.joint_plans import best, how_many, small_enough
-from tests.resource_missions import random_resource_mission
-from tests.seeds import seed_blocks
-from tests.test_brute_force import (
-    PLAIN,
-    REFERENCE,
-    TIGHT,
-    compare,
-    small_mixed,
-    small_swarms,
-    small_team,
-)
-from tests.test_late import compare as compare_late
-from tests.test_late import delayed
-from tests.test_resources_brute_force import compare as compare_resources
 from tsplan import Edge, Group, Mission, Plan, State, TransitionSystem
 from tsplan.checking.plan_check import check
 from tsplan.encode.preparation import prepare
@@ -34,9 +19,6 @@ from tsplan.ts.builders import from_networkx, grid
 from tsplan.ts.closures import FOREVER
 from tsplan.ts.map_lint import lint
 from tsplan.ts.reachability import entries
-
-FEW = 40
-"""Joint plans of a mission with resources."""
 
 MAP = """
 format: tsplan-mission/1
@@ -52,14 +34,6 @@ team: [{class: cart, count: 2, at: q1}]
 spec: "F[0,LAST] sum(b) >= 2"
 """
 )
-
-
-def shut(mission: Mission, seed: int, *, begun: bool = False) -> Mission | None:
-    """The mission with places closed for a time, and perhaps starts under way, if it is small."""
-    made = with_closures(mission, seed)
-    if begun:
-        made = with_starts_under_way(made, seed)
-    return made if made.system.timed and small_enough(made) else None
 
 
 # --- maps -----------------------------------------------------------------------------------------
@@ -237,58 +211,9 @@ def test_plans_are_read_as_ever() -> None:
     assert Plan.from_json(plan.to_json()) == plan
 
 
-# --- all joint plans ------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(10_000, 10_030), range(10_030, 12_000), 15))
-def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = shut(small_team(seed), seed, begun=seed % 3 == 0)
-        if mission is not None:
-            compare(mission, TIGHT, REFERENCE, PLAIN)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(30_000, 30_014), range(30_014, 32_000), 14))
-def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = shut(small_swarms(seed), seed, begun=seed % 3 == 0)
-        if mission is not None:
-            compare(mission, TIGHT, REFERENCE)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_012), range(40_012, 41_000), 12))
-def test_robots_beside_swarms_do_as_well(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = shut(small_mixed(seed), seed)
-        if mission is not None:
-            compare(mission, TIGHT, PLAIN)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(12), range(12, 600), 12))
-def test_late_agents_do_as_well(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = shut(delayed(seed, states=4, most_agents=3, steps=6), seed)
-        if mission is not None:
-            compare_late(mission)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(4), range(4, 400), 4))
-def test_carriers_do_as_well(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = with_closures(random_resource_mission(seed, most=2), seed)
-        if mission.system.timed and how_many(mission) <= FEW:
-            compare_resources(mission, 1.0)
-
-
 @pytest.mark.long
 @pytest.mark.parametrize("block", range(20))
 def test_reasons_are_true(block: int) -> None:
     for seed in range(10 * block, 10 * block + 10):
         check_explanation(with_closures(random_task_mission(seed), seed))
         check_explanation(with_starts_under_way(random_task_mission(seed), seed))
-
-
-def test_the_random_missions_are_of_all_kinds() -> None:
-    made = [mission for s in range(10_000, 10_030) if (mission := shut(small_team(s), s))]
-    assert len(made) >= 12
-    assert 3 <= sum(best(mission) is None for mission in made) <= len(made) - 3

@@ -7,31 +7,12 @@ from dataclasses import replace
 import pytest
 
 import tsplan
-from tests.joint_plans import best, how_many, small_enough
-from tests.narrow_missions import narrow_mission
-from tests.resource_missions import random_resource_mission
-from tests.seeds import seed_blocks
-from tests.test_brute_force import (
-    PLAIN,
-    REFERENCE,
-    TIGHT,
-    compare,
-    small_mixed,
-    small_swarms,
-    small_team,
-)
-from tests.test_late import compare as compare_late
-from tests.test_late import delayed
-from tests.test_resources_brute_force import MOST
-from tests.test_resources_brute_force import compare as compare_resources
 from tsplan import Group, Mission, Plan
 from tsplan.checking.plan_check import check
 from tsplan.draw.tracks import tracks
 from tsplan.errors import MissionError
 from tsplan.mission import UnderWay
 from tsplan.mission.read import mission_from_text
-from tsplan.search import capacity_relaxation
-from tsplan.testing import with_starts_under_way
 from tsplan.viewer.page_data import page_data
 from tsplan.writers.handover import handover
 
@@ -51,13 +32,6 @@ team:
 spec: "F[0,8] (sum(b, heavy) >= 2 && sum(c, scout) >= 2)"
 """
 )
-
-
-def begun(mission: Mission, seed: int) -> Mission | None:
-    """The mission with starts under way, if it can have some and is small enough."""
-    made = with_starts_under_way(mission, seed)
-    few = any(group.coming for group in made.team) and small_enough(made)
-    return made if few else None
 
 
 # --- files --------------------------------------------------------------------------------------
@@ -235,70 +209,6 @@ def test_reasons_know_when_they_arrive() -> None:
     told = str(tsplan.explain(mission))
     assert "one of class scout from 'q2', at step 4 by q2 > q3" in told
     assert "on the way from 'q1' to 'q2'" in told
-
-
-# --- all joint plans ------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(10_000, 10_030), range(10_030, 12_000), 15))
-def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = begun(small_team(seed), seed)
-        if mission is not None:
-            compare(mission, TIGHT, REFERENCE, PLAIN)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(30_000, 30_030), range(30_030, 32_000), 15))
-def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = begun(small_swarms(seed), seed)
-        if mission is not None:
-            compare(mission, TIGHT, REFERENCE)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_012), range(40_012, 41_000), 12))
-def test_robots_beside_swarms_do_as_well(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = begun(small_mixed(seed), seed)
-        if mission is not None:
-            compare(mission, TIGHT, PLAIN)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(12), range(12, 600), 12))
-def test_late_agents_do_as_well(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = begun(delayed(seed, states=4, most_agents=3, steps=6), seed)
-        if mission is not None:
-            compare_late(mission)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(10), range(10, 400), 10))
-def test_carriers_do_as_well(seeds: list[int]) -> None:
-    for seed in seeds:
-        mission = with_starts_under_way(random_resource_mission(seed, most=2), seed)
-        if any(group.coming for group in mission.team) and how_many(mission) <= MOST:
-            compare_resources(mission, 1.0)
-
-
-@pytest.mark.parametrize("seeds", seed_blocks(range(30), range(30, 2_000), 30))
-def test_teams_in_narrow_places_do_as_well(
-    seeds: list[int], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(capacity_relaxation, "SMALL", 0)
-    for seed in seeds:
-        narrow = narrow_mission(seed, states=4, most_agents=3, steps=5)
-        mission = None if narrow is None else begun(narrow, seed)
-        if mission is not None:
-            compare(mission, {})
-
-
-def test_the_random_missions_are_of_all_kinds() -> None:
-    made = [mission for s in range(10_000, 10_030) if (mission := begun(small_team(s), s))]
-    assert len(made) >= 15
-    assert 4 <= sum(best(mission) is None for mission in made) <= len(made) - 4
-
-
-# --- pictures and other programs ------------------------------------------------------------------
 
 
 def test_the_page_shows_them_on_their_edge() -> None:
