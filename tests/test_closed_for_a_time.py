@@ -9,6 +9,7 @@ import pytest
 
 import tsplan
 from tests.explaining import check_explanation
+from tests.test_brute_force import PLAIN, REFERENCE, TIGHT
 from tsplan import Edge, Group, Mission, Plan, State, TransitionSystem
 from tsplan.checking.plan_check import check
 from tsplan.encode.preparation import prepare
@@ -204,6 +205,33 @@ def test_reasons_name_what_is_closed_and_offer_to_open_it() -> None:
     assert "the edge from 'q2' to 'q3' is closed from step 2 to 5" in told
     assert "open the edge from 'q2' to 'q3', which is closed from step 2 to 5" in told
     assert "at step 8" in told
+
+
+NOWHERE = """
+format: tsplan-mission/1
+map:
+  states: {q1: {}, q2: {labels: [b], needs: [fly]}, q3: {needs: [fly]}}
+  edges: [[q2, q2, 1], {from: q2, to: q3, duration: 1, closed: [[1, 1]]}]
+team: [{class: cart, count: 2, at: q1}, {class: drone, at: q2, capabilities: [fly]}]
+spec: "F[0,2] b"
+"""
+NOT_YET = """
+format: tsplan-mission/1
+map:
+  states: {q1: {}, q2: {}}
+  edges: [[q1, q1, 1], [q1, q2, 3], {from: q2, to: q1, duration: 1, closed: [[0, 0], [3, 3]]}]
+swarms: [{name: u, size: 2, at: {q2: 2}}, {name: v, size: 1, at: {q2: 1}}]
+spec: "F[3,4] (sum(q1,u) >= 2)"
+"""
+
+
+@pytest.mark.parametrize("options", [TIGHT, REFERENCE, PLAIN])
+@pytest.mark.parametrize("text", [NOWHERE, NOT_YET])
+def test_those_who_may_not_wait_may_have_nowhere_to_go(
+    text: str, options: dict[str, object]
+) -> None:
+    plan = tsplan.plan(mission_from_text(text), **options)
+    assert plan.status is tsplan.Status.INFEASIBLE
 
 
 def test_plans_are_read_as_ever() -> None:

@@ -224,7 +224,8 @@ def _windows(system: TransitionSystem, usable: Ints) -> tuple[Ints, tuple[Ints, 
         return chosen, None
     edges = list(system.edges.values())
     spans = [entries(system, edges[place], int(usable[place])) for place in chosen.tolist()]
-    first, last = np.array([span for each in spans for span in each]).reshape(-1, 2).T
+    listed = [span for each in spans for span in each]
+    first, last = np.array(listed, dtype=np.int64).reshape(-1, 2).T
     return np.repeat(chosen, [len(each) for each in spans]), (first, last)
 
 

@@ -215,6 +215,8 @@ def laid_out(
     first = arrival[graph.tail] if graph.layer is None else graph.layer.begins
     if graph.entries is not None:
         first, last = np.maximum(first, graph.entries[0]), np.minimum(last, graph.entries[1])
+        # where agents cannot wait, they may be gone from a state by then
+        first = np.maximum(first, arrival[graph.head] - graph.duration)
     if graph.outcomes is not None:
         ending = graph.outcomes.ending
         first = np.where(ending, np.maximum(first, horizon), first)
