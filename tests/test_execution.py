@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -128,6 +129,8 @@ def test_where_nobody_is_left_the_rest_happens_without(seed: int) -> None:
         assert not any(fleet.states[-1].values())
         assert not any(done.plan.state_at(mission.horizon).values())
         assert done.availability == slack(mission, fleet.states)
+        assert tsplan.check(mission, done.plan).ok == done.met
+        assert not tsplan.check(mission, replace(done.plan, availability=17.0)).ok
 
 
 def test_a_trial_says_how_often_the_formula_held() -> None:
@@ -218,7 +221,8 @@ def test_robots_may_all_be_lost(rounds, tmp_path) -> None:
     assert done.code == 1
     assert done.out.startswith("the formula did not hold")
     assert not any(tsplan.load_plan(out).state_at(1).values())
-    assert "nobody is left at step 1" in here("check", str(mission), str(out)).out
+    told = here("check", str(mission), str(out)).out.splitlines()
+    assert told == [f"{out}: the formula does not hold (its availability is -2)"]
     trial = tsplan.execute(mission, plan, runs=2, loss=0.999)
     assert str(trial).endswith("it was never planned again: it worked, or nobody was left")
 

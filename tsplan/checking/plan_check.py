@@ -29,7 +29,7 @@ from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.lateness import late
 from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
-from tsplan.checking.replanned_check import left_over, on_whole_trace
+from tsplan.checking.replanned_check import ended, left_over, on_whole_trace
 from tsplan.checking.satisfaction_check import completed, false_claims
 from tsplan.checking.supplied import unsupplied
 from tsplan.checking.team_check import strangers, told
@@ -69,14 +69,13 @@ def check(mission: Mission, plan: Plan) -> Report:
 def _replanned(mission: Mission, plan: Plan) -> Report:
     """The report on a plan that was replanned, by what comes after that."""
     left = left_over(mission, plan)
-    if left.rest is None:
+    if left.problems:
         return Report(findings_of(left.problems), ())
-    report = check(left.rest.mission, left.plan)
-    step = left.rest.step
+    report = check(left.rest.mission, left.plan) if left.rest else ended(mission, plan)
     if not report.ok or report.availability is None:
         return report
-    problems = list(on_whole_trace(left.rest, plan, mission, report.availability))
-    told = f"what happened before step {step} is taken as the plan tells it"
+    problems = list(on_whole_trace(mission, plan, report.availability))
+    told = f"what happened before step {plan.replanned[-1].step} is taken as the plan tells it"
     facts = () if problems else (told, *report.facts)
     return replace(report, findings=findings_of(problems), facts=facts)
 
@@ -107,8 +106,9 @@ def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
     if plan.replanned:
         left = left_over(mission, plan)
         refuse(left.problems)
-        if left.rest is not None:
-            mission, plan = left.rest.mission, left.plan
+        if left.rest is None:  # of nobody
+            return {}
+        mission, plan = left.rest.mission, left.plan
     read = read_traffic if mission.expected is None else read_policies
     traffic, problems = read(mission, plan)
     if traffic is None:

@@ -9,13 +9,16 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
+from tsplan.checking.check_report import Report, findings_of
 from tsplan.checking.claimed_values import shown
 from tsplan.errors import InputError
+from tsplan.history.changed_formula import changed_formula
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import rest_of_plan
 from tsplan.history.past_moves import presences
 from tsplan.history.past_paths import newcomers, robots_of
 from tsplan.history.path_traces import path_trace
+from tsplan.history.rest_mission import nobody_left
 from tsplan.logic.evaluation import robustness
 from tsplan.name_runs import RunMap
 from tsplan.plans.bundles import Agents
@@ -30,7 +33,10 @@ if TYPE_CHECKING:
 
 
 class Left(NamedTuple):
-    """What was left of a mission, and the plan for it; `problems` are those of what came before."""
+    """What was left of a mission, and the plan for it; `problems` are those of what came before.
+
+    Without a rest and problems nobody was left.
+    """
 
     rest: Rest | None
     plan: Plan
@@ -49,6 +55,8 @@ def left_over(mission: Mission, plan: Plan) -> Left:
     if problems:
         return Left(None, plan, problems)
     try:
+        if nobody_left(mission, plan):
+            return Left(None, plan, [])
         rest, cut = rest_of_plan(mission, plan)
     except InputError as error:
         return Left(None, plan, [finding.message for finding in error.findings])
@@ -58,14 +66,35 @@ def left_over(mission: Mission, plan: Plan) -> Left:
     return Left(rest, cut, problems)
 
 
-def on_whole_trace(rest: Rest, plan: Plan, mission: Mission, availability: float) -> Iterator[str]:
-    """Whether the formula has that availability on what has happened and what is planned."""
-    formula = mission.counting(rest.formula)
+def _whole(mission: Mission, plan: Plan) -> float:
+    """The availability of the formula on what has happened and what is planned."""
+    formula = mission.counting(changed_formula(mission, plan.replanned))
     maps = Maps(mission.system, plan.replanned)
     swarms = presences(mission, plan.moves, maps, plan.horizon)
     agents = robots_of(mission, plan)
-    trace = path_trace(rest.mission.system, formula, agents, plan.horizon, swarms)
-    whole = float(robustness(formula, trace)[0])
+    trace = path_trace(mission.system, formula, agents, plan.horizon, swarms)
+    return float(robustness(formula, trace)[0])
+
+
+def ended(mission: Mission, plan: Plan) -> Report:
+    """The report on a plan of which nobody is left, by what has happened."""
+    actual = _whole(mission, plan)
+    problems = [
+        f"the plan claims {item.name} {shown(item.value)}, and nobody is left"
+        for item in plan.objective
+        if item.value is not None
+    ]
+    if actual < 0:
+        problems.append(f"the formula does not hold (its availability is {shown(actual)})")
+    if plan.availability not in (None, actual):
+        problems.append(f"the plan claims availability {plan.availability} and has {shown(actual)}")
+    held = f"nobody is left, and the formula holds with availability {shown(actual)}"
+    return Report(findings_of(problems), () if problems else (held,), actual)
+
+
+def on_whole_trace(mission: Mission, plan: Plan, availability: float) -> Iterator[str]:
+    """Whether the formula has that availability on what has happened and what is planned."""
+    whole = _whole(mission, plan)
     if whole != availability:
         yield (
             f"the formula has availability {shown(whole)} on the whole trace, and what is left of "

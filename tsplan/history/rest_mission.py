@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from tsplan.mission.resources import Carries
     from tsplan.name_runs import Run
     from tsplan.plans.bundles import Bundle
+    from tsplan.plans.plan import Plan
     from tsplan.plans.worlds import World
 
 
@@ -93,6 +94,18 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     )
     parts = tuple((part, left.of(part)) for part in parts_of(formula))
     return Rest(made, tuple(worlds), past, (*names, *nobody), formula, parts, last)
+
+
+def nobody_left(mission: Mission, plan: Plan) -> bool:
+    """Whether nobody goes on from where a plan was replanned last.
+
+    Raises PlanError where that cannot be told.
+    """
+    worlds = plan.replanned
+    maps, past = Maps(mission.system, worlds), Past.of(mission, plan, worlds[-1].step)
+    if next(whereabouts(mission, past.agents, worlds, maps), None) is not None:
+        return False
+    return next(swarms_now(mission, past.moves, worlds, maps), None) is None
 
 
 STABLE = ("stability", "deviation")
