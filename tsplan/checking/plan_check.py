@@ -29,7 +29,7 @@ from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.lateness import late
 from tsplan.checking.measures import Number, measured
 from tsplan.checking.plan_facts import facts_of
-from tsplan.checking.replanned_check import ended, left_over, on_whole_trace
+from tsplan.checking.replanned_check import ended, left_over, on_whole_trace, taken
 from tsplan.checking.satisfaction_check import completed, false_claims
 from tsplan.checking.supplied import unsupplied
 from tsplan.checking.team_check import strangers, told
@@ -71,12 +71,13 @@ def _replanned(mission: Mission, plan: Plan) -> Report:
     left = left_over(mission, plan)
     if left.problems:
         return Report(findings_of(left.problems), ())
-    report = check(left.rest.mission, left.plan) if left.rest else ended(mission, plan)
+    if left.rest is None:
+        return ended(mission, plan)
+    report = check(left.rest.mission, left.plan)
     if not report.ok or report.availability is None:
         return report
     problems = list(on_whole_trace(mission, plan, report.availability))
-    told = f"what happened before step {plan.replanned[-1].step} is taken as the plan tells it"
-    facts = () if problems else (told, *report.facts)
+    facts = () if problems else (taken(plan), *report.facts)
     return replace(report, findings=findings_of(problems), facts=facts)
 
 

@@ -18,7 +18,7 @@ from tsplan.history.joined_plan import rest_of_plan
 from tsplan.history.past_moves import presences
 from tsplan.history.past_paths import newcomers, robots_of
 from tsplan.history.path_traces import path_trace
-from tsplan.history.rest_mission import nobody_left
+from tsplan.history.rest_mission import NobodyLeftError
 from tsplan.logic.evaluation import robustness
 from tsplan.name_runs import RunMap
 from tsplan.plans.bundles import Agents
@@ -55,9 +55,9 @@ def left_over(mission: Mission, plan: Plan) -> Left:
     if problems:
         return Left(None, plan, problems)
     try:
-        if nobody_left(mission, plan):
-            return Left(None, plan, [])
         rest, cut = rest_of_plan(mission, plan)
+    except NobodyLeftError:
+        return Left(None, plan, [])
     except InputError as error:
         return Left(None, plan, [finding.message for finding in error.findings])
     if plan.horizon != rest.horizon:
@@ -76,6 +76,11 @@ def _whole(mission: Mission, plan: Plan) -> float:
     return float(robustness(formula, trace)[0])
 
 
+def taken(plan: Plan) -> str:
+    """What a report on a plan that was replanned rests on."""
+    return f"what happened before step {plan.replanned[-1].step} is taken as the plan tells it"
+
+
 def ended(mission: Mission, plan: Plan) -> Report:
     """The report on a plan of which nobody is left, by what has happened."""
     actual = _whole(mission, plan)
@@ -89,7 +94,7 @@ def ended(mission: Mission, plan: Plan) -> Report:
     if plan.availability not in (None, actual):
         problems.append(f"the plan claims availability {plan.availability} and has {shown(actual)}")
     held = f"nobody is left, and the formula holds with availability {shown(actual)}"
-    return Report(findings_of(problems), () if problems else (held,), actual)
+    return Report(findings_of(problems), () if problems else (taken(plan), held), actual)
 
 
 def on_whole_trace(mission: Mission, plan: Plan, availability: float) -> Iterator[str]:

@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from tsplan.mission.resources import Carries
     from tsplan.name_runs import Run
     from tsplan.plans.bundles import Bundle
-    from tsplan.plans.plan import Plan
     from tsplan.plans.worlds import World
 
 
@@ -56,11 +55,15 @@ class Rest:
         return self.worlds[-1].step
 
 
+class NobodyLeftError(MissionError):
+    """Everybody is lost at the step from which on it is to be planned again."""
+
+
 def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     """What is left of a mission, given what happened until the last world's step.
 
-    Raises PlanError for worlds that cannot be, and MissionError for missions that cannot be
-    planned again, and where nobody is left.
+    Raises PlanError for worlds that cannot be, MissionError for missions that cannot be planned
+    again, and NobodyLeftError where nobody is left.
     """
     refuse_unknown_kinds(mission)
     step = worlds[-1].step
@@ -74,7 +77,7 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     swarms = tuple(swarms_now(mission, past.moves, worlds, maps))
     team = (*robots, *swarms)
     if not team:
-        raise MissionError([Finding(f"nobody is left at step {step}", "add agents")])
+        raise NobodyLeftError([Finding(f"nobody is left at step {step}", "add agents")])
     nobody = sum(len(swarm.starts) + len(swarm.coming) for swarm in swarms) * ((),)
     left = _Left(mission, past, step)
     made = replace(
@@ -94,18 +97,6 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     )
     parts = tuple((part, left.of(part)) for part in parts_of(formula))
     return Rest(made, tuple(worlds), past, (*names, *nobody), formula, parts, last)
-
-
-def nobody_left(mission: Mission, plan: Plan) -> bool:
-    """Whether nobody goes on from where a plan was replanned last.
-
-    Raises PlanError where that cannot be told.
-    """
-    worlds = plan.replanned
-    maps, past = Maps(mission.system, worlds), Past.of(mission, plan, worlds[-1].step)
-    if next(whereabouts(mission, past.agents, worlds, maps), None) is not None:
-        return False
-    return next(swarms_now(mission, past.moves, worlds, maps), None) is None
 
 
 STABLE = ("stability", "deviation")

@@ -13,6 +13,7 @@ from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import ended_plan, joined_plan
 from tsplan.history.past_paths import Past, really, whereabouts
 from tsplan.history.path_traces import path_trace
+from tsplan.history.rest_mission import NobodyLeftError
 from tsplan.logic.evaluation import robustness
 from tsplan.plans.bundles import Agents
 from tsplan.plans.outcomes import Status
@@ -86,11 +87,9 @@ class Execution:
     def take(self, seen: Seen) -> None:
         """Take in what is seen at the next step."""
         self.step = seen.step
-        planned = dict(self._places(seen.step))
-        world = difference(seen.step, planned, seen)
+        world = difference(seen.step, dict(self._places(seen.step)), seen)
         if world is not None:
-            gone = planned.keys() <= set(world.lost)
-            self.plan = self._ended(world) if gone else self._adjusted(world)
+            self.plan = self._adjusted(world)
             self.keep(seen, self.plan)
 
     def outcome(self) -> Executed:
@@ -123,7 +122,10 @@ class Execution:
 
     def _adjusted(self, world: World) -> Plan:
         """The plan from a world on: the one there is, if it works, else another one."""
-        rest = left(self.mission, self.plan, world).rest
+        try:
+            rest = left(self.mission, self.plan, world).rest
+        except NobodyLeftError:
+            return self._ended(world)
         followed = catching_up(rest, self.plan)
         self._adapted += 1
         try:
