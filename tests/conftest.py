@@ -1,4 +1,4 @@
-"""What several files of tests are given: a folder to work in, and every usable solver.
+"""What several files of tests are given: a folder, a browser, and every usable solver.
 
 Nothing is imported here that the job with rtamt, which has an environment of its own, does without.
 """
@@ -16,6 +16,9 @@ settings.register_profile("unhurried", deadline=None, suppress_health_check=[Hea
 settings.load_profile("unhurried")
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from tests.browser import Browser
     from tsplan.milp.solver import Solver
 
 
@@ -28,6 +31,21 @@ def folder(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.M
         (tmp_path / name).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
+    """A headless browser for the tests of a module; skipped where there is none."""
+    from tests.browser import Browser, browser_path  # noqa: PLC0415  (as above)
+
+    if browser_path() is None:
+        pytest.skip(
+            "needs Chromium or Chrome: install one (Debian's package: chromium), or name its "
+            "program in TSPLAN_BROWSER"
+        )
+    running = Browser(tmp_path_factory.mktemp("profile"))
+    yield running
+    running.close()
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:

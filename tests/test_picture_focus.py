@@ -11,9 +11,9 @@ import pytest
 import tsplan
 from tests.deliveries import building
 from tests.legible import assert_legible
-from tests.walks import walking, wandering
+from tests.walks import walking, wandering, write_walks
 from tests.yards import bars, named, texts, yard
-from tsplan import InputError, load_mission, save_picture, save_plan
+from tsplan import InputError, load_mission, save_picture
 from tsplan.cli import main
 from tsplan.draw.canvas import DARK, WHITE
 from tsplan.draw.colours import NAMED, lightness, rgb
@@ -294,12 +294,8 @@ def test_what_plot_returns_can_be_saved(tmp_path):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    for name in ("farm.yaml", "farm_harvest.yaml"):
-        (tmp_path / name).write_bytes((ENVIRONMENTS / name).read_bytes())
     monkeypatch.chdir(tmp_path)
-    mission = load_mission("farm_harvest.yaml")
-    save_plan(walking(mission), tmp_path / "plan.json")
-    save_plan(walking(mission, 3), tmp_path / "trace.json")
+    write_walks(tmp_path)
     return tmp_path
 
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from tests.fence_missions import fence
-from tests.walks import walking
+from tests.walks import walking, write_walks
 from tests.yards import yard
-from tsplan import InputError, PlanError, Trajectory, load_any_mission, load_mission, save_plan
+from tsplan import InputError, PlanError, Trajectory, load_any_mission, load_mission
 from tsplan import plan as plan_for
 from tsplan.cli import main
 from tsplan.plans.outcomes import MissionRef
@@ -97,12 +97,8 @@ def test_durations_are_told_where_they_differ():
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    for name in ("farm.yaml", "farm_harvest.yaml"):
-        (tmp_path / name).write_bytes((ENVIRONMENTS / name).read_bytes())
     monkeypatch.chdir(tmp_path)
-    mission = load_mission("farm_harvest.yaml")
-    save_plan(walking(mission), tmp_path / "plan.json")
-    save_plan(walking(mission, 3), tmp_path / "trace.json")
+    write_walks(tmp_path)
     return tmp_path
 
 

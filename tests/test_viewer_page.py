@@ -8,41 +8,26 @@ from itertools import pairwise
 
 import pytest
 
-from tests.browser import Browser, browser_path
 from tests.deliveries import building
-from tests.viewing import HOSTILE, mission_on, plan_of, system
+from tests.viewing import (
+    HORIZON,
+    HOSTILE,
+    NAMES,
+    mission_on,
+    plan_of,
+    scouts_and_heavies,
+    system,
+)
 from tests.walks import walking
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.viewer import page
 from tsplan.viewer.page_data import page_data
 from tsplan.words import visible
 
-pytestmark = pytest.mark.skipif(
-    browser_path() is None,
-    reason="needs Chromium or Chrome: install one (Debian's package: chromium), or name its "
-    "program in TSPLAN_BROWSER",
-)
-
-HORIZON = 14
-NAMES = ("p", "q", "r", "s", "t")
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory):
-    running = Browser(tmp_path_factory.mktemp("profile"))
-    yield running
-    running.close()
-
 
 @pytest.fixture(scope="module")
 def planned():
-    team = [
-        {"class": "scout", "count": 4, "at": {"p": 3, "r": 1}, "capabilities": ["see"]},
-        {"class": "heavy", "count": 3, "at": "q", "capabilities": ["lift"]},
-    ]
-    formula = "F[0,9] (sum(q) >= 1) && G[0,12] (sum(r) <= 7)"
-    mission = mission_on(system(NAMES, duration=3), team, formula, HORIZON)
-    return mission, walking(mission, 5)
+    return scouts_and_heavies()
 
 
 @pytest.fixture

@@ -8,7 +8,6 @@ import json
 import numpy as np
 import pytest
 
-from tests.browser import Browser, browser_path
 from tests.carts import REF, cart_mission, cart_run
 from tests.viewing import HOSTILE
 from tsplan.errors import InputError, PlanError
@@ -87,15 +86,6 @@ def test_strips_have_no_ends_and_single_signals_no_plane():
 
 # --- in a browser --------------------------------------------------------------------------------
 
-seen = pytest.mark.skipif(browser_path() is None, reason="needs Chromium or Chrome")
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory):
-    running = Browser(tmp_path_factory.mktemp("profile"))
-    yield running
-    running.close()
-
 
 @pytest.fixture
 def shown(browser, tmp_path):
@@ -122,7 +112,6 @@ def at(browser, time):
     return browser.run("tsplanViewer.places()")
 
 
-@seen
 def test_the_point_is_where_the_signals_are(shown):
     opened = shown(MISSION, FOUND)
     for time in (0, 2, 2.5, 4.25, 5):
@@ -137,7 +126,6 @@ def test_the_point_is_where_the_signals_are(shown):
     assert parts[0]["status"] == "done"
 
 
-@seen
 def test_the_point_is_drawn_and_moves(shown):
     image = pytest.importorskip("PIL.Image")
     opened = shown(MISSION, FOUND)
@@ -154,7 +142,6 @@ def test_the_point_is_drawn_and_moves(shown):
     assert places[0] != places[1]
 
 
-@seen
 def test_keys_and_choices_work_on_signals(shown):
     opened = shown(MISSION, FOUND)
     opened.press("ArrowRight")
@@ -172,7 +159,6 @@ def test_keys_and_choices_work_on_signals(shown):
     assert opened.run("document.querySelectorAll('#agents button').length") == 1
 
 
-@seen
 def test_one_signal_and_hostile_names(shown):
     name = HOSTILE[0]
     mission = SignalMission(System({name: (0, 9)}), parse("true", language="stl"), 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tsplan
+from tests.walks import walking
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.outcomes import MissionRef, Status
 from tsplan.plans.plan import Plan
@@ -16,6 +17,9 @@ HOSTILE = (
     "中文 κόσμος \u2028 עברית 🚀",
     "${window.caught = 3}` \\u003c $x^2$",
 )
+
+HORIZON = 14
+NAMES = ("p", "q", "r", "s", "t")
 
 
 def system(names, duration=1):
@@ -31,6 +35,17 @@ def mission_on(system, team, formula, horizon):
     return tsplan.Mission.of(
         map=system, team=team, formula=formula, language="mtl", horizon=horizon, name="test"
     )
+
+
+def scouts_and_heavies():
+    """A mission of two classes on a ring of NAMES, and a plan in which they wander to HORIZON."""
+    team = [
+        {"class": "scout", "count": 4, "at": {"p": 3, "r": 1}, "capabilities": ["see"]},
+        {"class": "heavy", "count": 3, "at": "q", "capabilities": ["lift"]},
+    ]
+    formula = "F[0,9] (sum(q) >= 1) && G[0,12] (sum(r) <= 7)"
+    mission = mission_on(system(NAMES, duration=3), team, formula, HORIZON)
+    return mission, walking(mission, 5)
 
 
 def plan_of(mission, paths):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from random import Random
 
-from tsplan import Mission
+from tsplan import Mission, load_mission, save_plan
 from tsplan.mission import Group
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.outcomes import MissionRef
 from tsplan.plans.plan import Plan
+
+ENVIRONMENTS = Path(__file__).parents[1] / "environments"
 
 
 def walk(mission, agent, random):
@@ -59,3 +62,12 @@ def wandering(system, team, horizon=20, name="walks"):
         name=name,
     )
     return mission, walking(mission)
+
+
+def write_walks(folder):
+    """A shipped mission with its map, plan.json and what became of it, trace.json, in a folder."""
+    for name in ("farm.yaml", "farm_harvest.yaml"):
+        (folder / name).write_bytes((ENVIRONMENTS / name).read_bytes())
+    mission = load_mission(folder / "farm_harvest.yaml")
+    save_plan(walking(mission), folder / "plan.json")
+    save_plan(walking(mission, 3), folder / "trace.json")
