@@ -19,7 +19,7 @@ from tsplan.plans.bundles import Agents
 from tsplan.plans.outcomes import Status
 from tsplan.plans.worlds import OnEdge, World
 from tsplan.replanning.catching_up import catching_up
-from tsplan.replanning.replanner import left, replanned
+from tsplan.replanning.replanner import Left, left, planned_again
 from tsplan.replanning.robot_fleet import Fleet, MoveOrder, Seen, difference
 
 if TYPE_CHECKING:
@@ -123,15 +123,16 @@ class Execution:
     def _adjusted(self, world: World) -> Plan:
         """The plan from a world on: the one there is, if it works, else another one."""
         try:
-            rest = left(self.mission, self.plan, world).rest
+            found = left(self.mission, self.plan, world)
         except NobodyLeftError:
             return self._ended(world)
+        rest = found.rest
         followed = catching_up(rest, self.plan)
         self._adapted += 1
         try:
             return joined_plan(rest, certify(rest.mission, followed))
         except SolverError:  # it does not work any more
-            made = self._replanned(world)
+            made = self._replanned(found)
         return joined_plan(rest, followed) if made is None else made
 
     def _ended(self, world: World) -> Plan:
@@ -139,16 +140,16 @@ class Execution:
         maps = Maps(self.mission.system, (*self.plan.replanned, world))
         return ended_plan(self.plan, really(self.mission, self.plan, world, maps), world)
 
-    def _replanned(self, world: World) -> Plan | None:
+    def _replanned(self, found: Left) -> Plan | None:
         """Another plan, if one is asked for and found.
 
         Where it was proven that there is none there will be none, unless something opens.
         """
-        self._hopeless = self._hopeless and not world.opened
+        self._hopeless = self._hopeless and not found.rest.worlds[-1].opened
         if self.planner is None or self._hopeless:
             return None
         began = time.perf_counter()
-        made = replanned(self.mission, self.plan, world, planner=self.planner)
+        made = planned_again(self.mission, self.plan, found, planner=self.planner)
         self._seconds.append(time.perf_counter() - began)
         if made.has_paths:
             return made

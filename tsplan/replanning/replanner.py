@@ -117,7 +117,15 @@ def replanned(
     **options: Any,
 ) -> Plan:
     """The same from a world; `planner` plans the rest."""
-    rest, before = left(mission, plan, world, objective)
+    found = left(mission, plan, world, objective)
+    return planned_again(mission, plan, found, planner=planner, **options)
+
+
+def planned_again(
+    mission: Mission, plan: Plan, found: Left, *, planner: Planner = plan_mission, **options: Any
+) -> Plan:
+    """The same from what has been found to be left of the mission."""
+    rest, before = found
     if gone := impossible(rest):
         made = _infeasible(rest, gone)
     else:
