@@ -119,7 +119,7 @@ def _with_robots(mission: Mission, plan: Plan, options: argparse.Namespace) -> E
         if journal is not None:
             journal.keep(seen, changed)
         if not options.quiet and changed is not None:
-            remark(f"step {seen.step}: {'the plan is another one from here on'}")
+            remark(f"step {seen.step}: the plan is another one from here on")
 
     if journal is not None:
         journal.begin(plan)

@@ -19,7 +19,7 @@ from tsplan.mission import Mission
 from tsplan.plans.outcomes import Status
 from tsplan.plans.plan_file import load_plan, save_plan
 from tsplan.process.interrupt import Requests
-from tsplan.replanning.replanner import left, replanned
+from tsplan.replanning.replanner import left, planned_again
 from tsplan.run.isolate import Order, Planning
 
 if TYPE_CHECKING:
@@ -54,7 +54,8 @@ def _replanned(
     mission: Mission, plan: Plan, world: World, choice: SolverChoice, options: argparse.Namespace
 ) -> Exit:
     objective = tuple(options.objective) or None
-    rest = left(mission, plan, world, objective).rest.mission
+    found = left(mission, plan, world, objective)
+    rest = found.rest.mission
     warn(rest.warnings)
     requests, unwritten = Requests(quiet=options.quiet), None
     with requests.heard():
@@ -64,7 +65,7 @@ def _replanned(
                 order = Order(asked, choice, anytime=options.anytime, start=start)
                 return cast("Plan", Planning(progress, requests).plan(order))
 
-            made = replanned(mission, plan, world, objective=objective, planner=planner)
+            made = planned_again(mission, plan, found, planner=planner)
         if options.rest is not None:
             unwritten = attempted(partial(rest.save, options.rest))
         if options.output is not None and made.has_paths:

@@ -60,7 +60,8 @@ def replan(
     be; MissionError for missions that cannot be planned again (see docs/replanning.md).
     """
     mission, plan = _given(mission, plan)
-    return replanned(mission, plan, world_of(step, changes), objective=objective, **(options or {}))
+    found = left(mission, plan, world_of(step, changes), objective)
+    return planned_again(mission, plan, found, **(options or {}))
 
 
 def rest_mission(
@@ -107,24 +108,10 @@ def left(
     return Left(with_intended(rest, before), before)
 
 
-def replanned(
-    mission: Mission,
-    plan: Plan,
-    world: World,
-    *,
-    objective: Sequence[str] | None = None,
-    planner: Planner = plan_mission,
-    **options: Any,
-) -> Plan:
-    """The same from a world; `planner` plans the rest."""
-    found = left(mission, plan, world, objective)
-    return planned_again(mission, plan, found, planner=planner, **options)
-
-
 def planned_again(
     mission: Mission, plan: Plan, found: Left, *, planner: Planner = plan_mission, **options: Any
 ) -> Plan:
-    """The same from what has been found to be left of the mission."""
+    """The plan with another one for what has been found to be left; `planner` plans that."""
     rest, before = found
     if gone := impossible(rest):
         made = _infeasible(rest, gone)
