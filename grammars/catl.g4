@@ -1,11 +1,14 @@
-// Capability temporal logic: MTL over counts, with tasks T(d, A, {(c,m)}) and limits L(A, {(c,m)}).
+// Capability temporal logic: MTL over counts, with tasks T(d, A, {(c,m)}), limits L(A, {(c,m)}),
+// and tasks of which some steps are over: begun(T(d, A, {(c,m)}), s).
 grammar catl;
 
 import mtl;
 
-atom : count | known | task | limit | name ;
+atom : count | known | task | begun | limit | name ;
 
 task : TASK '(' number ',' name ',' pairs (',' pairs)? ')' ;
+
+begun : BEGUN '(' task ',' number ')' ;
 
 limit : LIMIT '(' name ',' pairs ')' ;
 
@@ -13,7 +16,8 @@ pairs : '{' (pair (',' pair)*)? '}' ;
 
 pair : '(' name ',' number ')' ;
 
-reserved : word | SUM | MIN | MAX | KNOWN | TASK | LIMIT ;
+reserved : word | SUM | MIN | MAX | KNOWN | TASK | BEGUN | LIMIT ;
 
 TASK  : 'T' ;
+BEGUN : 'begun' ;
 LIMIT : 'L' ;

@@ -252,10 +252,10 @@ def test_translating_tasks_keeps_their_meaning(case):
     assert not any(isinstance(node, Task | Limit) for node in logic.walk(plain))
     for node in logic.walk(formula):
         if isinstance(node, Task):
-            assert staffed(node, trace, node.duration + 1) == holds(node, trace).tolist()
-            if node.duration:
+            assert staffed(node, trace, node.left + 1) == holds(node, trace).tolist()
+            if node.left:
                 short = holds(translate(node, interval="half-open"), trace).tolist()
-                assert staffed(node, trace, node.duration) == short
+                assert staffed(node, trace, node.left) == short
         if isinstance(node, Limit):
             assert limited(node, trace) == holds(node, trace).tolist()
     assert np.array_equal(robustness(plain, trace), robustness(formula, trace))

@@ -11,8 +11,10 @@ from hypothesis import strategies as st
 
 from tests.seeds import quick, seeds
 from tsplan import logic
+from tsplan.errors import FormulaError
 from tsplan.logic import CountTrace, Formula, Known, SignalTrace, holds, parse, progress, robustness
 from tsplan.logic.dominance import Dominance
+from tsplan.logic.progression import still_executed
 from tsplan.logic.traces import Trace
 from tsplan.testing.formula_strategies import formulas, judged, trace_for
 
@@ -162,6 +164,26 @@ def test_what_cannot_be_progressed_is_refused():
 
 
 # --- executions ---------------------------------------------------------------------------------
+
+
+def test_a_task_that_has_begun_is_what_is_left_of_it():
+    text = "T(3,a,{(c,1)},{(oil,1),(drill,2)})"
+    begun = parse(f"begun({text},2)", "catl")
+    assert begun == replace(parse(text, "catl"), begun=2)
+    assert (logic.horizon(begun), begun.left) == (1, 1)
+    done = [n for n in logic.walk(logic.translate(parse(text, "catl"))) if n.children == ()][-1]
+    going_on = still_executed(done, 2, {"oil"})
+    wanted = logic.And((parse("G[0,1] min(a,c) >= 1"), going_on))
+    assert logic.translate(begun, consumed={"oil"}) == wanted
+    assert still_executed(still_executed(done, 1), 1, {"oil"}) == going_on
+    spent = logic.translate(parse("begun(T(3,a,{(c,1)},{(oil,1)}),3)", "catl"), consumed={"oil"})
+    assert spent == parse("G[0,0] min(a,c) >= 1")
+
+
+@pytest.mark.parametrize("steps", ["0", "4", "1.5", "-1"])
+def test_no_task_has_begun_when_it_is_over_or_not_yet(steps):
+    with pytest.raises(FormulaError, match="1:22"):
+        parse(f"begun(T(3,a,{{(c,1)}}),{steps})", "catl")
 
 
 def test_executions_go_on_come_to_an_end_or_have_not_been():

@@ -160,15 +160,25 @@ class Task(Formula):
 
     This lasts `duration` steps. `resources` are (name, amount) pairs: a task with some is executed,
     and they are needed for that at each of the states. A name that is repeated adds up.
+
+    A task may have `begun` so many steps ago. Then it goes on for the steps that are left of it,
+    and needs of its resources those that are used, and not used up when it begins.
+
+    >>> print(Task(3, "wall", (("lift", 2),), begun=1))
+    begun(T(3,wall,{(lift,2)}),1)
     """
 
     duration: int
     label: str
     needs: Needs
     resources: tuple[tuple[str, float], ...] = ()
+    begun: int = 0
 
     def __post_init__(self) -> None:
         _whole(self.duration, least=0)
+        _whole(self.begun, least=0)
+        if self.begun > self.duration:
+            raise ValueError(f"a task of {self.duration} steps has not begun {self.begun} ago")
         object.__setattr__(self, "label", _name(self.label))
         object.__setattr__(self, "needs", _staffing(self.needs))
         spent: dict[str, float] = {}
@@ -184,6 +194,11 @@ class Task(Formula):
         if not self.needs and not self.resources:
             raise ValueError("a task asks for some capability or resource")
 
+    @property
+    def left(self) -> int:
+        """The steps that are left of it, from now on."""
+        return self.duration - self.begun
+
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Execution(Formula):
@@ -191,14 +206,26 @@ class Execution(Formula):
 
     Nothing in a text is read as this: it is a part of what a task translates to that has resources
     or agents of its own.
-    `task` is the text of the task. Its needs hold, and tools are in use, from now on to `last`.
+    `whole` is the text of the task. Its needs hold, and tools are in use, from now on to `last`.
+    It may have `begun` so many steps ago.
     """
 
-    task: str
+    whole: str
     label: str
     needs: Needs
     resources: tuple[tuple[str, float], ...]
     last: int
+    begun: int = 0
+
+    @property
+    def task(self) -> str:
+        """The text of the task, or of the rest of it."""
+        return begun_text(self.whole, self.begun)
+
+
+def begun_text(task: str, steps: int) -> str:
+    """The text of a task that has begun so many steps ago, by its own."""
+    return f"begun({task},{steps})" if steps else task
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)

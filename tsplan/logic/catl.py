@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from fractions import Fraction
 from functools import singledispatch
@@ -33,15 +33,20 @@ INTERVALS: tuple[TaskInterval, ...] = ("closed", "half-open")
 
 
 def translate(
-    formula: Formula, interval: TaskInterval = "closed", *, executed: bool = False
+    formula: Formula,
+    interval: TaskInterval = "closed",
+    *,
+    executed: bool = False,
+    consumed: Collection[str] = (),
 ) -> Formula:
     """The formula without tasks and limits.
 
     `T(d,A,{(c,m),...})` becomes `G[0,d]` of the conjunction of `min(A,c) >= m`; `half-open` ends
     one step sooner. `L(A,{(c,m),...})` becomes the conjunction of `max(A,c) <= m`. A task with
-    resources also becomes the `Execution` of it; where tasks are `executed`, every task does.
+    resources also becomes the `Execution` of it; where tasks are `executed`, every task does. One
+    that has begun needs none of the resources that are `consumed`, by name, any more.
 
-    Raises FormulaError for tasks of duration 0 where the interval is half-open.
+    Raises FormulaError for tasks that last no step where the interval is half-open.
 
     >>> from tsplan.logic import parse
     >>> print(translate(parse("F[0,9] T(2, green, {(IR,2),(Vis,1)})", language="catl")))
@@ -59,8 +64,8 @@ def translate(
         raise FormulaError(findings)
 
     def plain(node: Formula, below: tuple[Formula, ...]) -> Formula:
-        if executed and isinstance(node, Task):
-            return _execution(node, interval)
+        if isinstance(node, Task) and (executed or node.resources):
+            return _execution(node, interval, consumed, booked=executed)
         return counted(node, below, interval)
 
     made: Formula = fold(formula, plain)
@@ -69,7 +74,7 @@ def translate(
 
 def _untranslatable(node: Task, interval: TaskInterval) -> list[Finding]:
     findings = []
-    if interval == "half-open" and node.duration == 0:
+    if _last(node, interval) < 0:
         remedy = "give it at least 1 step, or use the closed task interval"
         findings.append(Finding(f"'{node}' lasts no step in a half-open interval", remedy))
     return findings
@@ -105,12 +110,12 @@ def _(
 
 @counted.register
 def _(node: Task, _below: tuple[Formula, ...], interval: TaskInterval) -> Formula:
-    return _execution(node, interval) if node.resources else _staffed(node, interval)
+    return _staffed(node, interval)
 
 
 def _last(node: Task, interval: TaskInterval) -> int:
-    """How many steps after its first one a task ends."""
-    return node.duration if interval == "closed" else node.duration - 1
+    """How many steps from now on a task ends."""
+    return node.left - (interval != "closed")
 
 
 def _staffed(node: Task, interval: TaskInterval) -> Formula:
@@ -119,9 +124,17 @@ def _staffed(node: Task, interval: TaskInterval) -> Formula:
     return Always(0, _last(node, interval), conjunction(staffed))
 
 
-def _execution(node: Task, interval: TaskInterval) -> Formula:
-    """A task has its agents and is executed."""
-    done = Execution(str(node), node.label, node.needs, node.resources, _last(node, interval))
+def _execution(
+    node: Task, interval: TaskInterval, consumed: Collection[str], *, booked: bool
+) -> Formula:
+    """A task has its agents and is executed, if that takes agents or resources of its own."""
+    gone = consumed if node.begun else ()
+    used = tuple((name, amount) for name, amount in node.resources if name not in gone)
+    if not (used or booked):
+        return _staffed(node, interval)
+    whole = str(replace(node, begun=0))
+    last = _last(node, interval)
+    done = Execution(whole, node.label, node.needs, used, last, node.begun)
     return conjunction((_staffed(node, interval), done))
 
 

@@ -7,7 +7,7 @@ from itertools import islice
 from types import MappingProxyType
 
 from tsplan.logic import nodes
-from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Task
+from tsplan.logic.atoms import Count, Execution, Known, Limit, Linear, Task, begun_text
 from tsplan.logic.nodes import Formula
 from tsplan.logic.text import Binding, Layout, Operand, Part, layout, number_text, quoted, sum_text
 from tsplan.logic.weight_values import Weights
@@ -94,7 +94,7 @@ def _(node: Task) -> Layout:
     parts = [str(node.duration), quoted(node.label), _pairs(node.needs)]
     if node.resources:
         parts.append(_pairs(node.resources))
-    return _atom(f"T({','.join(parts)})")
+    return _atom(begun_text(f"T({','.join(parts)})", node.begun))
 
 
 @layout.register

@@ -44,9 +44,9 @@ def progress(
     matters is known by its margin: of counts as `Known`, of signals as a `Linear` without terms.
 
     Tasks are read with their closed interval; translate first for the half-open one. Of a task that
-    was begun at one of the first steps and is still executed, an `Execution` of the steps that are
-    left remains, with a `task` of its own (see `still_executed`) and without the resources that are
-    `consumed`, by name. A mapping of names to arrays is a trace of signals.
+    has begun at one of the first steps and is still executed, an `Execution` of the steps that are
+    left remains (see `still_executed`), without the resources that are `consumed`, by name. A
+    mapping of names to arrays is a trace of signals.
 
     Raises ValueError for several traces at once, for expected numbers of agents, for weights, whose
     kinds of robustness do not add up step by step, and for what cannot be judged on the trace.
@@ -74,17 +74,14 @@ def still_executed(node: Execution, done: int, consumed: Collection[str] = ()) -
     """The rest of an execution that was begun so many steps ago.
 
     It needs its agents and what is not `consumed` for the steps that are left; a trace tells that
-    it goes on by its own `task`.
+    it goes on by a `task` of its own.
 
     >>> node = Execution("T(3,a,{(c,1)},{(oil,2)})", "a", (("c", 1),), (("oil", 2.0),), 3)
     >>> print(still_executed(node, 2, {"oil"}))
-    executed T(3,a,{(c,1)},{(oil,2)}) begun 2 steps ago
+    executed begun(T(3,a,{(c,1)},{(oil,2)}),2)
     """
     kept = tuple((name, amount) for name, amount in node.resources if name not in consumed)
-    steps = f"{done} step" + "s" * (done > 1)
-    return replace(
-        node, task=f"{node.task} begun {steps} ago", resources=kept, last=node.last - done
-    )
+    return replace(node, resources=kept, last=node.last - done, begun=node.begun + done)
 
 
 _TWO = 2

@@ -27,7 +27,7 @@ def horizon(formula: Formula) -> int:
 
 
 def _horizon(node: Formula, below: tuple[int, ...]) -> int:
-    own = node.duration if isinstance(node, Task) else 0
+    own = node.left if isinstance(node, Task) else 0
     own = node.last if isinstance(node, Execution) else own
     spans = zip(lookahead(node), below, strict=True)
     return max((last + steps for (_, last), steps in spans if last >= 0), default=own)

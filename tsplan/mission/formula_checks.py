@@ -154,7 +154,7 @@ def _empty_tasks(formula: Formula, task_interval: TaskInterval) -> list[Fault]:
     return [
         Fault(FORMULA, f"'{node}' is empty when tasks are half-open", remedy, node=node)
         for node in (logic.walk(formula) if task_interval == "half-open" else ())
-        if isinstance(node, logic.Task) and node.duration < 1
+        if isinstance(node, logic.Task) and not node.left
     ]
 
 

@@ -109,7 +109,9 @@ class Mission(MissionParts):
 
     def translated(self, formula: Formula) -> Formula:
         """A formula of the mission without tasks, which are executed where agents are booked."""
-        return logic.translate(formula, interval=self.task_interval, executed=self.books)
+        consumed = {item.name for item in self.resources if item.consumed}
+        interval = self.task_interval
+        return logic.translate(formula, interval, executed=self.books, consumed=consumed)
 
     def _resolved(self, formula: Formula) -> Formula:
         """A formula without percentages, which only missions with swarms have."""

@@ -129,7 +129,13 @@ def _needs(draw: st.DrawFn, words: Vocabulary, least: int = 0) -> tuple[tuple[st
 def _tasks(draw: st.DrawFn, words: Vocabulary) -> Formula:
     label, duration = draw(words.names(words.labels)), draw(st.integers(0, 3))
     resources = st.dictionaries(_ANY_NAME, st.floats(0, 1e6), max_size=2 if words.anything else 0)
-    return logic.Task(duration, label, draw(_needs(words, 1)), tuple(draw(resources).items()))
+    amounts = tuple(draw(resources).items())
+    return logic.Task(duration, label, draw(_needs(words, 1)), amounts, draw(_begun(duration)))
+
+
+def _begun(duration: int) -> st.SearchStrategy[int]:
+    """How long ago a task has begun; most begin now."""
+    return st.just(0) | st.integers(0, duration)
 
 
 @st.composite

@@ -151,9 +151,9 @@ def _tighter(mission: Mission, node: Formula, level: int) -> Formula:
 
     def atom(part: Formula, below: tuple[Formula, ...]) -> Formula:
         if isinstance(part, Execution):  # plans name what is executed by its task
-            duration = part.last + (mission.task_interval == "half-open")
+            duration = part.last + part.begun + (mission.task_interval == "half-open")
             needs = tuple((name, number + level) for name, number in part.needs)
-            return Task(duration, part.label, needs, part.resources)
+            return Task(duration, part.label, needs, part.resources, part.begun)
         if not isinstance(part, Count):
             return part.over(below)
         assert isinstance(part.bound, int)

@@ -38,6 +38,8 @@ def lower_amount(mission: Mission, part: Occurrence, was: str) -> Iterator[Edit]
         return
     name, now = amounts_of(node)[place]
     resource = resource_of(mission, name)
+    if node.begun and resource.consumed:  # is used up
+        return
     unit = unit_of(mission, resource)
     label = literal(node.label)
     change = f"at '{label}' from {number_text(now)} to {{new}} {literal(name)} in {was}"

@@ -163,7 +163,7 @@ def _shorter_task(mission: Mission, way: Way, was: str) -> Iterator[Edit]:
     """A task that lasts less long."""
     node = node_at(mission.formula, way)
     if isinstance(node, Task):
-        most = node.duration - (mission.task_interval == "half-open")
+        most = node.left - (mission.task_interval == "half-open")
         text = f"shorten the task from {node.duration} to {{new}} steps in {was}"
         number = Number("formula", (way, "duration"))
         yield Edit(number, "shorten_task", most, text, node.duration, -1)

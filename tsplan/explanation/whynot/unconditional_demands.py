@@ -95,6 +95,7 @@ class AmountDemand:
 
 def amount_demands(mission: Mission) -> tuple[AmountDemand, ...]:
     """The amounts of resources that the mission's formula asks for in any case."""
+    consumed = {item.name for item in mission.resources if item.consumed}
     return tuple(
         AmountDemand(
             part, node, name, exact(amount), tuple(mission.system.labels[node.label]), when
@@ -102,7 +103,7 @@ def amount_demands(mission: Mission) -> tuple[AmountDemand, ...]:
         for way, node, when, _ in required((), mission.formula, Span(0, 0))
         if isinstance(node, Task)
         for part, name, amount in numbered_amounts(node, way)
-        if amount
+        if amount and not (node.begun and name in consumed)
     )
 
 
@@ -159,7 +160,7 @@ def _some_step(span: Span, low: int, high: int) -> Span:
 def _of_atom(mission: Mission, way: Way, node: Formula, span: Span) -> Iterator[Demand]:
     """The demands of a task, a limit or a count itself."""
     if isinstance(node, Task):
-        lasts = node.duration - (mission.task_interval == "half-open")
+        lasts = node.left - (mission.task_interval == "half-open")
         span = span._replace(lasts=span.lasts + lasts)
     for part, count in numbered_counts(node, way):
         states, who = mission.system.labels[count.label], count.capability

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, TypeAlias, cast
 
@@ -163,6 +163,20 @@ class CountReader(Reader):
         parts = {("duration",): reach(part.number()), LABEL: reach(part.name())}
         for name, pairs in zip(("needs", "resources"), part.pairs(), strict=False):
             parts |= _pair_spans(name, pairs, amounts if name == "resources" else numbers)
+        return Written(made, reach(part), parts=parts)
+
+    def read_begun(self, part: Any) -> Written | None:
+        """Read a task and how many steps ago it has begun."""
+        task = self.read(part.task())
+        steps = self._natural(self.read(part.number()), part.number(), "a number of steps")
+        if task is None or steps is None:
+            return None
+        if not 0 < steps <= task.formula.duration:
+            what = f"a task of {task.formula.duration} steps has not begun {steps} steps ago"
+            self.complain(part.number(), what, "write a step after the first one of the task")
+            return None
+        made = replace(task.formula, begun=steps)
+        parts = {**task.parts, ("begun",): reach(part.number())}
         return Written(made, reach(part), parts=parts)
 
     def read_limit(self, part: Any) -> Written | None:

@@ -50,8 +50,9 @@ class Streams:
         self._lexer = lexer
         self._types = parser
         self._weighted = weighted
-        listing = ("SUM", "MIN", "MAX", "KNOWN", "TASK", "LIMIT", "LBRACE", "IN", "OUT", "CLEAR")
-        self._listing = {getattr(parser, name) for name in listing if hasattr(parser, name)}
+        words = ("SUM", "MIN", "MAX", "KNOWN", "TASK", "BEGUN", "LIMIT", "IN", "OUT", "CLEAR")
+        listing = (name for name in (*words, "LBRACE") if hasattr(parser, name))
+        self._listing = {getattr(parser, name) for name in listing}
         self.findings: list[Finding] = []
         self.strays: set[int] = set()
         self.misread = False
