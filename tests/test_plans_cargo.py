@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from tests.seeds import sampled
 from tests.test_plans_bundles import singly
 from tests.walks import walk
-from tsplan.checking.ledger import read_ledger
+from tsplan.checking.ledger_reading import read_ledger
 from tsplan.errors import PlanError
 from tsplan.mission import Mission, Resource
 from tsplan.mission.resources import compartment

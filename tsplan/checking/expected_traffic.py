@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from tsplan.checking.class_traffic import ClassTraffic
-from tsplan.checking.ledger import Ledger
 from tsplan.checking.path_segments import Segment, unwelcome
 from tsplan.checking.traffic import Traffic
 from tsplan.mission import Group
+from tsplan.plans.ledger import Ledger
 from tsplan.plans.policies import Policy, expected_counts
 
 if TYPE_CHECKING:

@@ -23,7 +23,6 @@ from tsplan.checking.claimed_values import (
 )
 from tsplan.checking.closing import shut_in
 from tsplan.checking.crowding import crowded
-from tsplan.checking.double_booking import double_booked
 from tsplan.checking.expected_traffic import TOLERANCE, ExpectedTraffic, read_policies
 from tsplan.checking.group_check import broken_bounds, misnamed, unrelated
 from tsplan.checking.lateness import late
@@ -35,6 +34,7 @@ from tsplan.checking.supplied import unsupplied
 from tsplan.checking.team_check import strangers, told
 from tsplan.checking.traffic import Traffic, read_traffic
 from tsplan.errors import SolverError
+from tsplan.plans.double_booking import overbooked
 from tsplan.plans.outcomes import ObjectiveValue
 from tsplan.plans.plan import Plan
 from tsplan.plans.presence import state_counts
@@ -139,7 +139,7 @@ def _judged(mission: Mission, plan: Plan) -> tuple[Traffic | None, list[str]]:
         *shut_in(traffic),
         *broken_bounds(traffic),
         *unsupplied(traffic),
-        *double_booked(traffic),
+        *map(str, overbooked(traffic.ledger.uses, traffic.present, mission.booking)),
         *_short_delay(traffic),
         *_disorderly(traffic),
         *_broken_formula(traffic),

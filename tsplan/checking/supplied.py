@@ -18,7 +18,7 @@ def unsupplied(traffic: Traffic) -> Iterator[str]:
             there = traffic.counts([use.state], capability)[0, use.first : use.last + 1]
             if there.min() < number:
                 yield (
-                    f"{use.task} is executed at {use.state} at step {use.first} with "
+                    f"{use.task.task} is executed at {use.state} at step {use.first} with "
                     f"{there.min()} agents for {capability}"
                 )
     yield from ledger.shortages()

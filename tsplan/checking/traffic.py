@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.lateness import Late, late, late_swarm
-from tsplan.checking.ledger import Ledger, read_ledger
+from tsplan.checking.ledger_reading import read_ledger
 from tsplan.checking.path_segments import Segment, read_path, together, unwelcome, usable_edge
 from tsplan.checking.satisfaction_check import preferences_of, satisfaction_of
 from tsplan.checking.structure_check import Rebuild, read_structures
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from tsplan.milp.model import Floats, Ints
     from tsplan.mission import Group, Mission
     from tsplan.plans.bundles import Bundle
+    from tsplan.plans.ledger import Ledger
     from tsplan.plans.plan import Plan
     from tsplan.plans.satisfaction import PreferenceSatisfaction, Satisfaction
     from tsplan.ts import TransitionSystem
@@ -108,10 +109,14 @@ class Traffic:
             )
         )
 
+    @property
+    def present(self) -> Iterator[Presence]:
+        """Who is at which state when."""
+        return (presence for item in self.classes for presence in item.present)
+
     def counts(self, states: Sequence[str], capability: str | None = None) -> Ints | Floats:
         """Agents with a capability (all for None) at each of `states` and step."""
-        present = (presence for item in self.classes for presence in item.present)
-        return state_counts(present, states, self.horizon, capability)
+        return state_counts(self.present, states, self.horizon, capability)
 
     @cached_property
     def delay(self) -> int:
@@ -142,7 +147,7 @@ class Traffic:
         if delay:
             return self.late_trace(named, delay)
         counts = {name: self.counts(states, name) for name in (None, *named)}
-        uses = ((str(use.task), use.state, use.first) for use in self.ledger.uses)
+        uses = ((use.task.task, use.state, use.first) for use in self.ledger.uses)
         executed = execution_tables(uses, states, self.horizon)
         return count_trace(mission.system, counts, executed)
 

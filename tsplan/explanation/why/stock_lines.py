@@ -12,13 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from tsplan.checking.fitting import refuse_misfit
-from tsplan.checking.ledger import read_ledger
+from tsplan.checking.ledger_reading import read_ledger
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from tsplan.checking.ledger import Haul, Ledger, Use
     from tsplan.mission import Mission, Resource
+    from tsplan.plans.ledger import Haul, Ledger, Use
     from tsplan.plans.plan import Plan
 
 Floats: TypeAlias = npt.NDArray[np.float64]
@@ -89,7 +89,7 @@ def supplies(lines: Iterable[StockLine], task: str, steps: Iterable[int]) -> tup
         _supply(line, use)
         for line in lines
         for use in line.uses
-        if use.first in wanted and str(use.task) == task
+        if use.first in wanted and use.task.task == task
     ]
     return tuple(sorted(found, key=lambda supply: (supply.step, supply.state)))
 

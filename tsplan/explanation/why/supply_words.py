@@ -10,8 +10,8 @@ from tsplan.plans.summary import names
 from tsplan.words import number
 
 if TYPE_CHECKING:
-    from tsplan.checking.ledger import Haul
     from tsplan.explanation.why.stock_lines import Supply
+    from tsplan.plans.ledger import Haul
 
 MOST_SUPPLIES = 8
 """Amounts of one task that are told; more are only counted."""

@@ -7,29 +7,41 @@ to needs can meet; nothing is known here of how plans are made.
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator, Mapping, Sequence
+    from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
-    from tsplan.checking.ledger import Use
-    from tsplan.checking.traffic import Traffic
+    from tsplan.mission.vocabulary import Booking
+    from tsplan.plans.ledger import Use
     from tsplan.plans.presence import Presence
 
 
-def double_booked(traffic: Traffic) -> Iterator[str]:
-    """States and steps at which too few agents are there for all that is executed."""
-    if not traffic.mission.books:
-        return
+class Overbooked(NamedTuple):
+    """Too few agents are at a state at a step for all the `uses` there; `words` say why."""
+
+    state: str
+    step: int
+    uses: Sequence[Use]
+    words: str
+
+    def __str__(self) -> str:
+        tasks = " and ".join(use.task.task for use in self.uses)
+        return f"{tasks} are executed at {self.state} at step {self.step}: {self.words}"
+
+
+def overbooked(
+    uses: Sequence[Use], present: Iterable[Presence], booking: Booking
+) -> Iterator[Overbooked]:
+    """States and steps, in the order of steps, at which more is executed than agents can serve."""
     there: dict[str, list[Presence]] = defaultdict(list)
-    for presence in (presence for item in traffic.classes for presence in item.present):
+    for presence in present if booking != "shared" else ():
         there[presence.state].append(presence)
-    short = _unserved if traffic.mission.booking == "exclusive" else _crowded_labels
-    for (state, step), uses in _running(traffic.ledger.uses).items():
-        present = [item for item in there[state] if item.first <= step <= item.last]
-        tasks = " and ".join(str(use.task) for use in uses)
-        for words in short(uses, present):
-            yield f"{tasks} are executed at {state} at step {step}: {words}"
+    short = _unserved if booking == "exclusive" else _crowded_labels
+    for (state, step), running in (_running(uses) if booking != "shared" else {}).items():
+        here = [item for item in there[state] if item.first <= step <= item.last]
+        for words in short(running, here):
+            yield Overbooked(state, step, running, words)
 
 
 def _running(uses: Sequence[Use]) -> Mapping[tuple[str, int], list[Use]]:
