@@ -30,7 +30,14 @@ def read_ledger(mission: Mission, plan: Plan) -> tuple[Ledger, list[str]]:
     """What a plan does with resources, and what of it cannot be."""
     hauls, problems = _read_cargo(mission, plan)
     uses, wrong = _read_executions(mission, plan)
-    return Ledger(mission.resources, plan.horizon, tuple(hauls), tuple(uses)), problems + wrong
+    found = {
+        (name, state, world.step): exact(amount)
+        for world in plan.replanned
+        for name, amounts in world.stocks.items()
+        for state, amount in amounts.items()
+    }
+    ledger = Ledger(mission.resources, plan.horizon, tuple(hauls), tuple(uses), found)
+    return ledger, problems + wrong
 
 
 def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
@@ -47,7 +54,8 @@ def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
         for names, loads in overlaid(rows):
             for part, who in walkers.parts(names):
                 loaded = _Loaded(part, step, who, loads)
-                mine, wrong = _hauled(mission, loaded)
+                lost = _lost(plan, loaded)
+                mine, wrong = (lost, []) if lost else _hauled(mission, loaded)
                 hauls += mine
                 problems += wrong or _overloaded(mission, loaded)
     return hauls, problems
@@ -60,6 +68,18 @@ class _Loaded(NamedTuple):
     step: int
     who: Walker | None
     loads: Sequence[CargoRow]
+
+
+def _lost(plan: Plan, loaded: _Loaded) -> list[Haul]:
+    """What agents carried that were lost on the way, which comes nowhere before the end."""
+    names, step, who, loads = loaded
+    if not plan.replanned or who is None or who.heading or who.stays[-1][1:2] != (step,):
+        return []
+    state, never = who.stays[-1][2], plan.horizon + 1
+    return [
+        Haul(names, row.resource, state, state, step, never, exact(row.amount) * names.size)
+        for row in loads
+    ]
 
 
 def _hauled(mission: Mission, loaded: _Loaded) -> tuple[list[Haul], list[str]]:
@@ -143,13 +163,16 @@ def _read_executions(mission: Mission, plan: Plan) -> tuple[list[Use], list[str]
         if task is None:
             problems.append(f"{what}, and the mission has no such task to execute")
             continue
-        last = item.step + task.last
+        last, ends = item.step + task.last, item.given_up
         if item.state not in mission.system.labels.get(task.label, ()):
             problems.append(f"{what}, which does not have the label {task.label}")
         elif last > plan.horizon:
             problems.append(f"{what} and lasts until step {last}, beyond the horizon")
         elif times > 1:
             problems.append(f"{what} twice")
+        elif ends is not None and not item.step < ends <= last:
+            problems.append(f"{what}, and is given up at step {ends}, when it is not")
         else:
-            uses.append(Use(task, item.state, item.step, last))
+            last = last if ends is None else ends - 1
+            uses.append(Use(task, item.state, item.step, last, ends is None))
     return uses, problems

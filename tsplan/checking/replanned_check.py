@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.checking.check_report import Report, findings_of
 from tsplan.checking.claimed_values import shown
 from tsplan.errors import InputError
-from tsplan.history.changed_formula import changed_formula
+from tsplan.history.changed_formula import changed_formula, on_named_states
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import rest_of_plan
 from tsplan.history.past_moves import presences
@@ -68,11 +68,13 @@ def left_over(mission: Mission, plan: Plan) -> Left:
 
 def _whole(mission: Mission, plan: Plan) -> float:
     """The availability of the formula on what has happened and what is planned."""
-    formula = mission.counting(changed_formula(mission, plan.replanned))
+    changed = changed_formula(mission, plan.replanned)
+    mission, formula = on_named_states(mission, changed), mission.counting(changed)
     maps = Maps(mission.system, plan.replanned)
     swarms = presences(mission, plan.moves, maps, plan.horizon)
     agents = robots_of(mission, plan)
-    trace = path_trace(mission.system, formula, agents, plan.horizon, swarms)
+    where = mission.system, formula, agents, plan.horizon
+    trace = path_trace(*where, others=swarms, executions=plan.executions)
     return float(robustness(formula, trace)[0])
 
 

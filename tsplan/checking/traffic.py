@@ -27,7 +27,7 @@ from tsplan.plans.count_traces import count_trace
 from tsplan.plans.moves import Move
 from tsplan.plans.presence import Presence, of_bundles, state_counts
 from tsplan.plans.subswarms import SubSwarm, subswarms
-from tsplan.plans.supplies import execution_tables
+from tsplan.plans.supplies import ExecutedTask, execution_tables
 from tsplan.ts import Edge
 
 if TYPE_CHECKING:
@@ -147,8 +147,9 @@ class Traffic:
         if delay:
             return self.late_trace(named, delay)
         counts = {name: self.counts(states, name) for name in (None, *named)}
-        uses = ((use.task.task, use.state, use.first) for use in self.ledger.uses)
-        executed = execution_tables(uses, states, self.horizon)
+        uses = (use for use in self.ledger.uses if use.done)
+        done = (ExecutedTask(use.task.task, use.state, use.first) for use in uses)
+        executed = execution_tables(done, states, self.horizon)
         return count_trace(mission.system, counts, executed)
 
     def late_trace(self, named: Iterable[str], delay: int) -> CountTrace:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from tsplan.errors import Finding, FormulaError, PlanError, nearest
 from tsplan.logic import And, Formula, Window, conjunction, parse_with_places
 from tsplan.logic.nodes import Eventually, Switch
+from tsplan.mission.formula_checks import formula_faults
+from tsplan.mission.name_resolution import with_named_states
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -30,12 +32,18 @@ def parts_of(formula: Formula) -> tuple[Formula, ...]:
 def changed_formula(mission: Mission, worlds: Iterable[World]) -> Formula:
     """What has to hold of the whole trace, judged at step 0, after what some worlds say.
 
-    Raises PlanError for parts that the mission does not have, and texts that are no formulas.
+    Raises PlanError for parts that the mission does not have, and texts that are no formulas of it.
     """
     parts = list(parts_of(mission.formula))
     for world in worlds:
         parts = _changed(mission, parts, world)
     return conjunction(parts)
+
+
+def on_named_states(mission: Mission, formula: Formula) -> Mission:
+    """The mission whose map has labels for the states that a formula names."""
+    system = with_named_states(mission.system, [formula])
+    return mission if system is mission.system else replace(mission, system=system)
 
 
 def _changed(mission: Mission, parts: list[Formula], world: World) -> list[Formula]:
@@ -58,13 +66,21 @@ def _changed(mission: Mission, parts: list[Formula], world: World) -> list[Formu
         findings.append(Finding(f"the mission has no part '{text}'", remedy))
         return None
 
+    def demanded(text: str) -> Formula | None:
+        formula = read(text)
+        own = mission.system, mission.team, mission.swarm
+        faults = () if formula is None else formula_faults(formula, *own)
+        serious = (fault for fault in faults if fault.serious)
+        findings.extend(Finding(f"{each.message} ({text})", each.remedy) for each in serious)
+        return formula
+
     gone = {place(text) for text in world.withdrawn}
     later: dict[int, Formula] = {}
     for text, last in world.deadlines.items():
         number = place(text)
         if number is not None:
             later[number] = _with_deadline(parts[number], last, findings)
-    new = [read(text) for text in world.demanded]
+    new = [demanded(text) for text in world.demanded]
     if findings:
         raise PlanError(findings)
     kept = [later.get(n, part) for n, part in enumerate(parts) if n not in gone]

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
+from tsplan.history.joined_amounts import (
+    cargo_from,
+    executions_from,
+    joined_amounts,
+    stocks_from,
+)
 from tsplan.history.past_moves import groups_from, joined_groups, joined_moves
 from tsplan.history.past_paths import Past, clipped
 from tsplan.history.rest_mission import STABLE, Rest, rest_of
@@ -35,6 +42,7 @@ def rest_of_plan(mission: Mission, plan: Plan) -> tuple[Rest, Plan]:
         planned_ahead(rest, plan),
         objective=objective,
         horizon=plan.horizon - step,
+        stocks=stocks_from(plan.stocks, step),
         moves={
             swarm: tuple(m._replace(step=m.step - step) for m in moves if m.step >= step)
             for swarm, moves in plan.moves.items()
@@ -86,7 +94,15 @@ def planned_ahead(rest: Rest, plan: Plan) -> Plan:
             stays, heading = _ahead(path, rest.step)
             if stays or heading:
                 stretches.append((part, replace(path, stays=stays, heading=heading, coming=origin)))
-    return replace(plan, agents=Agents.along(stretches), horizon=rest.mission.horizon, replanned=())
+    names = RunMap((old, (old, new)) for old, new, _ in renamed(rest))
+    return replace(
+        plan,
+        agents=Agents.along(stretches),
+        cargo=cargo_from(plan.cargo, rest.step, names),
+        executions=executions_from(plan.executions, rest),
+        horizon=rest.mission.horizon,
+        replanned=(),
+    )
 
 
 def with_intended(rest: Rest, before: Plan) -> Rest:
@@ -135,8 +151,8 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
     Of robots that are at one place with the same abilities, as many as can go on as they were
     `planned`.
     """
-    later = _shared_out(rest, plan, planned) if plan.has_paths else {}
-    own = RunMap((names, path) for names, path in later.items())
+    taken = _shared_out(rest, plan, planned) if plan.has_paths else []
+    own = RunMap((each.old, each.path) for each in taken)
     step = rest.step
     paths: list[tuple[Run, Bundle]] = []
     for names, past in rest.past.agents.stretches:
@@ -147,9 +163,10 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
         horizon=rest.horizon,
         objective=tuple(_told(item, step) for item in plan.objective),
         agents=Agents.along(paths) if plan.has_paths else (),
+        **(joined_amounts(rest, plan, [each[:2] for each in taken]) if plan.has_paths else {}),
         moves=joined_moves(rest.past.moves, plan.moves, step),
         groups=joined_groups(rest.past.groups, plan.groups, step) if plan.has_paths else (),
-        replanned=(*rest.worlds[:-1], replace(rest.worlds[-1], former=_former(rest, later))),
+        replanned=(*rest.worlds[:-1], replace(rest.worlds[-1], former=_former(rest, own))),
     )
 
 
@@ -158,6 +175,8 @@ def ended_plan(plan: Plan, past: Past, world: World) -> Plan:
     return replace(
         unjudged(plan),
         agents=past.agents,
+        cargo=past.cargo,
+        executions=past.executions,
         moves=past.moves,
         groups=past.groups,
         replanned=(*plan.replanned, world),
@@ -172,21 +191,21 @@ def unjudged(plan: Plan) -> Plan:
         stopped_by=StoppedBy.INTERRUPT,
         objective=tuple(ObjectiveValue(item.name, None) for item in plan.objective),
         availability=None,
+        stocks=(),
         preferences=(),
         notes=(),
         verified=False,
     )
 
 
-def _former(rest: Rest, later: Mapping[Run, Bundle]) -> dict[str, Ahead]:
+def _former(rest: Rest, later: RunMap[Bundle]) -> dict[str, Ahead]:
     """What those were to do that do something else now, where it matters to an objective."""
     intended = RunMap((each.names, each[1:]) for each in rest.mission.intended)
-    own = RunMap((names, (path.stays, path.heading)) for names, path in later.items())
     found = {}
-    for old, new, _ in renamed(rest):
+    for old, new, _ in renamed(rest) if len(intended) else ():
         for name, named in zip(old.names(), new.names(), strict=True):
-            wanted = intended.get(named)
-            if wanted is not None and wanted != own.get(name):
+            wanted, path = intended.get(named), later.get(name)
+            if wanted is not None and (path is None or wanted != (path.stays, path.heading)):
                 stays, heading = wanted
                 ahead = tuple((a + rest.step, b + rest.step, state) for a, b, state in stays)
                 found[name] = Ahead(ahead, heading)
@@ -199,26 +218,34 @@ def _one(past: Bundle, later: Bundle, step: int) -> Bundle:
     return replace(past, stays=stays, heading=later.heading)
 
 
-def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> Mapping[Run, Bundle]:
-    """Who takes which path of the plan of the rest, by the names of the plan before."""
+class _Taken(NamedTuple):
+    """Robots in a row, as the plan before and as the plan of the rest name them, and their path."""
+
+    old: Run
+    new: Run
+    path: Bundle
+
+
+def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> list[_Taken]:
+    """Who takes which path of the plan of the rest."""
     own = RunMap(Agents.of(plan.agents).stretches)
     if rest.mission.intended:  # who keeps which path is settled
-        return {
-            _part(old, new, part): path
+        return [
+            _Taken(_part(old, new, part), part, path)
             for old, new, _ in renamed(rest)
             for part, path in own.parts(new)
             if path is not None
-        }
+        ]
     before = RunMap[Bundle](() if planned is None else Agents.of(planned.agents).stretches)
-    found: dict[Run, Bundle] = {}
+    found: list[_Taken] = []
     for rank, runs in zip(rest.mission.ranks, rest.names, strict=True):
-        paths = [(part.size, path) for part, path in own.parts(rank.names) if path is not None]
+        paths = [(part, path) for part, path in own.parts(rank.names) if path is not None]
         asked = [
             (part, None if path is None else _ahead(path, rest.step))
             for run in runs
             for part, path in before.parts(run)
         ]
-        found.update(_matched(paths, asked))
+        found += _matched(paths, asked)
     return found
 
 
@@ -242,29 +269,32 @@ _Ahead: TypeAlias = "tuple[tuple[Stay, ...], str | None]"
 
 
 def _matched(
-    paths: Iterable[tuple[int, Bundle]], asked: Iterable[tuple[Run, _Ahead | None]]
-) -> Iterator[tuple[Run, Bundle]]:
+    paths: Iterable[tuple[Run, Bundle]], asked: Iterable[tuple[Run, _Ahead | None]]
+) -> Iterator[_Taken]:
     """Robots with their paths: whoever can gets the one that was asked for, the others any."""
-    free: dict[_Ahead | None, tuple[int, Bundle | None]] = {}
-    for count, taken in paths:
-        key = taken.stays, taken.heading
-        free[key] = free.get(key, (0, taken))[0] + count, taken
+    free: dict[_Ahead | None, list[tuple[Run, Bundle]]] = defaultdict(list)
+    for names, path in paths:
+        free[path.stays, path.heading].append((names, path))
     others: list[Run] = []
     for run, wish in asked:
-        left, mine = free.get(wish, (0, None))
-        size = min(left, run.size)
-        if mine is not None and size:
-            free[wish] = left - size, mine
-            yield run.part(0, size), mine
-        if size < run.size:
-            others.append(run.part(size, run.size))
-    rest = [(count, path) for count, path in free.values() if path is not None and count]
+        left = yield from _given_out(run, free.get(wish, []))
+        if left is not None:
+            others.append(left)
+    rest = [each for mine in free.values() for each in mine]
     for run in others:
-        begin = 0
-        while begin < run.size:
-            count, path = rest.pop()
-            size = min(count, run.size - begin)
-            yield run.part(begin, begin + size), path
-            begin += size
-            if count > size:
-                rest.append((count - size, path))
+        yield from _given_out(run, rest)
+
+
+def _given_out(run: Run, free: list[tuple[Run, Bundle]]) -> Generator[_Taken, None, Run | None]:
+    """Robots with paths that are free, as far as there are any; returns those without one."""
+    begin = 0
+    while begin < run.size:
+        if not free:
+            return run.part(begin, run.size)
+        names, path = free.pop()
+        size = min(names.size, run.size - begin)
+        yield _Taken(run.part(begin, begin + size), names.part(0, size), path)
+        begin += size
+        if names.size > size:
+            free.append((names.part(size, names.size), path))
+    return None

@@ -13,6 +13,7 @@ from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Run, RunMap
 from tsplan.plans.agent_plans import Stay, joined
 from tsplan.plans.bundles import Agents, Bundle
+from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.worlds import Newcomers, OnEdge, World
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from tsplan.plans.moves import Move
     from tsplan.plans.plan import Plan
     from tsplan.plans.subswarms import SubSwarm
+    from tsplan.plans.supplies import ExecutedTask
 
 Whereabouts: TypeAlias = str | OnEdge
 """The state that somebody is at, or between which states and until when somebody is under way."""
@@ -35,18 +37,34 @@ class Joining(NamedTuple):
 
 
 class Past(NamedTuple):
-    """The paths of robots until a step, and the moves of swarms before it, by their names."""
+    """The paths of robots until a step, and the moves of swarms before it, by their names.
+
+    So are what robots carried and the tasks that were begun before it.
+    """
 
     agents: Agents
     moves: Mapping[str, tuple[Move, ...]]
     groups: tuple[SubSwarm, ...] = ()
+    cargo: CargoRows = CargoRows()
+    executions: tuple[ExecutedTask, ...] = ()
 
     @classmethod
     def of(cls, mission: Mission, plan: Plan, step: int) -> Past:
         """What happened by a plan as it stands."""
         paths = robots_of(mission, plan).stretches
-        agents = Agents.along((names, until(path, step)) for names, path in paths)
-        return cls(agents, moves_before(plan, step), plan.groups)
+        return cls.along(((names, until(path, step)) for names, path in paths), plan, step)
+
+    @classmethod
+    def along(cls, paths: Iterable[tuple[Run, Bundle]], plan: Plan, step: int) -> Past:
+        """What happened by a plan but for the paths of its robots."""
+        rows = (row for row in CargoRows.of(plan.cargo).order if row.step < step)
+        begun = (
+            replace(each, given_up=None) if (each.given_up or 0) >= step else each
+            for each in plan.executions
+            if each.step < step
+        )
+        own = moves_before(plan, step), plan.groups, CargoRows.joined(rows), tuple(begun)
+        return cls(Agents.along(paths), *own)
 
 
 def robots_of(mission: Mission, plan: Plan) -> Agents:
@@ -55,11 +73,15 @@ def robots_of(mission: Mission, plan: Plan) -> Agents:
 
 
 class Now(NamedTuple):
-    """Agents in a row that are at one place at a step, with what they have done until then."""
+    """Agents in a row that are at one place at a step, with what they have done until then.
+
+    `load` is what each of them carries that is under way.
+    """
 
     names: Run
     path: Bundle
     place: Whereabouts
+    load: tuple[tuple[str, float], ...] = ()
 
 
 def clipped(stays: Iterable[Stay], last: int) -> tuple[Stay, ...]:
@@ -113,8 +135,8 @@ def really(mission: Mission, plan: Plan, world: World, maps: Maps) -> Past:
         maps.known_state(group.at, f"agent {names.name()}")
         stays = ((world.step, world.step, group.at),)
         paths.append((names, Bundle(group.class_name, _able(mission, group), stays, None)))
-    agents = Agents.along(each for each in paths if each[1].stays or each[1].heading)
-    return Past(agents, moves_before(plan, world.step), plan.groups)
+    seen = (each for each in paths if each[1].stays or each[1].heading)
+    return Past.along(seen, plan, world.step)
 
 
 def _unknown(plan: Plan, world: World, before: Container[str]) -> Iterator[Finding]:

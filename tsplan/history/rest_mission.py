@@ -8,17 +8,19 @@ the rest of one, too.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import Finding, MissionError, PlanError
-from tsplan.history.changed_formula import changed_formula, parts_of
+from tsplan.history.changed_formula import changed_formula, on_named_states, parts_of
 from tsplan.history.changed_map import Maps
+from tsplan.history.past_amounts import Amounts, Load, amounts_until
 from tsplan.history.past_moves import presences, swarms_now
 from tsplan.history.past_paths import Now, Past, Whereabouts, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.history.present_room import with_present_room
+from tsplan.history.rest_tasks import with_tasks
 from tsplan.logic import Formula, horizon, progress
 from tsplan.mission import Group
 from tsplan.mission.team import UnderWay
@@ -27,8 +29,10 @@ from tsplan.plans.worlds import OnEdge
 if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.mission.resources import Carries
-    from tsplan.name_runs import Run
+    from tsplan.mission.vocabulary import Language
+    from tsplan.name_runs import Run, RunMap
     from tsplan.plans.bundles import Bundle
+    from tsplan.plans.supplies import StockHistory
     from tsplan.plans.worlds import World
 
 
@@ -38,7 +42,8 @@ class Rest:
 
     `past` is what happened until then. `names` are, rank by rank, the robots that
     those of the mission are; `formula` is the whole one, judged at step 0 of the plan, `parts` has
-    each of its parts with what is left of it, and `horizon` is the last step of the plan.
+    each of its parts with what is left of it, and `horizon` is the last step of the plan. `stocks`
+    say what lay where before the step.
     """
 
     mission: Mission
@@ -48,6 +53,7 @@ class Rest:
     formula: Formula
     parts: tuple[tuple[Formula, Formula], ...]
     horizon: int
+    stocks: tuple[StockHistory, ...] = ()
 
     @property
     def step(self) -> int:
@@ -67,13 +73,16 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     """
     refuse_unknown_kinds(mission)
     step = worlds[-1].step
-    maps = Maps(mission.system, tuple(worlds))
     formula = changed_formula(mission, worlds)
+    mission = on_named_states(mission, formula)
+    maps = Maps(mission.system, tuple(worlds))
     last = max(mission.horizon, _horizon(mission, formula))
     if step > last:
         what = f"the mission ends at step {last}, and it is to be planned again at step {step}"
         raise PlanError([Finding(what, "name a step of the plan")])
-    robots, names = _team(mission, whereabouts(mission, past.agents, worlds, maps), step)
+    past, amounts = accounted(mission, past, worlds, formula)
+    places = _loaded(whereabouts(mission, past.agents, worlds, maps), amounts.loads)
+    robots, names = _team(mission, places, step)
     swarms = tuple(swarms_now(mission, past.moves, worlds, maps))
     team = (*robots, *swarms)
     if not team:
@@ -84,7 +93,8 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
         mission,
         system=with_present_room(maps.from_step(step), team),
         team=team,
-        language="mtl",
+        resources=amounts.left(mission.resources),
+        language=_language(mission),
         formula=left.of(formula),
         text="",
         objective=objective_of(mission, worlds),
@@ -96,7 +106,32 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
         origin=None,
     )
     parts = tuple((part, left.of(part)) for part in parts_of(formula))
-    return Rest(made, tuple(worlds), past, (*names, *nobody), formula, parts, last)
+    every = (*names, *nobody)
+    return Rest(made, tuple(worlds), past, every, formula, parts, last, amounts.stocks)
+
+
+def accounted(
+    mission: Mission, past: Past, worlds: Sequence[World], formula: Formula
+) -> tuple[Past, Amounts]:
+    """What was carried and executed as far as that could be, and what has become of resources."""
+    amounts = amounts_until(mission, past, worlds, formula)
+    return past._replace(cargo=amounts.cargo, executions=amounts.executions), amounts
+
+
+def _loaded(places: Iterable[Now], loads: RunMap[Load]) -> Iterator[Now]:
+    """Robots in a row that carry the same, if they are under way."""
+    for now in places:
+        begin = 0
+        for part, load in loads.parts(now.names) if isinstance(now.place, OnEdge) else ():
+            begin += part.size
+            yield now._replace(names=part, load=load or ())
+        if not begin:
+            yield now
+
+
+def _language(mission: Mission) -> Language:
+    """The language of what is left: there are no weights in it."""
+    return "catl" if mission.language == "catl" else "mtl"
 
 
 STABLE = ("stability", "deviation")
@@ -123,21 +158,22 @@ class _Left(NamedTuple):
 
     def of(self, formula: Formula) -> Formula:
         """What is left of a formula that is judged at step 0 of the plan."""
-        counted = self.mission.counting(formula)
+        mission, past, last = self.mission, self.past, self.step - 1
+        counted = mission.counting(formula)
         if not self.step:
-            return counted
-        swarms = presences(self.mission, self.past.moves)
-        where = self.mission.system, counted, self.past.agents, self.step - 1
-        return progress(counted, path_trace(*where, swarms))
+            return with_tasks(counted, formula, mission)
+        swarms = presences(mission, past.moves)
+        where = mission.system, counted, past.agents, last
+        trace = path_trace(*where, others=swarms, executions=past.executions)
+        consumed = {each.name for each in mission.resources if each.consumed}
+        return with_tasks(progress(counted, trace, consumed), formula, mission)
 
 
 def refuse_unknown_kinds(mission: Mission) -> None:
     """Raise MissionError for missions of which no rest can be told yet."""
     kinds = {
         "expected numbers": mission.expected is not None,
-        "resources": bool(mission.resources),
         "modular robots": bool(mission.modular),
-        "booked agents": mission.books,
         "a formula that may hold in part": mission.partial,
     }
     findings = [
@@ -159,9 +195,9 @@ def _team(
     """The groups of a team that begins where everybody is, and rank by rank who they are."""
     kinds: dict[_Kind, dict[str | UnderWay, list[Run]]] = {}
     ordered = sorted(places, key=lambda now: isinstance(now.place, OnEdge))  # as ranks are
-    for names, path, place in ordered:
+    for names, path, place, load in ordered:
         starts = kinds.setdefault(_kind(mission, names, path), {})
-        starts.setdefault(_start(place, step), []).append(names)
+        starts.setdefault(_start(place, step, load), []).append(names)
     groups = tuple(
         Group.of(
             kind.class_name,
@@ -186,12 +222,13 @@ class _Kind(NamedTuple):
 def _kind(mission: Mission, names: Run, path: Bundle) -> _Kind:
     """The group that robots are of."""
     rank = mission.roster.get(names.name())
-    carries = () if rank is None else mission.team[rank.group].carries
+    alike = [group.carries for group in mission.team if group.class_name == path.class_name]
+    carries = next(iter(alike), ()) if rank is None else mission.team[rank.group].carries
     return _Kind(path.class_name, path.capabilities, carries)
 
 
-def _start(place: Whereabouts, step: int) -> str | UnderWay:
+def _start(place: Whereabouts, step: int, load: Load) -> str | UnderWay:
     """Where somebody begins in a mission whose step 0 is a step of the plan."""
     if isinstance(place, str):
         return place
-    return UnderWay(place.source, place.target, place.arrives - step)
+    return UnderWay(place.source, place.target, place.arrives - step, load)

@@ -144,9 +144,8 @@ def execution_margins(
     mission: Mission, plan: Plan, atoms: Iterable[Formula]
 ) -> dict[Formula, Floats]:
     """Whether tasks are executed, as the plan says, for atoms of that and for negated ones."""
-    uses = ((use.task, use.state, use.step) for use in plan.executions)
     states = tuple(mission.system.states)
-    tables = execution_tables(uses, states, plan.horizon)
+    tables = execution_tables(plan.executions, states, plan.horizon)
     number = {state: row for row, state in enumerate(states)}
     found: dict[Formula, Floats] = {}
     for atom in atoms:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
@@ -46,12 +46,13 @@ class Haul(NamedTuple):
 
 
 class Use(NamedTuple):
-    """A task that is executed at a state from step `first` to `last`."""
+    """A task that is executed at a state from step `first` to `last`; `done` if that is its end."""
 
     task: Execution
     state: str
     first: int
     last: int
+    done: bool = True
 
     def needs(self, resource: str) -> Fraction:
         """How much of a resource it needs."""
@@ -60,12 +61,16 @@ class Use(NamedTuple):
 
 @dataclass(frozen=True)
 class Ledger:
-    """What a plan does with the resources of a mission."""
+    """What a plan does with the resources of a mission.
+
+    What was `found` to lie somewhere, by resource, state and step, is there whatever was planned.
+    """
 
     resources: tuple[Resource, ...] = ()
     horizon: int = 0
     hauls: tuple[Haul, ...] = ()
     uses: tuple[Use, ...] = ()
+    found: Mapping[tuple[str, str, int], Fraction] = field(default_factory=dict)
 
     @cached_property
     def _moved(self) -> tuple[Mapping[tuple[str, str, int], Fraction], ...]:
@@ -87,12 +92,14 @@ class Ledger:
     def lying(self) -> Mapping[tuple[str, str], tuple[Fraction, ...]]:
         """What lies there at every step, before anything is used up or carried away then."""
         come, left, spent = self._moved
-        places = dict.fromkeys((name, state) for name, state, _ in (*come, *left, *spent))
+        every = (*come, *left, *spent, *self.found)
+        places = dict.fromkeys((name, state) for name, state, _ in every)
         found = {}
         for name, state in places:
             here, amounts = _NOTHING, []
             for step in range(self.horizon + 1):
                 here += come.get((name, state, step), _NOTHING)
+                here = self.found.get((name, state, step), here)
                 amounts.append(here)
                 here -= left.get((name, state, step), _NOTHING)
                 here -= spent.get((name, state, step), _NOTHING)

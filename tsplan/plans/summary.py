@@ -174,6 +174,7 @@ def supply_lines(plan: Plan) -> list[str]:
     """Which tasks are executed where and when, and what is carried for that."""
     lines = [
         f"  executed at {item.state} at step {item.step}: {shorten(item.task, _LONGEST)}"
+        + ("" if item.given_up is None else f", given up at step {item.given_up}")
         for item in plan.executions[:MOST_PARTS]
     ]
     if rest := len(plan.executions) - len(lines):

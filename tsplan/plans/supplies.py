@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import numpy as np
 from pydantic import Field
 
-from tsplan.plans.records import Record, Whole, Word
+from tsplan.plans.records import OPTIONAL, Record, Whole, Word
 from tsplan.words import number
 
 if TYPE_CHECKING:
@@ -23,26 +23,32 @@ Loads: TypeAlias = "dict[str, float]"
 
 @dataclass(frozen=True, slots=True)
 class ExecutedTask(Record):
-    """A task, by its text, is executed at a state at a step."""
+    """A task, by its text, is executed at a state at a step.
+
+    One that was `given_up` at a later step, when the mission was planned again, is not done. What
+    it used up is gone.
+    """
 
     task: Word
     state: Word
     step: Whole
+    given_up: Whole | None = field(default=None, metadata=OPTIONAL)
 
 
 def execution_tables(
-    executions: Iterable[tuple[str, str, int]], states: Sequence[str], horizon: int
+    executions: Iterable[ExecutedTask], states: Sequence[str], horizon: int
 ) -> dict[str, Bools]:
-    """Where and when each task, by its text, is executed: arrays (states, steps).
+    """Where and when each task, by its text, is executed and done: arrays (states, steps).
 
-    >>> execution_tables([("T(0,a,{},{(brick,1)})", "q", 1)], ["p", "q"], 1)
+    >>> execution_tables([ExecutedTask("T(0,a,{},{(brick,1)})", "q", 1)], ["p", "q"], 1)
     {'T(0,a,{},{(brick,1)})': array([[False, False],
            [False,  True]])}
     """
     found: dict[str, Bools] = {}
-    for task, state, step in executions:
-        none = np.zeros((len(states), horizon + 1), dtype=np.bool_)
-        found.setdefault(task, none)[states.index(state), step] = True
+    for each in executions:
+        if each.given_up is None:
+            none = np.zeros((len(states), horizon + 1), dtype=np.bool_)
+            found.setdefault(each.task, none)[states.index(each.state), each.step] = True
     return found
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from tsplan.plans.worlds import OnEdge
-from tsplan.words import many
+from tsplan.words import many, number
 
 if TYPE_CHECKING:
     from tsplan.plans.worlds import Opened, Place, World
@@ -34,6 +34,11 @@ def _said(world: World) -> Iterator[str]:
         f"{count} of {swarm} at {state}"
         for swarm, numbers in world.numbers.items()
         for state, count in numbers.items()
+    )
+    yield from (
+        f"{number(amount)} {name} at {state}"
+        for name, amounts in world.stocks.items()
+        for state, amount in amounts.items()
     )
     yield from (f"{g.count} {g.class_name} more at {g.at}" for g in world.added)
     closed = (

@@ -11,6 +11,7 @@ from pydantic import Field
 from tsplan.limits import MOST_STEPS
 from tsplan.plans.agent_plans import Stay
 from tsplan.plans.records import OPTIONAL, Positive, Record, Whole, Word
+from tsplan.plans.supplies import Amount
 
 Place: TypeAlias = Word | tuple[Word, Word]
 """A state, or the two ends of an edge."""
@@ -77,8 +78,8 @@ class World(Record):
     Agents that are not named are where the plan has them. `lost` ones are gone for good and count
     nowhere from now on; `moved` are at another state, or on an edge; `late` ones arrive, or have
     arrived, so many steps after they should by the move that is or was their last. Of swarms, by
-    their names, `numbers` say how many are at states where there are not as many as planned.
-    `added` agents join.
+    their names, `numbers` say how many are at states where there are not as many as planned, and of
+    resources `stocks` say how much lies at states where there is not as much. `added` agents join.
 
     From now on states and edges are `closed`, `opened` or have other `capacities`; the formulas
     `demanded` have to hold, judged at this step, and those `withdrawn`, by the text of a part of
@@ -93,6 +94,7 @@ class World(Record):
     moved: Mapping[Word, Word | OnEdge] = field(default_factory=dict, metadata=OPTIONAL)
     late: Mapping[Word, Late] = field(default_factory=dict, metadata=OPTIONAL)
     numbers: Mapping[Word, Mapping[Word, Whole]] = field(default_factory=dict, metadata=OPTIONAL)
+    stocks: Mapping[Word, Mapping[Word, Amount]] = field(default_factory=dict, metadata=OPTIONAL)
     added: tuple[Newcomers, ...] = field(default=(), metadata=OPTIONAL)
     closed: tuple[Closed, ...] = field(default=(), metadata=OPTIONAL)
     opened: tuple[Opened, ...] = field(default=(), metadata=OPTIONAL)

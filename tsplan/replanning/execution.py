@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from tsplan.checking.plan_check import certify
 from tsplan.errors import SolverError
+from tsplan.history.changed_formula import changed_formula
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import ended_plan, joined_plan
 from tsplan.history.past_paths import Past, really, whereabouts
 from tsplan.history.path_traces import path_trace
-from tsplan.history.rest_mission import NobodyLeftError
+from tsplan.history.rest_mission import NobodyLeftError, accounted
 from tsplan.logic.evaluation import robustness
 from tsplan.plans.bundles import Agents
 from tsplan.plans.outcomes import Status
@@ -94,11 +95,21 @@ class Execution:
 
     def outcome(self) -> Executed:
         """What came of it."""
-        formula = self.mission.counted
-        agents = Agents.of(self.plan.agents)
-        trace = path_trace(self.mission.system, formula, agents, self.plan.horizon)
+        plan = self.plan if self.plan.verified else self._as_it_was()
+        formula, agents = self.mission.counted, Agents.of(plan.agents)
+        where = self.mission.system, formula, agents, plan.horizon
+        trace = path_trace(*where, executions=plan.executions)
         slack = float(robustness(formula, trace)[0])
-        return Executed(self.plan, slack, self._adapted, tuple(self._seconds), self._stuck)
+        return Executed(plan, slack, self._adapted, tuple(self._seconds), self._stuck)
+
+    def _as_it_was(self) -> Plan:
+        """The plan with what was executed and carried of what it has."""
+        mission, plan = self.mission, self.plan
+        end = plan.horizon + 1
+        worlds = (*plan.replanned, World(end))
+        past, amounts = accounted(mission, Past.of(mission, plan, end), worlds, mission.formula)
+        stocks = amounts.stocks
+        return replace(plan, executions=past.executions, cargo=past.cargo, stocks=stocks)
 
     def orders(self) -> Iterator[MoveOrder]:
         """Who is to set out now, and for where."""
@@ -137,8 +148,10 @@ class Execution:
 
     def _ended(self, world: World) -> Plan:
         """The plan where nobody is left: what has happened."""
-        maps = Maps(self.mission.system, (*self.plan.replanned, world))
-        return ended_plan(self.plan, really(self.mission, self.plan, world, maps), world)
+        mission, worlds = self.mission, (*self.plan.replanned, world)
+        past = really(mission, self.plan, world, Maps(mission.system, worlds))
+        past, _ = accounted(mission, past, worlds, changed_formula(mission, worlds))
+        return ended_plan(self.plan, past, world)
 
     def _replanned(self, found: Left) -> Plan | None:
         """Another plan, if one is asked for and found.

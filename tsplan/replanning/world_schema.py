@@ -13,7 +13,7 @@ from pydantic import BeforeValidator, Field
 from tsplan.document.fields import complaint, shown
 from tsplan.document.written import Written
 from tsplan.limits import LARGEST, MOST_STEPS
-from tsplan.mission.entry_fields import Count, Name
+from tsplan.mission.entry_fields import Amount, Count, Name
 from tsplan.mission.mission_schema import Part
 from tsplan.plans.worlds import Closed, Newcomers, OnEdge, Opened, Room, World
 
@@ -96,6 +96,7 @@ class WorldFile(Part):
     moved: dict[Name, WayEntry | Name] = Field(default_factory=dict)
     late: dict[Name, _Steps] = Field(default_factory=dict)
     numbers: dict[Name, dict[Name, _Count]] = Field(default_factory=dict)
+    stocks: dict[Name, dict[Name, Amount]] = Field(default_factory=dict)
     added: list[NewcomersEntry] = Field(default_factory=list)
     closed: list[_Closed] = Field(default_factory=list)
     opened: list[OpenedEntry] = Field(default_factory=list)
@@ -113,6 +114,7 @@ class WorldFile(Part):
             moved=ways,
             late=self.late,
             numbers=self.numbers,
+            stocks=self.stocks,
             added=tuple(
                 Newcomers(each.class_name, each.at, each.count, frozenset(each.capabilities))
                 for each in self.added

@@ -29,6 +29,7 @@ class Changes(TypedDict, total=False):
     moved: Mapping[str, Any]
     late: Mapping[str, int]
     numbers: Mapping[str, Mapping[str, int]]
+    stocks: Mapping[str, Mapping[str, float]]
     added: Iterable[Mapping[str, Any]]
     closed: Iterable[Any]
     opened: Iterable[Mapping[str, Any]]

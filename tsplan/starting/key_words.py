@@ -179,6 +179,7 @@ KEY_WORDS: Mapping[str, Mapping[str, str]] = {
         "moved": "agents that are elsewhere: at a state, or on an edge until a step",
         "late": "by how many steps agents arrive later than they should",
         "numbers": "of swarms, how many are at states where there are not as many as planned",
+        "stocks": "of resources, how much lies at states where there is not as much as planned",
         "added": "agents that join",
         "closed": "states and edges that nobody may enter any more, or until a step is over",
         "opened": "edges that are there, or take another duration, from now on",

@@ -157,8 +157,8 @@ def trace_of(plan: Plan, mission: Mission, formula: Formula) -> CountTrace:
     if traffic is not None:
         return traffic.late_trace(sorted(capabilities(formula)), traffic.delay)
     counts = {name: plan.tallied(states, name) for name in wanted}
-    done = ((item.task, item.state, item.step) for item in plan.executions)
-    return count_trace(mission.system, counts, execution_tables(done, states, plan.horizon))
+    executed = execution_tables(plan.executions, states, plan.horizon)
+    return count_trace(mission.system, counts, executed)
 
 
 def measured(atom: Count | Linear, trace: Trace) -> Any:
