@@ -104,6 +104,8 @@ class Past:
             formula=TRUE,
             text="",
             horizon=horizon,
+            objective=(),
+            prefer=(),
             delay=0,
         )
 
@@ -126,6 +128,11 @@ def best_continuation(past: Past, system: tsplan.TransitionSystem, formula: tspl
 
 def whole_slack(past: Past, joint, formula: tsplan.Formula) -> float:
     """The robustness of a formula on what happened and a way to go on."""
+    return float(robustness(past.mission.counting(formula), whole_trace(past, joint))[0])
+
+
+def whole_trace(past: Past, joint) -> CountTrace:
+    """What happened and a way to go on."""
     mission, later = past.mission, joint.trace(0)
     shape = len(mission.system.states), past.step
     whole = {
@@ -138,7 +145,7 @@ def whole_slack(past: Past, joint, formula: tsplan.Formula) -> float:
         )
         for name in (None, *mission.capabilities)
     }
-    return float(robustness(mission.counting(formula), CountTrace(whole, later.labels))[0])
+    return CountTrace(whole, later.labels)
 
 
 def _last(joint, step: int) -> int:

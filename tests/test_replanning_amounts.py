@@ -22,7 +22,7 @@ from tests.resource_missions import (
     random_resource_mission,
 )
 from tests.seeds import seed_blocks
-from tests.test_replanning import SENSE, Past
+from tests.test_replanning import SENSE, Past, whole_trace
 from tsplan import Mission, Plan
 from tsplan.checking.ledger_reading import read_ledger
 from tsplan.errors import PlanError
@@ -61,20 +61,7 @@ class Whole:
         return found
 
     def trace(self) -> CountTrace:
-        mission, past = self.past.mission, self.past
-        later = self.joint.trace(0)
-        shape = len(mission.system.states), past.step
-        counts = {
-            name: np.concatenate(
-                [
-                    np.array([past.counts(name, at) for at in range(past.step)]).T.reshape(shape),
-                    later.counts.get(name, np.zeros_like(later.counts[None])),
-                ],
-                axis=1,
-            )
-            for name in (None, *mission.capabilities)
-        }
-        return CountTrace(counts, later.labels)
+        return whole_trace(self.past, self.joint)
 
 
 class Stores:

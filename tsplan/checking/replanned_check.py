@@ -6,6 +6,7 @@ plan of the mission that was left, and the formula once more on the whole trace.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -19,7 +20,9 @@ from tsplan.history.past_moves import presences
 from tsplan.history.past_paths import newcomers, robots_of
 from tsplan.history.path_traces import path_trace
 from tsplan.history.rest_mission import NobodyLeftError
+from tsplan.logic import CountTrace, Formula, conjunction
 from tsplan.logic.evaluation import robustness
+from tsplan.logic.fraction import shares
 from tsplan.name_runs import RunMap
 from tsplan.plans.bundles import Agents
 
@@ -66,16 +69,35 @@ def left_over(mission: Mission, plan: Plan) -> Left:
     return Left(rest, cut, problems)
 
 
-def _whole(mission: Mission, plan: Plan) -> float:
-    """The availability of the formula on what has happened and what is planned."""
-    changed = changed_formula(mission, plan.replanned)
-    mission, formula = on_named_states(mission, changed), mission.counting(changed)
+class _Whole(NamedTuple):
+    """A mission with what has changed of its formula, and what has happened and is planned."""
+
+    mission: Mission
+    formula: Formula
+    trace: CountTrace
+
+    @property
+    def availability(self) -> float:
+        """That of the formula."""
+        return float(robustness(self.mission.counting(self.formula), self.trace)[0])
+
+    def fractions(self) -> tuple[Fraction, ...]:
+        """How much holds of a formula that may hold in part, and of each preference."""
+        soft = [self.formula] if self.mission.partial else []
+        trees = map(self.mission.tree, [*soft, *(each.formula for each in self.mission.prefer)])
+        return tuple(shares(tree, self.trace)[tree][0].fraction for tree in trees)
+
+
+def _whole(mission: Mission, plan: Plan) -> _Whole:
+    """The formula, on what has happened and what is planned."""
+    formula = changed_formula(mission, plan.replanned)
+    mission = on_named_states(mission, formula)
+    every = (formula, *(each.formula for each in mission.prefer))
     maps = Maps(mission.system, plan.replanned)
     swarms = presences(mission, plan.moves, maps, plan.horizon)
-    agents = robots_of(mission, plan)
-    where = mission.system, formula, agents, plan.horizon
+    where = mission.system, conjunction(every), robots_of(mission, plan), plan.horizon
     trace = path_trace(*where, others=swarms, executions=plan.executions)
-    return float(robustness(formula, trace)[0])
+    return _Whole(mission, formula, trace)
 
 
 def taken(plan: Plan) -> str:
@@ -85,7 +107,7 @@ def taken(plan: Plan) -> str:
 
 def ended(mission: Mission, plan: Plan) -> Report:
     """The report on a plan of which nobody is left, by what has happened."""
-    actual = _whole(mission, plan)
+    actual = _whole(mission, plan).availability
     problems = [
         f"the plan claims {item.name} {shown(item.value)}, and nobody is left"
         for item in plan.objective
@@ -102,11 +124,16 @@ def ended(mission: Mission, plan: Plan) -> Report:
 def on_whole_trace(mission: Mission, plan: Plan, availability: float) -> Iterator[str]:
     """Whether the formula has that availability on what has happened and what is planned."""
     whole = _whole(mission, plan)
-    if whole != availability:
+    if whole.availability != availability:
         yield (
-            f"the formula has availability {shown(whole)} on the whole trace, and what is left of "
-            f"it has {shown(availability)}"
+            f"the formula has availability {shown(whole.availability)} on the whole trace, and "
+            f"what is left of it has {shown(availability)}"
         )
+    soft = [] if plan.satisfaction is None else [plan.satisfaction.fraction]
+    claimed = (*soft, *(each.fraction for each in plan.preferences))
+    for said, so in zip(claimed, whole.fractions(), strict=True):
+        if said != so:
+            yield f"the plan says that {said} of a formula holds, and on the whole trace {so} does"
 
 
 def _first(path: Bundle) -> tuple[int, str] | None:

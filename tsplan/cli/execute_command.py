@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> Exit:
     if not isinstance(mission, Mission):
         what = "a mission over signals is carried out by a controller"
         raise InputError([Finding(what, "see tsplan.Controller in docs/signals.md")])
-    refuse_unknown_kinds(mission)
+    refuse_unknown_kinds(mission, whole=True)
     refuse_swarms(mission)
     plan = load_plan(options.plan)
     try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -29,11 +29,13 @@ def parts_of(formula: Formula) -> tuple[Formula, ...]:
     return (formula,)
 
 
-def changed_formula(mission: Mission, worlds: Iterable[World]) -> Formula:
+def changed_formula(mission: Mission, worlds: Sequence[World]) -> Formula:
     """What has to hold of the whole trace, judged at step 0, after what some worlds say.
 
     Raises PlanError for parts that the mission does not have, and texts that are no formulas of it.
     """
+    if not any(world.demanded or world.withdrawn or world.deadlines for world in worlds):
+        return mission.formula  # grouped as it is written, which matters where it holds in part
     parts = list(parts_of(mission.formula))
     for world in worlds:
         parts = _changed(mission, parts, world)

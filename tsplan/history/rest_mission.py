@@ -21,7 +21,8 @@ from tsplan.history.past_paths import Now, Past, Whereabouts, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.history.present_room import with_present_room
 from tsplan.history.rest_tasks import with_tasks
-from tsplan.logic import Formula, horizon, progress
+from tsplan.logic import CountTrace, Formula, horizon, progress
+from tsplan.logic.unfolding import unfolded
 from tsplan.mission import Group
 from tsplan.mission.team import UnderWay
 from tsplan.plans.worlds import OnEdge
@@ -29,7 +30,6 @@ from tsplan.plans.worlds import OnEdge
 if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.mission.resources import Carries
-    from tsplan.mission.vocabulary import Language
     from tsplan.name_runs import Run, RunMap
     from tsplan.plans.bundles import Bundle
     from tsplan.plans.supplies import StockHistory
@@ -42,8 +42,8 @@ class Rest:
 
     `past` is what happened until then. `names` are, rank by rank, the robots that
     those of the mission are; `formula` is the whole one, judged at step 0 of the plan, `parts` has
-    each of its parts with what is left of it, and `horizon` is the last step of the plan. `stocks`
-    say what lay where before the step.
+    each of its parts that must hold with what is left of it, and `horizon` is the last step of the
+    plan. `stocks` say what lay where before the step.
     """
 
     mission: Mission
@@ -94,18 +94,18 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
         system=with_present_room(maps.from_step(step), team),
         team=team,
         resources=amounts.left(mission.resources),
-        language=_language(mission),
-        formula=left.of(formula),
+        formula=left.soft(formula) if mission.partial else left.of(formula),
         text="",
         objective=objective_of(mission, worlds),
         prefer=tuple(
-            replace(soft, formula=left.of(soft.formula), text="") for soft in mission.prefer
+            replace(soft, formula=left.soft(soft.formula), text="") for soft in mission.prefer
         ),
         horizon=last - step,
         warnings=(),
         origin=None,
     )
-    parts = tuple((part, left.of(part)) for part in parts_of(formula))
+    demands = () if mission.partial else parts_of(formula)
+    parts = tuple((part, left.of(part)) for part in demands)
     every = (*names, *nobody)
     return Rest(made, tuple(worlds), past, every, formula, parts, last, amounts.stocks)
 
@@ -127,11 +127,6 @@ def _loaded(places: Iterable[Now], loads: RunMap[Load]) -> Iterator[Now]:
             yield now._replace(names=part, load=load or ())
         if not begin:
             yield now
-
-
-def _language(mission: Mission) -> Language:
-    """The language of what is left: there are no weights in it."""
-    return "catl" if mission.language == "catl" else "mtl"
 
 
 STABLE = ("stability", "deviation")
@@ -158,26 +153,46 @@ class _Left(NamedTuple):
 
     def of(self, formula: Formula) -> Formula:
         """What is left of a formula that is judged at step 0 of the plan."""
-        mission, past, last = self.mission, self.past, self.step - 1
+        mission, step = self.mission, self.step
         counted = mission.counting(formula)
+        if step:
+            consumed = {each.name for each in mission.resources if each.consumed}
+            counted = progress(counted, self._trace(counted), consumed)
+        return with_tasks(counted, formula, mission)
+
+    def soft(self, formula: Formula) -> Formula:
+        """The same of a formula that may hold in part: a tree, all parts of which count."""
+        tree = self.mission.tree(formula)
         if not self.step:
-            return with_tasks(counted, formula, mission)
+            return tree
+        levels = self.mission.partial and self.mission.satisfaction != "weighted"
+        try:
+            return unfolded(tree, self._trace(tree), levels=levels)
+        except ValueError as error:
+            remedy = "ask for the weighted order, or plan its rest by hand"
+            raise MissionError([Finding(str(error), remedy)]) from None
+
+    def _trace(self, formula: Formula) -> CountTrace:
+        """What has happened, as far as a formula is about it."""
+        mission, past = self.mission, self.past
         swarms = presences(mission, past.moves)
-        where = mission.system, counted, past.agents, last
-        trace = path_trace(*where, others=swarms, executions=past.executions)
-        consumed = {each.name for each in mission.resources if each.consumed}
-        return with_tasks(progress(counted, trace, consumed), formula, mission)
+        where = mission.system, formula, past.agents, self.step - 1
+        return path_trace(*where, others=swarms, executions=past.executions)
 
 
-def refuse_unknown_kinds(mission: Mission) -> None:
-    """Raise MissionError for missions of which no rest can be told yet."""
+def refuse_unknown_kinds(mission: Mission, *, whole: bool = False) -> None:
+    """Raise MissionError for missions of which no rest can be told yet.
+
+    With `whole` also for those whose formula need not hold as a whole.
+    """
     kinds = {
         "expected numbers": mission.expected is not None,
         "modular robots": bool(mission.modular),
-        "a formula that may hold in part": mission.partial,
+        "a formula that may hold in part": whole and mission.partial,
     }
+    done = "carried out or planned in pieces" if whole else "planned again"
     findings = [
-        Finding(f"a mission with {kind} cannot be planned again", "plan its rest by hand")
+        Finding(f"a mission with {kind} cannot be {done}", "plan its rest by hand")
         for kind, there in kinds.items()
         if there
     ]

@@ -148,7 +148,7 @@ def execute(
     chances = checked(Chances(delay, loss, close))
     mission = mission if isinstance(mission, Mission) else load_mission(mission)
     plan = plan if isinstance(plan, Plan) else load_plan(plan)
-    refuse_unknown_kinds(mission)
+    refuse_unknown_kinds(mission, whole=True)
     refuse_swarms(mission)
     refuse_misfit(plan, mission)
     planner: Planner | None = partial(plan_mission, time_limit=time_limit) if replanning else None

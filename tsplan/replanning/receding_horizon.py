@@ -82,7 +82,7 @@ def plan_in_pieces(
     be planned again.
     """
     pieces = Pieces(window, commit)
-    refuse_unknown_kinds(mission)
+    refuse_unknown_kinds(mission, whole=True)
     return _Planning(mission, pieces, planner, on_piece, options).plan()
 
 
