@@ -290,7 +290,7 @@ def _seen(journal: Path) -> list[dict]:
     [
         ("print('hello')", "no JSON object"),
         ("print('{}')", "should say that they are ready"),
-        ("pass", "have ended after begin"),
+        ("input()", "have ended after begin"),
         ("import time; time.sleep(9)", "have said nothing for 0.5 s"),
         (
             """print('{"type": "ready"}'); input(); input(); print('{"step": 7}')""",
