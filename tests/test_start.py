@@ -6,11 +6,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from command_line import here
-from narrow_missions import sliding
-from seeds import seed_blocks
 
 import tsplan
+from tests.command_line import here
+from tests.narrow_missions import sliding
+from tests.seeds import seed_blocks
 from tsplan.errors import InputError, PlanError
 from tsplan.run.events import Incumbent
 from tsplan.search import capacity_relaxation
