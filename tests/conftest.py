@@ -5,6 +5,7 @@ Nothing is imported here that the job with rtamt, which has an environment of it
 
 from __future__ import annotations
 
+import gc
 from collections import defaultdict
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,6 +30,12 @@ def pytest_configure(config: pytest.Config) -> None:
 
     marks = config.getoption("markexpr") or "True"
     seeds.whole = bool(eval(marks, {}, defaultdict(bool, long=True)))
+
+
+def pytest_collection_finish() -> None:
+    """Spare the garbage collector what was collected: it is there to the end."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture
