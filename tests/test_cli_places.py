@@ -9,6 +9,7 @@ import pytest
 
 from tests.command_line import command as command_line
 from tests.missions import MAP
+from tests.seeds import long
 from tsplan.cli import main
 
 MISSION = """\
@@ -86,7 +87,7 @@ def test_an_output_may_be_written_again(folder):
 @pytest.mark.parametrize(
     ("backend", "command"),
     [
-        ("nonsense", "show mission.svg -o new.png"),
+        long("nonsense", "show mission.svg -o new.png"),
         ("module://matplotlib_inline.backend_inline", "animate plan.svg -o new.gif"),
     ],
 )

@@ -40,8 +40,9 @@ COMMANDS = (
     "linear",
     "too_late",
 )
-ON_TERMINALS = ("farm_shortage", "swarm_splits", "weights")
+ON_TERMINALS = ("farm_shortage",)
 OBJECTIVES = (*SENSE, "satisfaction", "preferences")
+SLOW = ("rescue_evacuation", "office_wishes", "office_delivery", "partial")  # a second or more
 SEARCHED = ("either_or", "keys")  # take long without the search of the tight encoding
 LARGE = "tasks"  # has too many joint plans to look at
 MANY = ("swarms_together", "mixed_availability")  # joint plans, so that it takes long
@@ -64,7 +65,9 @@ def parameters(*, commands: tuple[str, ...] | None = None) -> list[object]:
             item,
             id=item.name,
             marks=pytest.mark.long
-            if item.long or (commands is not None and item.name not in commands)
+            if item.long
+            or item.name in SLOW
+            or (commands is not None and item.name not in commands)
             else (),
         )
         for item in EXPECTED
@@ -79,7 +82,7 @@ def test_the_planner_gives_what_is_expected(item: Expectation) -> None:
 @pytest.mark.parametrize(
     "item",
     [
-        pytest.param(item, id=item.name)
+        pytest.param(item, id=item.name, marks=[pytest.mark.long] * (item.name in SLOW))
         for item in EXPECTED
         if of_signals(item) and item.name not in SEARCHED
     ],
