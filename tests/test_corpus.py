@@ -36,16 +36,29 @@ COMMANDS = (
     "partial_depth",
     "partial_swarm",
     "preferences_team",
-    "farm_shortage",
+    "site_wall",
     "linear",
     "too_late",
 )
-ON_TERMINALS = ("farm_shortage",)
+ON_TERMINALS = ("swarm_splits",)
 OBJECTIVES = (*SENSE, "satisfaction", "preferences")
-SLOW = ("rescue_evacuation", "office_wishes", "office_delivery", "partial")  # a second or more
+# take half a second or more
+SLOW = (
+    "keys",
+    "meeting",
+    "office_delivery",
+    "office_wishes",
+    "partial",
+    "rescue_evacuation",
+    "site_haulage",
+)
 SEARCHED = ("either_or", "keys")  # take long without the search of the tight encoding
 LARGE = "tasks"  # has too many joint plans to look at
-MANY = ("swarms_together", "mixed_availability")  # joint plans, so that it takes long
+MANY = (
+    "swarms_together",
+    "mixed_availability",
+    "team_agents",
+)  # joint plans, so that it takes long
 
 
 def whole(item: Expectation) -> bool:

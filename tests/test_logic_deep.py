@@ -39,10 +39,8 @@ QUICK = (
     "numbers in parentheses",
     "negations in parentheses",
     "windows",
-    "alternating windows",
     "steps",
     "conjunctions",
-    "weighted parts to the left",
     "signs",
 )
 

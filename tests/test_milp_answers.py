@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import sparse
 
+from tests.seeds import quick
 from tsplan.errors import SolverError
 from tsplan.milp.highs import Highs
 from tsplan.milp.model import Model
@@ -39,6 +40,7 @@ def answer(said: RawResult, **options) -> Solution:
 BEST, GOOD = np.array([0.0, 3.0]), np.array([1.0, 2.0])
 
 
+@quick
 @given(
     st.sampled_from(Status),
     st.sampled_from([None, *StoppedBy]),

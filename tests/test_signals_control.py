@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tsplan
-from tests.seeds import seed_blocks
+from tests.seeds import long, seed_blocks
 from tsplan.errors import InputError, MissionError, PlanError, SolverError
 from tsplan.logic import parse
 from tsplan.logic.evaluation import SignalTrace, holds, robustness
@@ -55,8 +55,8 @@ def steered(controller, system, state, noise=0.0, seed=0, **options):
     "objective",
     [
         ["robustness"],
-        ["robustness", "control_effort"],
-        {"robustness": 1, "control_effort": 0.1},
+        long(["robustness", "control_effort"]),
+        long({"robustness": 1, "control_effort": 0.1}),
         ["control_effort"],
         [],
     ],
