@@ -39,14 +39,16 @@ def sampled(every: Iterable[object], default: Collection[object]) -> list[object
     return [
         pytest.param(value, marks=() if value in default else pytest.mark.long)
         for value in every
-        if whole or value in default
+        if whole or not default or value in default
     ]
 
 
 def seed_blocks(default: Iterable[int], every: Iterable[int], size: int) -> list[object]:
     """Parameters for tests of blocks of so many seeds; those of `every` are marked `long`."""
+    first = list(default)
+    rest = list(every) if whole or not first else []
     return [
         pytest.param(block, id=f"{block[0]}..{block[-1]}", marks=marks)
-        for chosen, marks in ((list(default), ()), (list(every) if whole else [], pytest.mark.long))
+        for chosen, marks in ((first, ()), (rest, pytest.mark.long))
         for block in (chosen[at : at + size] for at in range(0, len(chosen), size))
     ]

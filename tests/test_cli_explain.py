@@ -155,7 +155,7 @@ def test_json(folder, capsys):
         ("office_double", "timing"),
         long("office_lift", None),
         long("reef_thin", "swarm"),
-        ("rescue_late", "reach"),
+        long("rescue_late", "reach"),
         ("site_late", "delivery"),
     ],
 )

@@ -88,7 +88,7 @@ def test_an_output_may_be_written_again(folder):
     ("backend", "command"),
     [
         long("nonsense", "show mission.svg -o new.png"),
-        ("module://matplotlib_inline.backend_inline", "animate plan.svg -o new.gif"),
+        long("module://matplotlib_inline.backend_inline", "animate plan.svg -o new.gif"),
     ],
 )
 def test_the_backend_of_a_notebook_does_not_matter(folder, backend, command):

@@ -185,7 +185,7 @@ sys.exit(main(["plan", "mission.yaml"]))
     ("number", "stubborn"),
     [
         (signal.SIGINT, True),
-        (signal.SIGTERM, False),
+        long(signal.SIGTERM, False),
         long(signal.SIGINT, False),
         long(signal.SIGTERM, True),
     ],

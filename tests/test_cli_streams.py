@@ -109,6 +109,7 @@ def test_every_command_says_that_stdout_is_full(folder, capsys, line):
 
 
 @posix
+@pytest.mark.long
 def test_the_encoding_of_the_surroundings_will_do(folder):
     done = shell("tsplan plan mission.yaml -o plan.json", PYTHONIOENCODING="ascii")
     assert done.returncode == 0, done.stderr

@@ -126,6 +126,7 @@ def test_parts_stand_where_they_were_written() -> None:
     assert text.splitlines()[1][3:].startswith(first.text.split(" in ")[0][:6])
 
 
+@pytest.mark.long
 def test_a_team_without_a_number_is_one_with_any_number() -> None:
     """Leaving out how many there are is as good as the best number of them."""
     for seed in range(12):

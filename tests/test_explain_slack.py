@@ -58,6 +58,7 @@ def test_what_holds_availability_down_is_named_with_place_and_step() -> None:
     assert "2 agents with see at 'C' at step 3, at least 1 asked for" in atom
 
 
+@pytest.mark.long
 def test_the_most_robust_plan_has_no_more_to_spare() -> None:
     met = 0
     for seed in range(25):

@@ -96,6 +96,7 @@ def test_json_stays_one_document(loud, command):
 
 
 @posix
+@pytest.mark.long
 def test_quiet_prints_nothing(loud):
     done = loud("-m", "tsplan", "plan", "mission.yaml", "--quiet")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -127,6 +128,7 @@ def test_in_process_only_the_users_own_words_are_seen(loud):
 
 
 @posix
+@pytest.mark.long
 def test_beside_other_threads_loading_is_quiet_and_they_are_not_hushed(loud):
     done = loud("-c", USER.format(threads=True))
     assert "LOUD import" not in done.stdout + done.stderr

@@ -18,7 +18,7 @@ FOLLOWED = sorted(
         *(DOCS / f"{name}.md" for name in ("own_constraints", "starting")),
     ]
 )
-SLOW = ("researcher", "teacher")  # plan for seconds
+SLOW = ("fleet_engineer", "researcher", "teacher")  # plan for seconds
 RUN = ("sh", "console", "python")
 
 

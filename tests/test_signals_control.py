@@ -365,6 +365,7 @@ def test_disturbed_steps_are_judged_alike_by_both_encodings(seeds):
             state = {name: value + rng.uniform(-0.3, 0.3) for name, value in led.items()}
 
 
+@pytest.mark.long
 def test_a_controller_keeps_what_is_shaken_on_its_way():
     mission = plane_mission(14)
     plan = tsplan.synthesise(mission)
