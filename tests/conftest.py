@@ -5,6 +5,8 @@ Nothing is imported here that the job with rtamt, which has an environment of it
 
 from __future__ import annotations
 
+import gc
+from collections import defaultdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +22,20 @@ if TYPE_CHECKING:
 
     from tests.browser import Browser
     from tsplan.milp.solver import Solver
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the tests that are marked `long` where `-m` asks for such, or for all."""
+    from tests import seeds  # noqa: PLC0415  (not before hypothesis has its profile)
+
+    marks = config.getoption("markexpr") or "True"
+    seeds.whole = bool(eval(marks, {}, defaultdict(bool, long=True)))
+
+
+def pytest_collection_finish() -> None:
+    """Spare the garbage collector what was collected: it is there to the end."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture

@@ -7,12 +7,13 @@ from collections import Counter
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 from scipy.stats import binom
 
 from tests.refusing import refused
+from tests.seeds import quick
 from tests.swarm_lane import SYSTEM
 from tests.test_check_swarms_random import SYSTEM as WALKED
 from tests.test_check_swarms_random import duration, places, walks
@@ -234,7 +235,7 @@ def test_sub_swarms_are_those_of_swarms():
     )
 
 
-@settings(deadline=None, max_examples=50)
+@quick
 @given(walks(), st.data())
 def test_values_are_those_of_all_agents(drawn, data):
     horizon, agents = drawn

@@ -6,9 +6,10 @@ from collections import Counter
 from dataclasses import replace
 from itertools import pairwise
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tests.swarm_lane import VALUES
 from tsplan.checking.assignment import assign
 from tsplan.checking.plan_check import certify, check
@@ -81,7 +82,7 @@ def planned(horizon, agents, **options):
     return given, made
 
 
-@settings(deadline=None)
+@quick
 @given(walks())
 def test_values_are_those_of_the_agents(drawn):
     horizon, agents = drawn
@@ -113,7 +114,7 @@ def test_values_are_those_of_the_agents(drawn):
         assert named == row
 
 
-@settings(deadline=None)
+@quick
 @given(walks())
 def test_sub_swarms_are_linked_as_agents_pass_through_them(drawn):
     horizon, agents = drawn
@@ -136,7 +137,7 @@ def test_sub_swarms_are_linked_as_agents_pass_through_them(drawn):
         assert (set(group.parents), set(group.children)) == seen[group.id]
 
 
-@settings(deadline=None)
+@quick
 @given(walks(), st.integers(1, 3), st.integers(1, 3))
 def test_bounds_are_broken_when_some_step_breaks_them(drawn, most, least):
     horizon, agents = drawn
@@ -151,7 +152,7 @@ def test_bounds_are_broken_when_some_step_breaks_them(drawn, most, least):
     assert check(mission, replace(paths, moves={}, groups=())).ok != broken
 
 
-@settings(deadline=None)
+@quick
 @given(walks(), st.integers(0, 40), st.sampled_from([-1, 1]))
 def test_a_changed_count_is_never_accepted(drawn, place, change):
     horizon, agents = drawn

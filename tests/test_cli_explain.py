@@ -11,6 +11,7 @@ import pytest
 
 import tsplan
 from tests.command_line import linux, started
+from tests.seeds import long
 from tsplan.cli import main
 from tsplan.mission import load_mission
 
@@ -149,12 +150,12 @@ def test_json(folder, capsys):
 @pytest.mark.parametrize(
     ("name", "kind"),
     [
-        ("farm_overbooked", "scarcity"),
-        ("office_closed", "contradiction"),
+        long("farm_overbooked", "scarcity"),
+        long("office_closed", "contradiction"),
         ("office_double", "timing"),
-        ("office_lift", None),
-        pytest.param("reef_thin", "swarm", marks=pytest.mark.long),
-        ("rescue_late", "reach"),
+        long("office_lift", None),
+        long("reef_thin", "swarm"),
+        long("rescue_late", "reach"),
         ("site_late", "delivery"),
     ],
 )

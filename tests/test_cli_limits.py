@@ -15,7 +15,7 @@ import pytest
 
 import tsplan
 from tests.command_line import linux, posix, python, started
-from tests.seeds import sampled
+from tests.seeds import long, sampled
 from tsplan.cli import main
 from tsplan.process.grace_period import GracePeriod
 from tsplan.run.events import FINISHING, Bound, Incumbent, Stage
@@ -267,7 +267,7 @@ sys.exit(main(["plan", "mission.yaml"]))
 
 
 @posix
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, -15), (signal.SIGINT, 130)])
+@pytest.mark.parametrize(("number", "code"), [long(signal.SIGTERM, -15), (signal.SIGINT, 130)])
 def test_signals_end_the_reading(folder, number, code):
     with started(READING) as process:
         assert process.stdout.readline() == "reading\n"

@@ -13,6 +13,7 @@ import pytest
 import tsplan
 from tests.command_line import linux, started
 from tests.missions import MISSION
+from tests.seeds import long
 from tsplan.cli import main
 from tsplan.cli.progress import Progress
 from tsplan.plans.outcomes import MissionRef
@@ -184,9 +185,9 @@ sys.exit(main(["plan", "mission.yaml"]))
     ("number", "stubborn"),
     [
         (signal.SIGINT, True),
-        (signal.SIGTERM, False),
-        pytest.param(signal.SIGINT, False, marks=pytest.mark.long),
-        pytest.param(signal.SIGTERM, True, marks=pytest.mark.long),
+        long(signal.SIGTERM, False),
+        long(signal.SIGINT, False),
+        long(signal.SIGTERM, True),
     ],
 )
 def test_a_signal_stops_the_search_in_order(folder, number, stubborn):

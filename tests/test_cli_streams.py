@@ -12,6 +12,7 @@ import pytest
 
 import tsplan
 from tests.command_line import MISTAKES, PATIENCE, here, posix, surroundings
+from tests.seeds import long, sampled
 from tsplan.cli import main
 from tsplan.cli.progress import Progress
 from tsplan.run.events import Bound, Incumbent, Stage
@@ -52,21 +53,17 @@ def written(folder):
     return plan["status"] == "optimal" and plan["verified"]
 
 
-def long(*values):
-    return pytest.param(*values, marks=pytest.mark.long)
-
-
 @posix
 @pytest.mark.parametrize(
     ("redirection", "code"),
     [
         pytest.param(">/dev/full", 6, marks=full),
-        pytest.param("2>/dev/full", 0, marks=full),
+        pytest.param("2>/dev/full", 0, marks=[full, pytest.mark.long]),
         long(">&-", 0),
         long("2>&-", 0),
         (">&- 2>&- <&-", 0),
-        ("| head -1 >/dev/null", 0),
-        ("2> >(head -1 >/dev/null)", 0),
+        long("| head -1 >/dev/null", 0),
+        long("2> >(head -1 >/dev/null)", 0),
         long("| true", 0),
     ],
 )
@@ -86,7 +83,7 @@ FULL = "cannot write to the standard output: No space left on device\n"
 
 @posix
 @full
-@pytest.mark.parametrize("unbuffered", ["", "1"])
+@pytest.mark.parametrize("unbuffered", sampled(["", "1"], [""]))
 def test_a_full_stdout_is_said_buffered_or_not(unbuffered):
     done = shell("tsplan parse 'F[0,2] a' --language mtl >/dev/full", PYTHONUNBUFFERED=unbuffered)
     assert (done.returncode, done.stderr.decode()) == (6, FULL)
@@ -112,6 +109,7 @@ def test_every_command_says_that_stdout_is_full(folder, capsys, line):
 
 
 @posix
+@pytest.mark.long
 def test_the_encoding_of_the_surroundings_will_do(folder):
     done = shell("tsplan plan mission.yaml -o plan.json", PYTHONIOENCODING="ascii")
     assert done.returncode == 0, done.stderr

@@ -36,15 +36,29 @@ COMMANDS = (
     "partial_depth",
     "partial_swarm",
     "preferences_team",
-    "farm_shortage",
+    "site_wall",
     "linear",
     "too_late",
 )
-ON_TERMINALS = ("farm_shortage", "swarm_splits", "weights")
+ON_TERMINALS = ("swarm_splits",)
 OBJECTIVES = (*SENSE, "satisfaction", "preferences")
+# take half a second or more
+SLOW = (
+    "keys",
+    "meeting",
+    "office_delivery",
+    "office_wishes",
+    "partial",
+    "rescue_evacuation",
+    "site_haulage",
+)
 SEARCHED = ("either_or", "keys")  # take long without the search of the tight encoding
 LARGE = "tasks"  # has too many joint plans to look at
-MANY = ("swarms_together", "mixed_availability")  # joint plans, so that it takes long
+MANY = (
+    "swarms_together",
+    "mixed_availability",
+    "team_agents",
+)  # joint plans, so that it takes long
 
 
 def whole(item: Expectation) -> bool:
@@ -64,7 +78,9 @@ def parameters(*, commands: tuple[str, ...] | None = None) -> list[object]:
             item,
             id=item.name,
             marks=pytest.mark.long
-            if item.long or (commands is not None and item.name not in commands)
+            if item.long
+            or item.name in SLOW
+            or (commands is not None and item.name not in commands)
             else (),
         )
         for item in EXPECTED
@@ -79,7 +95,7 @@ def test_the_planner_gives_what_is_expected(item: Expectation) -> None:
 @pytest.mark.parametrize(
     "item",
     [
-        pytest.param(item, id=item.name)
+        pytest.param(item, id=item.name, marks=[pytest.mark.long] * (item.name in SLOW))
         for item in EXPECTED
         if of_signals(item) and item.name not in SEARCHED
     ],

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from tests.missions import findings
+from tests.seeds import quick
 from tsplan.document import parse_document, read_document, validated
 from tsplan.document.compose import DEEPEST
 from tsplan.document.document import LARGEST_FILE
@@ -238,6 +239,7 @@ def test_schemas_give_the_model():
     assert team == Team(robots=[Robot(name="a", count=2)])
 
 
+@quick
 @given(st.text())
 def test_any_text_is_a_document_or_an_input_error(text):
     try:
@@ -246,6 +248,7 @@ def test_any_text_is_a_document_or_an_input_error(text):
         assert error.findings  # noqa: PT017 - either outcome is right
 
 
+@quick
 @given(
     st.recursive(
         st.none() | st.booleans() | st.integers(-999, 999) | st.text("ab 1:", max_size=5),

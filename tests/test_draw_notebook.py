@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.command_line import printed
+from tests.seeds import quick
 from tests.walks import wandering
 from tsplan.draw.palette import Palette
 from tsplan.draw.step_axes import DWELL, HALF
@@ -158,6 +159,7 @@ def test_hostile_names_are_text(name):
         assert not any(key.startswith("on") for key in item.attrib)
 
 
+@quick
 @given(st.text())
 def test_any_text_is_content_and_nothing_else(text):
     root = ET.fromstring(svg.element("text", svg.words(text) or "x", gid=text))

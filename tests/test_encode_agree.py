@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 
 import tsplan
@@ -29,17 +31,24 @@ def agree(seed: int) -> None:
     assert answer(tsplan.plan(mission)) == expected
 
 
-@pytest.mark.parametrize("seed", sampled(range(2060), range(60)))
+@pytest.mark.parametrize("seed", sampled(range(2060), range(20)))
 def test_tight_and_reference_agree(seed: int) -> None:
     agree(seed)
 
 
+@cache
+def all_switched_on(seed: int) -> tuple[object, ...]:
+    return answer(tsplan.plan(random_mission(seed)))
+
+
 @pytest.mark.parametrize("switch", list(Switch))
-@pytest.mark.parametrize("seeds", seed_blocks(range(100, 112), range(3000, 3200), 12))
+@pytest.mark.parametrize(
+    "seeds", seed_blocks(range(100, 104), [*range(100, 112), *range(3000, 3200)], 12)
+)
 def test_switching_a_switch_off_changes_no_answer(switch: Switch, seeds: list[int]) -> None:
     for seed in seeds:
-        mission = random_mission(seed)
-        assert answer(tsplan.plan(mission, without=(switch.value,))) == answer(tsplan.plan(mission))
+        switched = tsplan.plan(random_mission(seed), without=(switch.value,))
+        assert answer(switched) == all_switched_on(seed)
 
 
 def test_without_any_idea() -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from tests.seeds import sampled
+from tests.seeds import long, sampled
 from tsplan import Mission, plan
 from tsplan.encode import (
     running_sums as sums,
@@ -66,8 +66,8 @@ def size(formula: str) -> Size:
         lambda n: f"F[0,{n}] (B || C && D)",
         lambda n: f"F[0,{n}] G[0,{n}] B",
         lambda n: f"G[0,{n}] F[0,{n}] B",
-        lambda n: f"F[0,{n}] G[0,{n}] F[0,{n}] B",
-        lambda n: f"F[0,{n}] G[0,{n}] (B || C)",
+        long(lambda n: f"F[0,{n}] G[0,{n}] F[0,{n}] B"),
+        long(lambda n: f"F[0,{n}] G[0,{n}] (B || C)"),
         lambda n: f"!D U[0,{n}] B",
         lambda n: f"F[0,{n}] (A && (!D U[0,{n}] B))",
         lambda n: f"F[0,{n}] (A && !(!D U[0,{n}] B))",
@@ -82,7 +82,7 @@ def test_columns_and_nonzeros_grow_with_windows_and_stops(formula: Callable[[int
     assert large.nonzeros <= 6 * small.nonzeros
 
 
-@pytest.mark.parametrize("number", sampled([4, 8, 16, 32], [4, 8, 16]))
+@pytest.mark.parametrize("number", sampled([4, 8, 16, 32], [4, 8]))
 def test_stops_in_a_row_cost_so_much_for_each_step_of_each(number: int) -> None:
     found = size(stops(number, 20))
     steps = number * number * 20  # each stop may be made at any step up to its last
@@ -174,7 +174,7 @@ def agree(seed: int) -> None:
 
 
 @pytest.mark.usefixtures("shortest")
-@pytest.mark.parametrize("seed", sampled(range(600), range(30)))
+@pytest.mark.parametrize("seed", sampled(range(600), range(10)))
 def test_short_forms_agree_with_the_reference(seed: int) -> None:
     agree(seed)
 

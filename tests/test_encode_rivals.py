@@ -87,7 +87,7 @@ def agree(seed: int) -> None:
     assert [item.value for item in tightly.objective] == [item.value for item in plainly.objective]
 
 
-@pytest.mark.parametrize("seed", sampled(range(400), range(6)))
+@pytest.mark.parametrize("seed", sampled(range(400), range(4)))
 def test_rival_tasks_agree_with_the_reference(seed: int) -> None:
     agree(seed)
 

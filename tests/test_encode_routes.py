@@ -93,6 +93,7 @@ def test_routes_change_no_answer_on_many(seeds: list[int]) -> None:
         compare(seed)
 
 
+@pytest.mark.long
 def test_eight_stops_in_a_row_are_proven_by_the_first_linear_program() -> None:
     ways = [("hub", "atA", 2), ("hub", "atB", 3), ("hub", "atC", 1), ("hub", "atD", 1)]
     names = ["hub", *(f"at{p}" for p in PLACES)]

@@ -37,7 +37,7 @@ def texts(mission: Mission) -> list[list[str]]:
     return [[part.text for part in conflict.parts] for conflict in made.conflicts]
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", sampled(range(3), range(1, 3)))
 def test_tasks(seed: int) -> None:
     check_explanation(random_task_mission(seed + 200), conflicts=2)
 
@@ -48,7 +48,7 @@ def test_counts(seed: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "seeds", seed_blocks(range(60_000, 60_006), [*range(60_006, 60_012), *range(61_000, 61_400)], 6)
+    "seeds", seed_blocks(range(60_000, 60_003), [*range(60_000, 60_012), *range(61_000, 61_400)], 6)
 )
 def test_swarms(seeds: list[int]) -> None:
     for seed in seeds:
@@ -126,6 +126,7 @@ def test_parts_stand_where_they_were_written() -> None:
     assert text.splitlines()[1][3:].startswith(first.text.split(" in ")[0][:6])
 
 
+@pytest.mark.long
 def test_a_team_without_a_number_is_one_with_any_number() -> None:
     """Leaving out how many there are is as good as the best number of them."""
     for seed in range(12):

@@ -11,6 +11,7 @@ import pytest
 from rich.console import Console
 
 import tsplan
+from tests.seeds import long
 from tests.test_explain_conflicts import row
 from tsplan.explanation import Change, Conflict, Explanation, Fact, Found, Status, explain
 from tsplan.explanation.report import Report, print_explanation
@@ -123,9 +124,9 @@ def test_no_time_leaves_facts_and_says_so() -> None:
 @pytest.mark.parametrize(
     ("why", "words"),
     [
-        (StoppedBy.TIME_LIMIT, "some questions took too long"),
+        long(StoppedBy.TIME_LIMIT, "some questions took too long"),
         (StoppedBy.MEMORY, "memory was short"),
-        (StoppedBy.PRECISION, "the solver was not precise enough"),
+        long(StoppedBy.PRECISION, "the solver was not precise enough"),
     ],
 )
 def test_questions_without_an_answer_say_why(monkeypatch, why: StoppedBy, words: str) -> None:

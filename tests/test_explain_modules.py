@@ -46,6 +46,7 @@ def test_there_are_as_many_structures_as_modules_can_be() -> None:
     )
 
 
+@pytest.mark.long
 def test_robots_count_beside_structures() -> None:
     team = "[{class: module, count: 6, at: dock, configuration: single}, {class: crane, at: yard, "
     team += "capabilities: [lift]}]"

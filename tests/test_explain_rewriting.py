@@ -17,8 +17,19 @@ from tsplan.plans.plan import Plan
 from tsplan.testing import random_task_mission
 
 FOLDER = Path(__file__).parents[1] / "environments"
-QUICK = ("farm_overbooked", "office_closed", "office_double", "office_lift", "rescue_late")
-INFEASIBLE = sampled([*QUICK, "site_late", "reef_thin"], QUICK)
+QUICK = ("office_lift",)
+INFEASIBLE = sampled(
+    [
+        *QUICK,
+        "farm_overbooked",
+        "office_closed",
+        "office_double",
+        "rescue_late",
+        "site_late",
+        "reef_thin",
+    ],
+    QUICK,
+)
 TEXT = """\
 format: tsplan-mission/1
 name: small      # keep me

@@ -96,7 +96,7 @@ def test_missions_whose_helpers_cannot_be_told_apart_have_no_such_problem() -> N
     assert least_shortage(row("F[0,1] sum(C) >= 1"), []) is None
 
 
-@pytest.mark.parametrize("seeds", seed_blocks([3, 7], range(8, 400), 28))
+@pytest.mark.parametrize("seeds", seed_blocks([7], [*range(8, 400), 3, 7], 28))
 def test_nothing_depends_on_those_of_whom_nothing_is_asked(seeds: list[int]) -> None:
     told = 0
     for seed in seeds:

@@ -321,7 +321,7 @@ def test_borders_that_solvers_cannot_tell_are_admitted() -> None:
 
 @pytest.mark.parametrize("language", ["stl", "wstl"])
 @pytest.mark.parametrize(
-    "seeds", seed_blocks(range(15, 21), [*range(21, 27), *range(1000, 1400)], 6)
+    "seeds", seed_blocks(range(15, 17), [*range(15, 27), *range(1000, 1400)], 6)
 )
 def test_random_missions(language: Any, seeds: list[int]) -> None:
     for seed in seeds:

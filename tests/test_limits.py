@@ -13,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tsplan
+from tests.seeds import quick
 from tsplan import Edge, Group, Mission, SolverChoice, State, TransitionSystem, parse
 from tsplan.cli import main
 from tsplan.document import parse_document
@@ -327,11 +328,13 @@ def maps(draw):
     return TransitionSystem.build(made, edges, draw(st.just("") | names))
 
 
+@quick
 @given(maps())
 def test_a_map_that_is_written_is_read_again(system):
     assert map_from_document(parse_document(map_to_yaml(system), "f")) == system
 
 
+@quick
 @given(maps())
 def test_a_map_that_is_written_for_lomap_is_read_again(system):
     again = map_from_document(parse_document(lomap_to_yaml(system), "f"))

@@ -34,7 +34,18 @@ DEEP = {
 }
 
 
-@pytest.mark.parametrize("name", DEEP)
+QUICK = (
+    "parentheses",
+    "numbers in parentheses",
+    "negations in parentheses",
+    "windows",
+    "steps",
+    "conjunctions",
+    "signs",
+)
+
+
+@pytest.mark.parametrize("name", sampled(DEEP, QUICK))
 def test_deep_formulas_are_read_printed_and_transformed(name):
     language, text = DEEP[name]
     limit = sys.getrecursionlimit()

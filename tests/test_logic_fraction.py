@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tsplan import logic
 from tsplan.logic import CountTrace, SignalTrace, parse, walk
 from tsplan.logic.evaluation import holds, robustness
@@ -162,6 +163,7 @@ def test_the_same_formula_counts_at_each_of_its_places():
     assert levels(both, X).counts == (0, 1, 0)
 
 
+@quick
 @given(judged("mtl"))
 def test_a_formula_holds_exactly_where_its_fraction_is_one(case):
     _, formula, trace = case
@@ -174,6 +176,7 @@ def test_a_formula_holds_exactly_where_its_fraction_is_one(case):
             assert share.spare == robustness(formula, trace)[step]
 
 
+@quick
 @given(judged("mtl"))
 def test_what_is_satisfied_keeps_its_fraction_when_it_is_demanded(case):
     _, formula, trace = case
@@ -208,6 +211,7 @@ def definition(node: logic.Formula, step: int, trace: CountTrace, weighted: bool
     return max(pairs) / max(weights)
 
 
+@quick
 @given(judged("wmtl"))
 def test_fractions_are_as_defined(case):
     _, formula, trace = case
@@ -220,6 +224,7 @@ def test_fractions_are_as_defined(case):
     assert preference(tree, trace) in (None, found)
 
 
+@quick
 @given(judged("wmtl"))
 def test_preference_and_fraction_agree_at_their_ends(case):
     _, formula, trace = case
@@ -237,6 +242,7 @@ def test_preference_and_fraction_agree_at_their_ends(case):
         assert preferred <= plain
 
 
+@quick
 @given(judged("mtl"), st.sampled_from([0.3, 2.0]))
 def test_equal_weights_prefer_nothing(case, weight):
     _, formula, trace = case
@@ -250,6 +256,7 @@ def evenly(node, below, weight):
     return replace(made, weights=weight) if hasattr(made, "weights") else made
 
 
+@quick
 @given(judged("wmtl"))
 def test_what_is_satisfied_keeps_its_preference_when_it_is_demanded(case):
     """Also on other traces: only then is it worth as much in every plan."""
@@ -291,6 +298,7 @@ def test_portions_are_those_of_the_written_numbers():
     assert preference(parse("a"), CountTrace({None: np.ones((1, 1))}, {"a": [0]})) is None
 
 
+@quick
 @given(judged("mtl"), st.data())
 def test_more_atoms_never_give_less(case, data):
     """Making an atom true where it was false raises the fraction or keeps it."""

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.missions import read, wrong_in
+from tests.seeds import quick
 from tsplan.errors import MissionError
 from tsplan.logic import parse, tighten
 from tsplan.mission import Group, Mission, SwarmBounds, SwarmRules
@@ -205,6 +206,7 @@ def test_hopeless_bounds_are_warnings(folder, base, change, place, words):
     assert "no plan is possible" in warning.remedy
 
 
+@quick
 @given(
     bound=st.integers(-2, 12),
     total=st.integers(0, 10),

@@ -9,9 +9,10 @@ from fractions import Fraction
 from random import Random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tsplan import check, load_mission, load_plan
 from tsplan.cli import main
 from tsplan.errors import FormulaError, InputError, MissionError
@@ -127,7 +128,7 @@ def random_kind(seed):
             continue
 
 
-@settings(deadline=None, max_examples=30)
+@quick
 @given(st.integers(0, 10**6))
 def test_random_missions_are_read_as_they_were(seed):
     alike(random_mission(seed))

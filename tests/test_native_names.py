@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tsplan
+from tests.seeds import quick
 from tsplan.encode.native_names import _distinct, column_names, row_names
 from tsplan.milp.solver import SOLVERS
 from tsplan.milp.solver import solver as solver_named
@@ -76,6 +77,7 @@ def test_native_models_have_the_names(name, encoding, tmp_path):
         assert found == {columns[number] for number in expected.indices}
 
 
+@quick
 @given(st.lists(st.text(st.characters(codec="utf-8"), max_size=3), max_size=20))
 def test_names_are_distinct_and_writable(given_names):
     made = list(_distinct(given_names))

@@ -247,7 +247,7 @@ def of_kind(seed: int) -> tsplan.Mission:
     return replace(mission, delay=late)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(60), range(60, 3060), 60))
+@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(3060), 60))
 def test_random_flows_agree_with_brute_force(seeds: list[int]) -> None:
     answers = [agrees(of_kind(seed), seed) for seed in seeds]
     assert min(answers.count(True), answers.count(False)) >= 3

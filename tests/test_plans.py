@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tsplan.errors import PlanError
 from tsplan.plans.agent_plans import AgentPlan
 from tsplan.plans.outcomes import MissionRef, ModelSize, ObjectiveValue, SolverUse, Status, Timings
@@ -112,6 +113,7 @@ names = st.text(min_size=1, max_size=5)
 paths = st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3), names), min_size=1, max_size=4)
 
 
+@quick
 @given(st.lists(st.tuples(names, names, st.sets(names), paths), min_size=1, max_size=4))
 def test_json_keeps_every_name(agents):
     made = []

@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tsplan
-from tests.seeds import sampled
+from tests.seeds import quick, sampled
 from tests.walks import walk, walking
 from tsplan.checking.plan_check import check
 from tsplan.checking.team_check import strangers
@@ -51,6 +51,7 @@ AGENTS = st.lists(
 )
 
 
+@quick
 @given(NAMES)
 def test_a_name_is_one_run_in_one_way(name):
     run = Run.of(name)
@@ -59,6 +60,7 @@ def test_a_name_is_one_run_in_one_way(name):
     assert not run.counted or Run.of(f"{run.stem}{run.first}") == run
 
 
+@quick
 @given(st.lists(NAMES, max_size=12), NAMES)
 def test_runs_are_a_sequence_of_names(names, other):
     made = Names.of(names)
@@ -79,6 +81,7 @@ def test_long_rows_are_short():
     assert made.runs == (Run("a-", 1, 99_999),)
 
 
+@quick
 @given(AGENTS)
 def test_agents_are_a_sequence_of_agents(agents):
     made = Agents.of(agents)
@@ -96,11 +99,13 @@ def test_agents_are_a_sequence_of_agents(agents):
         assert [*bundle.agents] == own
 
 
+@quick
 @given(AGENTS, AGENTS)
 def test_other_agents_are_not_equal(agents, others):
     assert (Agents.of(agents) == Agents.of(others)) == (agents == others)
 
 
+@quick
 @given(AGENTS.filter(bool), st.booleans())
 def test_plans_are_read_as_they_were_written(agents, each):
     plan = Plan("feasible", MissionRef("m", ""), 5, "gap", agents=tuple(agents))
@@ -271,7 +276,7 @@ def singly(message):
     return [(name, words) for name in Run(names.stem, names.first, last).names()]
 
 
-@pytest.mark.parametrize("seed", sampled(range(600), range(60)))
+@pytest.mark.parametrize("seed", sampled(range(600), range(30)))
 def test_bundles_are_judged_as_their_agents_one_by_one(seed):
     random = Random(f"judged {seed}")
     mission = teams(seed)
@@ -292,6 +297,7 @@ def test_bundles_are_judged_as_their_agents_one_by_one(seed):
         )
 
 
+@quick
 @given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 9)), max_size=4), st.integers(0, 12))
 def test_a_roster_knows_every_name(spans, last):
     mission = Mission.of(

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.seeds import sampled
+from tests.seeds import quick, sampled
 from tests.test_plans_bundles import singly
 from tests.walks import walk
 from tsplan.checking.ledger_reading import read_ledger
@@ -45,6 +45,7 @@ CARGO = st.lists(
 )
 
 
+@quick
 @given(CARGO, st.booleans())
 def test_rows_are_the_same_cargo_in_memory_and_in_files(cargo, each):
     rows = CargoRows.of(cargo)

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tsplan.errors import TsplanError
 from tsplan.mission import Rank
 from tsplan.name_runs import Run
@@ -75,6 +76,7 @@ def walks(draw):
     return starts, edges, dict(entries), horizon
 
 
+@quick
 @given(walks(), st.integers(0, 3) | st.none())
 def test_paths_add_up_to_the_flow(walk, seed):
     starts, edges, entries, horizon = walk
@@ -89,6 +91,7 @@ def test_paths_add_up_to_the_flow(walk, seed):
     assert agents == walked(*flow, horizon, seed)
 
 
+@quick
 @given(walks())
 def test_as_many_as_possible_stay_at_home(walk):
     starts, edges, entries, horizon = walk

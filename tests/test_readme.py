@@ -26,6 +26,7 @@ def test_the_python_example_runs():
     assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.out)
 
 
+@pytest.mark.long
 def test_the_examples_of_signals_run():
     page = (ROOT / "docs" / "signals.md").read_text(encoding="utf-8")
     [text] = texts("yaml", page)
@@ -44,6 +45,7 @@ SWEEPS = (ROOT / "docs" / "sweeps.md").read_text(encoding="utf-8")
 RULES = ROOT / "environments" / "sweeps" / "office_rules.yaml"
 
 
+@pytest.mark.long
 def test_the_table_of_a_sweep_is_what_is_printed(tmp_path):
     axes, _ = texts("yaml", SWEEPS)
     assert axes in RULES.read_text(encoding="utf-8")

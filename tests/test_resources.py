@@ -304,7 +304,7 @@ def test_forged_plans_are_refused(how, words):
 # --- both encodings ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(5000, 5030), range(5030, 6000), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(5000, 5004), range(5000, 6000), 10))
 @pytest.mark.parametrize("parted", [False, True])
 def test_both_encodings_agree_on_random_missions(seeds: list[int], parted: bool) -> None:
     for seed in seeds:
@@ -315,7 +315,7 @@ def test_both_encodings_agree_on_random_missions(seeds: list[int], parted: bool)
         assert told[0] == pytest.approx(told[1], rel=1e-6), made.text
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(7000, 7020), range(7020, 7400), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(7000, 7010), range(7010, 7400), 10))
 @pytest.mark.parametrize("parted", [False, True])
 def test_straight_ways_cost_no_better_plan(monkeypatch, seeds: list[int], parted: bool) -> None:
     monkeypatch.setattr(stages, "LARGE", -1)
@@ -362,7 +362,7 @@ objective: [travel]
     assert values(plan)["travel"] == 4
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(8000, 8020), range(8020, 8400), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(8000, 8010), range(8000, 8400), 10))
 def test_what_must_be_moved_at_all_bounds_what_is_moved(seeds: list[int]) -> None:
     reached = []
     for seed in seeds:
@@ -390,6 +390,7 @@ def test_what_is_asked_for_in_any_case():
     assert needed(a.eventually(0, 3).always(0, 9)) == {a: 1}
 
 
+@pytest.mark.long
 def test_the_random_missions_are_of_all_kinds():
     made = [random_resource_mission(seed) for seed in range(100)]
     plans = [tsplan.plan(item) for item in made]

@@ -6,9 +6,10 @@ from dataclasses import replace
 from random import Random
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tests.test_signal_missions import MISSION, SEVERAL, WEIGHTED, changed
 from tsplan import SignalMission, load_signal_mission
 from tsplan.errors import FormulaError, MissionError
@@ -39,7 +40,7 @@ def alike(mission: SignalMission) -> str:
     return text
 
 
-@settings(deadline=None, max_examples=60)
+@quick
 @given(st.integers(0, 10**6), st.sampled_from(["stl", "wstl"]))
 def test_random_missions_are_read_as_they_were(seed, language):
     mission = random_signal_mission(seed, language=language)
@@ -73,7 +74,7 @@ def random_robots(seed: int) -> SignalMission:
             continue
 
 
-@settings(deadline=None, max_examples=30)
+@quick
 @given(st.integers(0, 10**6))
 def test_several_robots_are_read_as_they_were(seed):
     assert "copies:" in alike(random_robots(seed))
@@ -128,13 +129,13 @@ def test_missions_without_a_text_are_written():
     alike(SignalMission(system, formula, 5, (aim,), solver=SolverChoice(threads=2)))
 
 
-@settings(deadline=None)
+@quick
 @given(TERMS, NUMBERS)
 def test_sums_are_read_as_they_were(terms, constant):
     assert expression(expression_text(terms, constant)) == (terms, constant)
 
 
-@settings(deadline=None, max_examples=50)
+@quick
 @given(TERMS, st.lists(st.tuples(NUMBERS.map(abs).filter(bool), TERMS), max_size=3), NUMBERS)
 def test_limits_are_read_as_they_were(terms, absolute, bound):
     # the sum between bars has a positive first factor, as its opposite is as large
@@ -146,7 +147,7 @@ def test_limits_are_read_as_they_were(terms, absolute, bound):
 VALUES = st.fixed_dictionaries(dict.fromkeys("xyz", st.integers(-4, 4)))
 
 
-@settings(deadline=None)
+@quick
 @given(
     st.lists(st.tuples(st.sampled_from([0.5, 1, 2]), TERMS.map(lambda t: t[:2])), max_size=2),
     st.sampled_from("xyz"),

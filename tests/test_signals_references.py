@@ -45,16 +45,16 @@ def compare(mission: SignalMission) -> str:
     return "optimal"
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(100), range(100, 2000), 100))
+@pytest.mark.parametrize("seeds", seed_blocks(range(30), range(2000), 100))
 def test_they_agree(seeds: list[int]) -> None:
     seen = Counter(compare(random_signal_mission(seed)) for seed in seeds)
-    assert min(seen["optimal"], seen["infeasible"]) >= 20, seen
+    assert min(seen["optimal"], seen["infeasible"]) >= len(seeds) // 5, seen
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(50), range(50, 1000), 50))
+@pytest.mark.parametrize("seeds", seed_blocks(range(25), range(1000), 50))
 def test_weighted_values_are_those_of_the_evaluator(seeds: list[int]) -> None:
     seen = Counter(map(weighed, seeds))
-    assert min(seen["satisfied"], seen["violated"]) >= 10, seen
+    assert min(seen["satisfied"], seen["violated"]) >= len(seeds) // 5, seen
 
 
 def test_a_seed_gives_the_same_mission_and_missions_are_of_all_kinds() -> None:
@@ -110,7 +110,7 @@ def rebuilt(mission: SignalMission, encoding: str) -> None:
 
 
 @pytest.mark.parametrize("encoding", signal_encodings.ENCODINGS)
-@pytest.mark.parametrize("seeds", seed_blocks(range(3000, 3040), range(3040, 4000), 40))
+@pytest.mark.parametrize("seeds", seed_blocks(range(3000, 3020), range(3000, 4000), 40))
 def test_rebuilt_encodings_agree_with_them(encoding: str, seeds: list[int]) -> None:
     for seed in seeds:
         rebuilt(random_signal_mission(seed), encoding)

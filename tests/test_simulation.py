@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import binom
 
 import tsplan
+from tests.seeds import quick
 from tsplan.checking.plan_check import certify
 from tsplan.errors import MissionError, PlanError
 from tsplan.mission import Mission
@@ -178,7 +179,7 @@ def test_margins_of_every_operator():
         margin_for(team)
 
 
-@settings(max_examples=60, deadline=None)
+@quick
 @given(data=st.data())
 def test_no_mixture_of_agents_falls_short_more_often_than_said(data):
     """Hoeffding's theorem on small sums, counted out exactly."""

@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import pytest
-from command_line import here
-from narrow_missions import sliding
-from seeds import seed_blocks
 
 import tsplan
+from tests.command_line import here
+from tests.narrow_missions import sliding
+from tests.seeds import seed_blocks
 from tsplan.errors import InputError, PlanError
 from tsplan.run.events import Incumbent
 from tsplan.search import capacity_relaxation
 from tsplan.testing.random_missions import random_mission, random_task_mission
 
 HARVEST = Path("environments/farm_harvest.yaml")
+BOOKED = Path("environments/site_booked.yaml")
+
+
+@cache
+def planned(path: Path) -> tsplan.Plan:
+    return tsplan.plan(tsplan.load_mission(path))
 
 
 def first_plan(mission: tsplan.Mission, **options) -> tuple[tsplan.Plan, tsplan.Plan]:
@@ -61,11 +68,11 @@ def test_a_plan_of_another_mission_does_no_harm() -> None:
     fewer = replace(
         harvest, formula=tsplan.parse("F[0,30] sum(wheat) >= 1"), text="", objective=("travel",)
     )
-    easy, hard = tsplan.plan(fewer), tsplan.plan(harvest)
+    easy, hard = tsplan.plan(fewer), planned(HARVEST)
     assert tsplan.plan(harvest, start=easy).objective == hard.objective
     assert tsplan.plan(fewer, start=hard).objective == easy.objective
-    patrol = tsplan.load_mission("environments/farm_patrol.yaml")
-    assert tsplan.plan(patrol, start=hard).objective == tsplan.plan(patrol).objective
+    booked = tsplan.load_mission(BOOKED)
+    assert tsplan.plan(booked, start=hard).objective == planned(BOOKED).objective
 
 
 def test_what_is_no_start_is_said() -> None:
@@ -74,19 +81,15 @@ def test_what_is_no_start_is_said() -> None:
     with pytest.raises(PlanError, match="no paths"):
         tsplan.plan(harvest, start=none)
     with pytest.raises(InputError, match="over signals"):
-        tsplan.plan("environments/signals/reach_avoid.yaml", start=tsplan.plan(harvest))
+        tsplan.plan("environments/signals/reach_avoid.yaml", start=planned(HARVEST))
 
 
 def test_the_command_line_starts_from_a_file(tmp_path) -> None:
-    patrol, old, new = (
-        Path("environments/farm_patrol.yaml"),
-        tmp_path / "old.json",
-        tmp_path / "new.json",
-    )
-    assert here("plan", str(patrol), "-o", str(old)).code == 0
-    assert here("plan", str(patrol), "--start", str(old), "-o", str(new)).code == 0
+    old, new = tmp_path / "old.json", tmp_path / "new.json"
+    assert here("plan", str(BOOKED), "-o", str(old)).code == 0
+    assert here("plan", str(BOOKED), "--start", str(old), "-o", str(new)).code == 0
     values = [tsplan.load_plan(path).objective for path in (old, new)]
     assert values[0] == values[1]
-    over = here("plan", str(patrol), "--start", str(old), "-o", str(old))
+    over = here("plan", str(BOOKED), "--start", str(old), "-o", str(old))
     assert over.code == 2
     assert "read by the same command" in over.err

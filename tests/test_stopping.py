@@ -20,7 +20,7 @@ from tsplan.testing import random_mission
 
 FOLDER = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(path.stem for path in FOLDER.glob("*_*.yaml"))
-QUICK = ("farm_shortage", "reef_watch", "office_double")
+QUICK = ("farm_shortage", "reef_watch", "office_double")  # few stops of them do
 CROWD = """\
 format: tsplan-mission/1
 map:
@@ -123,20 +123,21 @@ def stop_everywhere(mission: Mission, every: int = 1) -> int:
     return len(events)
 
 
+@pytest.mark.parametrize("every", sampled([1, 4], [4]))
 @pytest.mark.parametrize("text", [CROWD, SHARED, WISHES], ids=["team", "swarm", "wishes"])
-def test_every_stop_leaves_a_plan_that_stands(text: str, tmp_path: Path) -> None:
+def test_every_stop_leaves_a_plan_that_stands(text: str, every: int, tmp_path: Path) -> None:
     path = tmp_path / "mission.yaml"
     path.write_text(text, encoding="utf-8")
-    assert stop_everywhere(load_mission(path)) >= 5
+    assert stop_everywhere(load_mission(path), every) >= 5
 
 
-@pytest.mark.parametrize("seed", range(7000, 7012))
+@pytest.mark.parametrize("seed", sampled(range(7000, 7012), range(7000, 7006)))
 def test_every_stop_of_random_missions(seed: int) -> None:
     mission = random_mission(seed, states=4, most_agents=4, steps=8)
     stop_everywhere(replace(mission, objective=("agents", "availability", "cost", "makespan")))
 
 
-@pytest.mark.parametrize("name", sampled(MISSIONS, QUICK))
+@pytest.mark.parametrize("name", sampled(MISSIONS, ["office_double"]))
 def test_every_stop_of_the_environments(name: str) -> None:
     stop_everywhere(load_mission(FOLDER / f"{name}.yaml"), every=5 if name in QUICK else 1)
 

@@ -9,6 +9,7 @@ import pytest
 
 import tsplan
 from tests.joint_plans import best
+from tests.seeds import sampled, seed_blocks
 from tsplan import Mission
 from tsplan.clock import Clock
 from tsplan.encode.assemble import tight
@@ -59,7 +60,7 @@ def solve(model: Model) -> Floats | None:
     return solver("highs").solve(model, Options(time_limit=20.0)).values
 
 
-@pytest.mark.parametrize("block", range(2))
+@pytest.mark.parametrize("block", sampled(range(2), []))
 def test_no_plan_has_fewer_splits_than_tokens_say(block: int) -> None:
     for seed in range(40_000 + 6 * block, 40_006 + 6 * block):
         mission = splitting(seed)
@@ -68,9 +69,10 @@ def test_no_plan_has_fewer_splits_than_tokens_say(block: int) -> None:
         assert bound - 1e-6 <= (np.inf if expected is None else expected[0])
 
 
-def test_bounds_are_met_and_infinite_often() -> None:
+@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_015), range(40_000, 40_050), 50))
+def test_bounds_are_met_and_infinite_often(seeds: list[int]) -> None:
     met = infinite = 0
-    for seed in range(40_000, 40_050):
+    for seed in seeds:
         mission = splitting(seed)
         bound = fewest(tokens(prepare(mission)), Clock(20.0)).bound
         plan = tsplan.plan(mission)
@@ -80,8 +82,8 @@ def test_bounds_are_met_and_infinite_often() -> None:
             value = plan.objective[0].value
             assert value is not None
             met += bound > value - 1 + 1e-6 and value >= 1
-    assert met >= 10
-    assert infinite >= 10
+    assert met >= len(seeds) // 5
+    assert infinite >= len(seeds) // 5
 
 
 def test_where_merging_costs_a_split_the_whole_problem_decides() -> None:
@@ -96,9 +98,10 @@ def test_where_merging_costs_a_split_the_whole_problem_decides() -> None:
     assert best(mission) == (2.0,)
 
 
-def test_what_is_found_along_their_ways_is_a_point_of_the_whole_problem() -> None:
+@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_018), range(40_000, 40_060), 60))
+def test_what_is_found_along_their_ways_is_a_point_of_the_whole_problem(seeds: list[int]) -> None:
     seen = 0
-    for seed in range(40_000, 40_060):
+    for seed in seeds:
         mission = splitting(seed)
         setting = prepare(mission)
         encoded = tight(setting)
@@ -108,4 +111,4 @@ def test_what_is_found_along_their_ways_is_a_point_of_the_whole_problem() -> Non
                 seen += 1
                 assert encoded.model.violation(point) < 1e-6
                 assert vector @ point == pytest.approx(splits)
-    assert seen >= 20
+    assert seen >= len(seeds) // 3

@@ -5,9 +5,10 @@ import math
 import networkx as nx
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tsplan.ts import Edge, State, TransitionSystem
 from tsplan.ts.builders import grid
 from tsplan.ts.reachability import reachable, shortest_durations
@@ -43,7 +44,7 @@ def test_shortest_durations():
     assert shortest_durations(TOWN).shape == (4, 4)
 
 
-@settings(deadline=None, max_examples=25)
+@quick
 @given(st.integers(1, 5), st.integers(1, 5), st.integers(0, 1000))
 def test_shortest_durations_agree_with_networkx(rows, columns, seed):
     system = grid(rows, columns, duration=(1, 4), seed=seed)

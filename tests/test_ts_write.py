@@ -8,6 +8,7 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tests.test_ts_read import FARM, ROBOT, read
 from tsplan.document.flow_style import flow
 from tsplan.errors import MapError
@@ -66,6 +67,7 @@ def systems(draw):
     return TransitionSystem.build(states, draw(edges(names)), draw(st.just("") | NAMES))
 
 
+@quick
 @given(systems())
 def test_the_own_format_round_trip(system):
     again = read(map_to_yaml(system))
@@ -73,6 +75,7 @@ def test_the_own_format_round_trip(system):
     assert list(again.states) == list(system.states)
 
 
+@quick
 @given(systems(), st.none() | st.integers() | NAMES, st.none() | st.floats(1e-6, 1e6))
 def test_origins_and_seconds_of_steps_are_kept_in_the_own_format(system, origin, seconds):
     states = [replace(state, origin=origin) for state in system.states.values()]
@@ -80,6 +83,7 @@ def test_origins_and_seconds_of_steps_are_kept_in_the_own_format(system, origin,
     assert read(map_to_yaml(told)) == told
 
 
+@quick
 @given(systems())
 def test_lomaps_format_round_trip(system):
     again = read(lomap_to_yaml(system))
@@ -150,6 +154,7 @@ def test_grids_round_trip():
     assert read(map_to_yaml(system)) == system
 
 
+@quick
 @given(st.text(string.printable) | st.floats() | st.booleans() | st.none() | st.integers())
 def test_any_scalar_survives_other_readers(value):
     again = yaml.safe_load(flow(value))

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tsplan
+from tests.seeds import quick
 from tests.viewing import HOSTILE, mission_on, plan_of, system
 from tests.walks import walking
 from tsplan.draw.tracks import tracks
@@ -193,6 +194,7 @@ def test_hostile_names_stay_data():
     assert [kind["name"] for kind in data["classes"]] == shown
 
 
+@quick
 @given(st.recursive(st.text() | st.integers() | st.none(), st.lists))
 def test_embedded_data_reads_back_and_ends_nothing(value):
     text = embedded({"value": value})

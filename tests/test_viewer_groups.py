@@ -7,6 +7,7 @@ from collections import Counter, defaultdict
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.seeds import quick
 from tsplan.draw.tracks import lanes
 
 STATES = ("p", "q", "r")
@@ -46,6 +47,7 @@ def at(lane, step):
     return None
 
 
+@quick
 @given(flows())
 def test_lanes_hold_everybody_at_every_step(flow):
     starts, moves, durations, horizon = flow
@@ -65,6 +67,7 @@ def test_lanes_hold_everybody_at_every_step(flow):
         assert found == wanted
 
 
+@quick
 @given(flows())
 def test_every_step_of_a_lane_is_one_move(flow):
     _, moves, durations, horizon = flow

@@ -9,6 +9,7 @@ from itertools import pairwise
 import pytest
 
 from tests.deliveries import building
+from tests.seeds import sampled
 from tests.viewing import (
     HORIZON,
     HOSTILE,
@@ -278,7 +279,7 @@ def test_little_motion_where_the_reader_wants_it(shown):
     shown.press(" ")
 
 
-@pytest.mark.parametrize("width", [320, 420, 760])
+@pytest.mark.parametrize("width", sampled([320, 420, 760], [320]))
 def test_narrow_windows_need_no_sideways_scrolling(shown, width):
     shown.resize(width, 700)
     shown.frames(3)

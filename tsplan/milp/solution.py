@@ -13,7 +13,7 @@ import numpy as np
 from tsplan.exact import Gapped
 from tsplan.milp.model import Floats, Model
 from tsplan.process.grace_period import NATIVE, GracePeriod
-from tsplan.stopping import LIMITS, StoppedBy
+from tsplan.stopping import StoppedBy
 
 
 class Status(StrEnum):
@@ -25,11 +25,12 @@ class Status(StrEnum):
     UNKNOWN = "unknown"
 
 
+_SOLVERS = frozenset(StoppedBy) - {StoppedBy.WINDOW}  # what may stop one solve
 _POSSIBLE: Mapping[Status, frozenset[StoppedBy | None]] = {
     Status.OPTIMAL: frozenset({None}),
-    Status.FEASIBLE: frozenset({*StoppedBy, None}),
+    Status.FEASIBLE: frozenset({*_SOLVERS, None}),
     Status.INFEASIBLE: frozenset({None}),
-    Status.UNKNOWN: LIMITS,
+    Status.UNKNOWN: _SOLVERS - {StoppedBy.GAP},
 }
 _ROUNDING = 1e-9
 
