@@ -192,7 +192,23 @@ class World:
             for state, count in group.starts
             for _ in range(count)
         ]
-        return self.seen(Situation(tuple(sorted(bodies)), ()))
+        coming = [
+            (way.arrives, Body(group.configuration or group.class_name, way.target, True))
+            for group in map(self.mission.modular.structures, self.mission.team)
+            for way, count in group.coming
+            for _ in range(count)
+        ]
+        return self.seen(Situation(tuple(sorted(bodies)), tuple(sorted(coming))))
+
+    def begun(self) -> Spent:
+        """What is spent by those that are under way at first: when the last of them arrives."""
+        ends = [
+            way.arrives
+            for group in self.mission.team
+            for way, _ in group.coming
+            if group.configuration or way.origin != way.target
+        ]
+        return Spent(makespan=max(ends, default=0))
 
     def seen(self, situation: Situation) -> Situation:
         """The situation with who is where now among what was."""
@@ -357,7 +373,7 @@ def best(mission: Mission) -> tuple[float, ...] | None:
     Raises TooManyError.
     """
     world = World(mission)
-    reached: dict[Situation, set[Spent]] = {world.begin(): {Spent()}}
+    reached: dict[Situation, set[Spent]] = {world.begin(): {world.begun()}}
     for step in range(mission.horizon):
         later: dict[Situation, set[Spent]] = {}
         for situation, spents in reached.items():

@@ -6,7 +6,10 @@ from collections.abc import Callable
 
 import pytest
 
+import tsplan
 from tests.joint_plans import best, how_many, small_enough
+from tests.module_missions import TooManyError, random_module_mission, worth
+from tests.module_missions import best as best_of_modules
 from tests.narrow_missions import narrow_mission
 from tests.resource_missions import random_resource_mission
 from tests.seeds import seed_blocks
@@ -22,7 +25,7 @@ from tests.test_brute_force import (
 from tests.test_late import compare as compare_late
 from tests.test_late import delayed
 from tests.test_resources_brute_force import compare as compare_resources
-from tsplan import Mission
+from tsplan import Mission, Plan
 from tsplan.search import capacity_relaxation
 from tsplan.testing import with_closures, with_starts_under_way
 
@@ -97,6 +100,25 @@ def test_carriers(vary: Vary, seeds: list[int]) -> None:
         mission = vary(random_resource_mission(seed, most=2), seed)
         if mission is not None and how_many(mission) <= FEW:
             compare_resources(mission, 1.0)
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(10), range(10, 1_000), 10))
+def test_structures_under_way_or_being_rebuilt(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission = under_way(random_module_mission(seed), seed)
+        if mission is None:
+            continue
+        try:
+            expected = best_of_modules(mission)
+        except TooManyError:
+            continue
+        for encoding in ("tight", "reference"):
+            plan = tsplan.plan(mission, encoding=encoding)
+            assert plan.has_paths == (expected is not None), (seed, encoding)
+            if expected is not None:
+                values = {item.name: item.value for item in plan.objective}
+                assert worth(mission, values) == pytest.approx(expected), (seed, encoding)
+                assert tsplan.check(mission, Plan.from_json(plan.to_json())).ok, (seed, encoding)
 
 
 @pytest.mark.parametrize("seeds", seed_blocks(range(30), range(30, 2_000), 30))

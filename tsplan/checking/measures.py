@@ -117,8 +117,8 @@ def reserve(traffic: Traffic) -> Fraction | float | None:
 def makespan(traffic: Traffic) -> int:
     """The step at which the last move or reconfiguration ends, perhaps beyond the horizon."""
     ends = (item.done for item in traffic.rebuilds)
-    begun = (item for item in traffic.begun if not item.edge.is_wait)
-    return max((*ends, *(item.left for item in (*traffic.away, *begun))), default=0)
+    begun = traffic.mission.begun_until
+    return max((begun, *ends, *(item.left for item in traffic.away)))
 
 
 def agents(traffic: Traffic) -> int:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.checking.class_traffic import ClassTraffic
 from tsplan.checking.path_segments import Path, Segment, read_path, together
 from tsplan.exact import exact
+from tsplan.mission.team import UnderWay
 from tsplan.plans.bundles import Bundle
 from tsplan.plans.structures import ModulePath, Structure, module_paths, of_structures
 
@@ -72,7 +73,7 @@ def _read_bodies(reading: _Reading) -> None:
     mission = reading.mission
     modules = [rank for rank in mission.ranks if mission.team[rank.group].configuration]
     groups = {name: mission.team[rank.group] for rank in modules for name in rank.names.names()}
-    begins = {name: rank.place for rank in modules for name in rank.names.names()}
+    begins = {name: rank.start for rank in modules for name in rank.names.names()}
     for each in reading.plan.structures:
         problems = list(_unfit(each, mission, groups))
         if not problems and each.first == 0:
@@ -107,15 +108,30 @@ def _unfit(each: Structure, mission: Mission, groups: Mapping[str, Group]) -> It
 
 
 def _misbegun(
-    each: Structure, begins: Mapping[str, str], groups: Mapping[str, Group]
+    each: Structure, begins: Mapping[str, str | UnderWay], groups: Mapping[str, Group]
 ) -> Iterator[str]:
-    """Whether a structure is there at the start, where its modules begin."""
-    where = each.stays[0][2]
+    """Whether a structure is there at the start, where its modules begin.
+
+    When those arrive that are under way is asked of the modules, whose paths are the structure's.
+    """
+    where = _beginning(each)
     for module in each.modules:
+        start = begins[module]
+        same = start == where
+        if isinstance(start, UnderWay):
+            same = (start.origin, start.target) == where
         if groups[module].configuration != each.configuration:
             yield f"is there at the start, where {module} is in a {groups[module].configuration}"
-        elif begins[module] != where:
-            yield f"starts at {where}, and {module} at {begins[module]}"
+        elif not same:
+            told = start.label if isinstance(start, UnderWay) else start
+            begun = where if isinstance(where, str) else " to ".join(where)
+            yield f"starts at {begun}, and {module} at {told}"
+
+
+def _beginning(each: Structure) -> str | tuple[str, str]:
+    """Where a structure is first, or between which states."""
+    first = each.stays[0][2] if each.stays else str(each.heading)
+    return first if each.coming is None else (each.coming, first)
 
 
 def _read_way(each: Structure, reading: _Reading) -> list[str]:
@@ -123,7 +139,9 @@ def _read_way(each: Structure, reading: _Reading) -> list[str]:
     horizon = reading.plan.horizon
     if not each.first <= each.last <= horizon:
         return [f"is there from step {each.first} to {each.last} of {horizon}"]
-    ended = each.stays[-1][1]
+    if each.coming is not None and each.first:
+        return [f"comes from {each.coming} at the start, and is not there before {each.first}"]
+    ended = each.stays[-1][1] if each.stays else -1
     if ended != each.last and (each.last < horizon or each.heading is None):
         return [f"is last seen at step {ended}, and it is there until {each.last}"]
     key = (
@@ -133,6 +151,7 @@ def _read_way(each: Structure, reading: _Reading) -> list[str]:
         each.stays,
         each.first,
         each.last,
+        each.coming,
     )
     path = reading.ways.get((*key, each.heading))
     if path is None:
@@ -144,7 +163,8 @@ def _read_way(each: Structure, reading: _Reading) -> list[str]:
 def structure_path(mission: Mission, each: Structure) -> Path:
     """The way of a structure while it lives, by the durations of its configuration."""
     shape = mission.modular.of[each.configuration]
-    bundle = Bundle(each.class_name, each.capabilities, each.stays, each.heading, (each.id,))
+    own = each.class_name, each.capabilities, each.stays, each.heading, (each.id,)
+    bundle = Bundle(*own, coming=each.coming)
     return read_path(
         mission.system,
         bundle,
@@ -207,17 +227,25 @@ def _misbuilt(each: Rebuilt, bodies: Mapping[str, Structure], reading: _Reading)
         yield "goes in as other structures than the mission says"
     if _shapes(made) != (Counter(dict(rule.made)) if done <= horizon else Counter()):
         yield "comes out as other structures than the mission says"
-    if any(
-        part.stays[-1][1:] != (each.step, each.state) or part.last != each.step for part in parts
-    ):
+    if not all(_ends(part, each.step, each.state) for part in parts):
         yield "has parts that are not there then"
-    if any(new.first != done or new.stays[0][2] != each.state for new in made):
+    if not all(new.first == done and _begins(new, done, each.state) for new in made):
         yield f"is not there at step {done}, when that is done"
     if made and Counter(m for part in parts for m in part.modules) != Counter(
         m for new in made for m in new.modules
     ):
         yield "has other modules afterwards"
     reading.rebuilds.append(Rebuild(rule, len(parts), each.step, done))
+
+
+def _ends(part: Structure, step: int, state: str) -> bool:
+    """Whether a structure is last seen at a state at a step, and ends then."""
+    return part.last == step and bool(part.stays) and part.stays[-1][1:] == (step, state)
+
+
+def _begins(new: Structure, step: int, state: str) -> bool:
+    """Whether a structure is first seen at a state at a step."""
+    return bool(new.stays) and (new.stays[0][0], new.stays[0][2]) == (step, state)
 
 
 def _shapes(structures: Sequence[Structure]) -> Counter[str]:
@@ -232,7 +260,8 @@ def _astray(
     for bundle in (each for each in bundles if each.class_name in modular):
         for name in bundle.agents:
             path = paths.get(name)
-            if path is None or (path.stays, path.heading) != (bundle.stays, bundle.heading):
+            own = bundle.stays, bundle.heading, bundle.coming
+            if path is None or (path.stays, path.heading, path.coming) != own:
                 yield f"agent {name} is elsewhere than the structures that it is part of"
 
 
@@ -246,7 +275,9 @@ def _traffic(reading: _Reading) -> Iterator[ClassTraffic]:
         module
         for each in reading.plan.structures
         for module in each.modules
-        if each.id in rebuilt or any(not s.edge.is_wait for s in reading.segments[each.id])
+        if each.id in rebuilt
+        or each.coming is not None
+        or any(not s.edge.is_wait for s in reading.segments[each.id])
     }
     for (class_name, name), mine in bodies.items():
         shape: Configuration = reading.mission.modular.of[name]

@@ -69,9 +69,10 @@ class Traffic:
     def begun(self) -> tuple[Segment, ...]:
         """The times on edges of agents that start under way, from step 0 on.
 
-        Where the map has lost the edge, it is one that nothing is known of.
+        Where the map has lost the edge, it is one that nothing is known of. Who is being rebuilt is
+        on none.
         """
-        edges = self.mission.system.edges
+        edges, modular = self.mission.system.edges, self.mission.modular
         return tuple(
             Segment(
                 edges.get((start.origin, start.target), Edge(start.origin, start.target)),
@@ -79,8 +80,9 @@ class Traffic:
                 start.arrives,
                 count,
             )
-            for group in self.mission.team
+            for group in map(modular.structures, self.mission.team)
             for start, count in group.coming
+            if start.origin != start.target or group.configuration is None
         )
 
     @property

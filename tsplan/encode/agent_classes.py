@@ -236,13 +236,27 @@ def _with_begun(
 
     The moves are paid for already. They use what room the edge has, if there is one still.
     """
-    mine = [place for place in arrays.begun.tolist() if graph.start[place]]
-    if not mine:
+    more = begun_edges(graph.start, arrays, ways)
+    if not len(more["tail"]):
         return graph
+    joined: dict[str, Any] = {
+        name: np.concatenate([getattr(graph, name), more[name]]) for name in more
+    }
+    if graph.entries is not None:
+        at_once = np.zeros(len(more["tail"]), dtype=np.int64)
+        joined["entries"] = tuple(np.concatenate([each, at_once]) for each in graph.entries)
+    return replace(graph, coming=more["tail"], **joined)
+
+
+def begun_edges(
+    start: Ints, arrays: MapArrays, ways: Mapping[tuple[str, str], int]
+) -> dict[str, Any]:
+    """An edge for every start under way of a class: the arrays that a graph has of edges."""
+    mine = [place for place in arrays.begun.tolist() if start[place]]
     starts = [arrays.coming[place - int(arrays.begun[0])] for place in mine]
     edges = [ways.get((start.origin, start.target), -1) for start in starts]
     free = np.zeros(len(mine))
-    more: dict[str, Any] = {
+    return {
         "tail": np.array(mine, dtype=np.int64),
         "head": np.array([arrays.number[start.target] for start in starts], dtype=np.int64),
         "duration": np.array([start.arrives for start in starts], dtype=np.int64),
@@ -250,13 +264,6 @@ def _with_begun(
         "risk": free,
         "group": np.array([arrays.group[edge] if edge >= 0 else -1 for edge in edges], np.int64),
     }
-    joined: dict[str, Any] = {
-        name: np.concatenate([getattr(graph, name), more[name]]) for name in more
-    }
-    if graph.entries is not None:
-        at_once = np.zeros(len(mine), dtype=np.int64)
-        joined["entries"] = tuple(np.concatenate([each, at_once]) for each in graph.entries)
-    return replace(graph, coming=np.array(mine, dtype=np.int64), **joined)
 
 
 def starts_of(group: Group, arrays: MapArrays) -> Ints:

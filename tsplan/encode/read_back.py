@@ -250,8 +250,7 @@ def last_arrival(setting: Setting, point: Point) -> int:
 
 def begun_until(setting: Setting) -> int:
     """Last step at which an agent arrives that starts under way, but by a wait; 0 without any."""
-    ways = setting.arrays.coming
-    return max((way.arrives for way in ways if way.origin != way.target), default=0)
+    return setting.mission.begun_until
 
 
 def moving(setting: Setting, point: Point) -> int:

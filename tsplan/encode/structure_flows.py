@@ -15,7 +15,13 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
-from tsplan.encode.agent_classes import AgentClass, allowed_edges, arrays_of, starts_of
+from tsplan.encode.agent_classes import (
+    AgentClass,
+    allowed_edges,
+    arrays_of,
+    begun_edges,
+    starts_of,
+)
 from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.class_graph import ClassGraph, Layer
 from tsplan.encode.demand_rows import Built
@@ -118,6 +124,9 @@ class _Layers:
         self._starts = [self._start(shape) for shape in pool.shapes]
         self._half: list[list[_HalfEdge]] = [[] for _ in pool.shapes]
         self._reach = [np.where(start > 0, 0, _NEVER) for start in self._starts]
+        # who is being rebuilt uses no room, so it is on no edge of the map
+        ways = {ends: n for n, ends in enumerate(mission.system.edges) if ends[0] != ends[1]}
+        self._begun = [begun_edges(start, self._arrays, ways) for start in self._starts]
 
     def _durations(self, shape: Configuration, able: frozenset[str]) -> Ints:
         """Steps that each edge takes; 0 where the structures cannot go."""
@@ -178,7 +187,8 @@ class _Layers:
 
     def first_steps(self) -> dict[str, dict[str, int]]:
         """When each layer can be where, as it is settled."""
-        rows = (dict(zip(self._arrays.names, row.tolist(), strict=True)) for row in self._reach)
+        names = self._mission.system.states  # without the places of those under way behind them
+        rows = (dict(zip(names, row.tolist(), strict=False)) for row in self._reach)
         return {
             shape.name: {state: step for state, step in row.items() if step < _NEVER}
             for shape, row in zip(self._pool.shapes, rows, strict=True)
@@ -203,6 +213,8 @@ class _Layers:
             for reach, edges, steps in zip(self._reach, self._edges, self._steps, strict=True):
                 ends = reach[self._arrays.tail[edges]] + steps
                 np.minimum.at(reach, self._arrays.head[edges], np.minimum(ends, _NEVER))
+            for reach, begun in zip(self._reach, self._begun, strict=True):
+                np.minimum.at(reach, begun["head"], begun["duration"])
             for rule, state, counts in every:
                 place = self._arrays.number[state]
                 begin = max(int(self._reach[shape][place]) for shape, _ in counts["parts"])
@@ -228,25 +240,26 @@ class _Layers:
     ) -> ClassGraph:
         made, edges, arrays = self._pool.shapes[shape], self._edges[shape], self._arrays
         half = np.array(self._half[shape], dtype=np.int64).reshape(-1, 4)
-        none = np.zeros(len(half))
+        none, begun = np.zeros(len(half)), self._begun[shape]
+        rides = len(edges) + len(begun["tail"])
         reach = np.append(self._reach[shape], _NEVER)
-        tail = np.concatenate([arrays.tail[edges], half[:, 0]])
+        tail = np.concatenate([arrays.tail[edges], begun["tail"], half[:, 0]])
+        costs = self._costs(made, edges) if priced else np.zeros(len(edges))
         return ClassGraph(
             capabilities=self._able[shape] & named,
             start=np.append(self._starts[shape], 0),
             tail=tail,
-            head=np.concatenate([arrays.head[edges], half[:, 1]]),
-            duration=np.concatenate([self._steps[shape], half[:, 2]]),
-            cost=np.concatenate(
-                [self._costs(made, edges) if priced else np.zeros(len(edges)), none]
-            ),
-            risk=np.concatenate([arrays.risk[edges], none]),
-            group=np.concatenate([arrays.group[edges], np.full(len(half), -1)]),
+            head=np.concatenate([arrays.head[edges], begun["head"], half[:, 1]]),
+            duration=np.concatenate([self._steps[shape], begun["duration"], half[:, 2]]),
+            cost=np.concatenate([costs, begun["cost"], none]),
+            risk=np.concatenate([arrays.risk[edges], begun["risk"], none]),
+            group=np.concatenate([arrays.group[edges], begun["group"], np.full(len(half), -1)]),
             carries=made.carries if carrying else (),
+            coming=begun["tail"],
             layer=Layer(
-                rides=len(edges),
+                rides=rides,
                 reach=reach,
-                begins=np.concatenate([reach[tail[: len(edges)]], half[:, 3]]),
+                begins=np.concatenate([reach[tail[:rides]], half[:, 3]]),
                 modules=made.modules,
                 most=self._pool.count // made.modules,
                 pool=self._pool.groups[0],

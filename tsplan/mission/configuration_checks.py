@@ -122,6 +122,10 @@ def _misplaced(group: Group, place: Place, building: Building, closest: Nearest)
         if count % shape.modules:
             what = f"{count} modules start at '{state}', and a '{name}' is made of {shape.modules}"
             yield Fault((*place, "at", state), what, f"start a multiple of {shape.modules} there")
+    for way, count in group.coming:
+        if count % shape.modules:
+            what = f"{count} modules start {way.words}, and a '{name}' is made of {shape.modules}"
+            yield Fault((*place, "at", way.label), what, f"start a multiple of {shape.modules}")
 
 
 def _broken_rule(

@@ -143,6 +143,7 @@ class ModuleRules:
         return replace(
             self.shaped(group, shape),
             starts=tuple((state, count // shape.modules) for state, count in group.starts),
+            coming=tuple((way, count // shape.modules) for way, count in group.coming),
         )
 
     def shaped(self, group: Group, shape: Configuration) -> Group:

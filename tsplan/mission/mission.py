@@ -144,6 +144,22 @@ class Mission(MissionParts):
         ranks = (rank for rank in self.ranks if rank.class_name in classes)
         return tuple(agent for rank in ranks for agent in rank.agents)
 
+    @property
+    def begun_until(self) -> int:
+        """Last step at which robots arrive that start under way, or are rebuilt; else 0.
+
+        Waits that have begun do not count.
+        """
+        return max(
+            (
+                way.arrives
+                for group in self.team
+                for way, _ in group.coming
+                if way.origin != way.target or group.configuration
+            ),
+            default=0,
+        )
+
     @cached_property
     def ranks(self) -> tuple[Rank, ...]:
         """The robots in the order of `agents`, those of a group that start at one state as one."""

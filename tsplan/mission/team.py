@@ -26,7 +26,8 @@ class UnderWay:
     """A start on an edge: the agent left `origin` before, and comes to `target` at step `arrives`.
 
     Until then it is nowhere, and uses what room the edge has; it cannot turn. `carrying` is what
-    each such agent brings of each resource.
+    each such agent brings of each resource. Modules that come from the state where they arrive are
+    being rebuilt there, and are of their configuration then.
 
     >>> UnderWay("q1", "q2", arrives=3)
     UnderWay(origin='q1', target='q2', arrives=3)

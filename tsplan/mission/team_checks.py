@@ -43,7 +43,7 @@ def team_faults(
             if count < 1:
                 what, remedy = f"{count} robots at '{state}'", "a count is a whole number from 1"
                 yield Fault((*place, "at", state), what, remedy)
-        yield from _under_way_faults(place, group, system)
+        yield from _under_way_faults(place, modular.structures(group), system)
     size = sum(group.count for _, group in entries)
     if size > MOST_ROBOTS:
         path, remedy = entries[0][0][:1], f"at most {MOST_ROBOTS:,} are planned"
@@ -68,9 +68,6 @@ def _under_way_faults(
         if words := _STEP.complaint(start.arrives):
             what = f"the robots {start.words} arrive at step {start.arrives}: {words}"
             yield Fault(path, what, "write a step from 1, or start them at the state")
-        if group.configuration is not None:
-            what = f"modules of class '{group.class_name}' start {start.words}"
-            yield Fault(path, what, "structures are planned from states on; start them at one")
         if system is not None:
             yield from _begun_on_map(group, start, path, system)
 

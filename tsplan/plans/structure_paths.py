@@ -14,6 +14,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import TsplanError
+from tsplan.mission.team import UnderWay
 from tsplan.plans.agent_plans import Stay
 from tsplan.plans.bundles import Bundle
 from tsplan.plans.structures import ModulePath, Rebuilt, Structure
@@ -47,6 +48,7 @@ class _Body:
     stays: list[Stay] = field(default_factory=list)
     last: int = 0
     heading: str | None = None
+    coming: str | None = None
 
     def leave(self, step: int) -> None:
         """End the stay that is going on."""
@@ -81,7 +83,8 @@ def structures_of(
 
 def module_plan(member: Agent, path: ModulePath) -> Bundle:
     """The path of a module as a plan has it."""
-    return Bundle(member.class_name, member.capabilities, path.stays, path.heading)
+    own = member.class_name, member.capabilities, path.stays, path.heading
+    return Bundle(*own, coming=path.coming)
 
 
 _HAS_MOVED = attrgetter("moved")
@@ -101,9 +104,12 @@ class _Lives:
             for pair, edge in mission.system.edges.items()
         }
         self._going: dict[int, list[tuple[str, Move]]] = defaultdict(list)
+        groups = [mission.team[number] for number in moved.pool.groups]
+        begun = {way.place for group in groups for way, _ in group.coming}
         for name, mine in moved.moves.items():
             for move in mine:
-                self._going[move.step].append((name, move))
+                if move.source not in begun:  # those are told of as they begin
+                    self._going[move.step].append((name, move))
         self._changing: dict[int, list[Times]] = defaultdict(list)
         for each in moved.times:
             self._changing[each.step].append(each)
@@ -136,15 +142,28 @@ class _Lives:
             shape = self._mission.modular.of[str(group.configuration)]
             for begin in range(0, len(members), shape.modules):
                 mine = members[begin : begin + shape.modules]
-                self._born(shape.name, tuple(each.id for each in mine), 0, str(mine[0].start))
+                self._starting(shape.name, tuple(each.id for each in mine), mine[0].start)
+
+    def _starting(self, name: str, modules: tuple[str, ...], start: str | UnderWay) -> None:
+        """A structure that is there from the beginning, at a state or under way."""
+        if not isinstance(start, UnderWay):
+            self._add(_Body(name, modules, 0, start), 0)
+            return
+        body = _Body(name, modules, 0, start.target, moved=True, coming=start.origin)
+        body.last = self._horizon
+        body.heading = start.target if start.arrives > self._horizon else None
+        self._add(body, start.arrives)
 
     def _born(self, configuration: str, modules: tuple[str, ...], step: int, state: str) -> str:
         """A new structure that is there from a step on; its id, none if that is too late."""
         if step > self._horizon:
             return ""
-        self._number[configuration] += 1
-        body = _Body(configuration, modules, step, state, moved=step > 0)
-        body.id = f"{configuration}-{self._number[configuration]}"
+        return self._add(_Body(configuration, modules, step, state, moved=True), step)
+
+    def _add(self, body: _Body, step: int) -> str:
+        """Keep a structure, which comes to its first state at a step; its id."""
+        self._number[body.configuration] += 1
+        body.id = f"{body.configuration}-{self._number[body.configuration]}"
         self._coming[step].append(body)
         self._bodies.append(body)
         return body.id
@@ -220,4 +239,5 @@ class _Lives:
             self._horizon if body.heading is not None else body.last,
             tuple(body.stays),
             body.heading,
+            body.coming,
         )

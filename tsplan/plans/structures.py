@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from typing import Annotated, NamedTuple
+from typing import Annotated, NamedTuple, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from tsplan.parameters import step_within
-from tsplan.plans.agent_plans import Stay, joined, state_in
+from tsplan.plans.agent_plans import Stay, joined, state_in, stays_somewhere
 from tsplan.plans.presence import Presence
 from tsplan.plans.records import OPTIONAL, Record, Whole, Word
 
@@ -20,7 +20,8 @@ class Structure(Record):
     """Modules that are one body of a configuration from step `first` to step `last`.
 
     It stays and moves as an agent does, and counts once for each of its capabilities. `heading` is
-    the state it is on its way to at the horizon.
+    the state it is on its way to at the horizon, and `coming` the state it left before step 0 when
+    its first stay begins later: where that is the same, it is being rebuilt there until then.
     """
 
     id: Word
@@ -30,8 +31,15 @@ class Structure(Record):
     modules: Annotated[tuple[Word, ...], Field(min_length=1)]
     first: Whole
     last: Whole
-    stays: Annotated[tuple[Stay, ...], Field(min_length=1)]
+    stays: tuple[Stay, ...]
     heading: Word | None = field(default=None, metadata=OPTIONAL)
+    coming: Word | None = field(default=None, metadata=OPTIONAL)
+
+    @model_validator(mode="after")
+    def _somewhere(self) -> Self:
+        """Asked of what a file says alone."""
+        stays_somewhere(self.stays, self.coming, self.heading)
+        return self
 
     def state_at(self, step: int) -> str | None:
         """The structure's state at a step; None while it travels or is not there.
@@ -57,11 +65,15 @@ class Rebuilt(Record):
 
 
 class ModulePath(NamedTuple):
-    """Where a module is: at which states, in which structures, and where it is heading."""
+    """Where a module is: at which states, in which structures, and where it is heading.
+
+    `coming` is where it was before, if it starts under way.
+    """
 
     stays: tuple[Stay, ...]
     structures: tuple[tuple[int, int, str], ...]
     heading: str | None
+    coming: str | None = None
 
 
 def module_paths(structures: Iterable[Structure]) -> dict[str, ModulePath]:
@@ -84,6 +96,7 @@ def module_paths(structures: Iterable[Structure]) -> dict[str, ModulePath]:
             tuple(joined(stay for each in mine for stay in each.stays)),
             tuple((each.first, each.last, each.id) for each in mine),
             mine[-1].heading,
+            mine[0].coming,
         )
     return found
 

@@ -65,19 +65,20 @@ def with_closures(mission: Mission, seed: int) -> Mission:
 
 def _on_the_way(random: Random, mission: Mission, group: Group) -> Group:
     """A group, some of which are not at their start state, but on their way to it or from it."""
-    if group.configuration is not None:
-        return group
+    size = mission.modular.modules(((group.configuration, 1),)) if group.configuration else 1
     begun: list[tuple[str | UnderWay, int]] = []
-    for state, count in group.starts:
+    for state, modules in group.starts:
+        count = modules // size
         ways = [pair for pair in mission.system.edges if state in pair]
         ways += [(random.choice(list(mission.system.states)), state)]  # an edge that may be gone
+        ways += [(state, state)] * (0 if group.configuration is None else 2)
         some = random.choice([0, 1, count, count])
         for _ in range(some):
             arrives = random.choice([1, 1, 1, 1, 2, 2, 3, mission.horizon + 1])
             load = tuple((item.name, 1.0) for item in mission.resources if random.random() < 0.4)
             start = UnderWay(*random.choice(ways), arrives, load)
-            begun.append((start, 1))
-        begun += [(state, count - some)] if some < count else []
+            begun.append((start, size))
+        begun += [(state, (count - some) * size)] if some < count else []
     swarm = mission.group_bounds(group.class_name) is not None
     if random.random() < (0.8 if swarm else 0.4) and begun:  # groups of swarms cannot be many
         begun = [(begun[0][0], group.count)]
