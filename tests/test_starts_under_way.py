@@ -102,10 +102,10 @@ def test_more_than_an_edge_or_a_zone_holds_cannot_start_there() -> None:
         mission_from_text(zoned)
 
 
-def test_structures_and_uncertain_moves_begin_at_states() -> None:
-    text = TEAM.replace("team:", "configurations: {single: {modules: 1}}\nteam:")
-    text = text.replace("arrives: 3}", "arrives: 3}, configuration: single")
-    with pytest.raises(MissionError, match="modules of class 'scout' start on the way"):
+def test_structures_start_under_way_whole() -> None:
+    text = TEAM.replace("team:", "configurations: {pair: {modules: 2}}\nteam:")
+    text = text.replace("arrives: 3}", "arrives: 3, count: 3}, configuration: pair")
+    with pytest.raises(MissionError, match="3 modules start on the way from 'q1' to 'q2', and a"):
         mission_from_text(text)
 
 

@@ -25,6 +25,7 @@ from tsplan.logic.evaluation import robustness
 from tsplan.logic.fraction import shares
 from tsplan.name_runs import RunMap
 from tsplan.plans.bundles import Agents
+from tsplan.plans.structures import of_structures
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -95,8 +96,9 @@ def _whole(mission: Mission, plan: Plan) -> _Whole:
     every = (formula, *(each.formula for each in mission.prefer))
     maps = Maps(mission.system, plan.replanned)
     swarms = presences(mission, plan.moves, maps, plan.horizon)
+    others = *swarms, *of_structures(plan.structures)
     where = mission.system, conjunction(every), robots_of(mission, plan), plan.horizon
-    trace = path_trace(*where, others=swarms, executions=plan.executions)
+    trace = path_trace(*where, others=others, executions=plan.executions)
     return _Whole(mission, formula, trace)
 
 

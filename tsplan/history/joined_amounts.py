@@ -13,7 +13,7 @@ from tsplan.history.past_amounts import executable
 from tsplan.logic.atoms import begun_text
 from tsplan.name_runs import Run, RunMap
 from tsplan.plans.cargo_rows import CargoRows
-from tsplan.plans.presence import of_bundles, state_counts
+from tsplan.plans.presence import state_counts
 from tsplan.plans.supplies import ExecutedTask, StockHistory
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ def _stays(rest: Rest, plan: Plan, item: ExecutedTask, task: Execution | None) -
     if rest.mission.books or not consumed.issuperset(name for name, _ in task.resources):
         return False
     last = item.step + task.last - rest.step
-    present = list(of_bundles(plan.bundles))
+    present = plan.presences
     return all(
         state_counts(present, [item.state], last, name).min() >= number
         for name, number in task.needs

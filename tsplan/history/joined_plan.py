@@ -13,9 +13,16 @@ from tsplan.history.joined_amounts import (
     joined_amounts,
     stocks_from,
 )
+from tsplan.history.joined_structures import (
+    joined_modules,
+    joined_structures,
+    modules_along,
+    structures_from,
+)
 from tsplan.history.past_moves import groups_from, joined_groups, joined_moves
-from tsplan.history.past_paths import Past, clipped
+from tsplan.history.past_paths import Past
 from tsplan.history.rest_mission import STABLE, Rest, rest_of
+from tsplan.history.told_paths import clipped
 from tsplan.mission.intended_paths import Intended
 from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Run, RunMap
@@ -95,9 +102,18 @@ def planned_ahead(rest: Rest, plan: Plan) -> Plan:
             if stays or heading:
                 stretches.append((part, replace(path, stays=stays, heading=heading, coming=origin)))
     names = RunMap((old, (old, new)) for old, new, _ in renamed(rest))
+    structures, rebuilt = structures_from(plan, rest)
+    for each in structures:
+        names.give(Run.of(each.id), (Run.of(each.id), Run.of(each.id)))
+    if structures:
+        modular = {each.class_name for each in structures}
+        stretches = [each for each in stretches if each[1].class_name not in modular]
+        stretches += modules_along(rest, structures)
     return replace(
         plan,
         agents=Agents.along(stretches),
+        structures=structures,
+        rebuilt=rebuilt,
         cargo=cargo_from(plan.cargo, rest.step, names),
         executions=executions_from(plan.executions, rest),
         horizon=rest.mission.horizon,
@@ -152,18 +168,23 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
     `planned`.
     """
     taken = _shared_out(rest, plan, planned) if plan.has_paths else []
+    built, ids = joined_structures(rest, plan)
     own = RunMap((each.old, each.path) for each in taken)
     step = rest.step
     paths: list[tuple[Run, Bundle]] = []
     for names, past in rest.past.agents.stretches:
         for part, path in own.parts(names):
             paths.append((part, past if path is None else _one(past, path, step)))
+    paths += joined_modules(rest, built.structures)
+    mapped = [*(each[:2] for each in taken), *((Run.of(ids[new]), Run.of(new)) for new in ids)]
     return replace(
         plan,
         horizon=rest.horizon,
         objective=tuple(_told(item, step) for item in plan.objective),
         agents=Agents.along(paths) if plan.has_paths else (),
-        **(joined_amounts(rest, plan, [each[:2] for each in taken]) if plan.has_paths else {}),
+        structures=built.structures if plan.has_paths else (),
+        rebuilt=built.rebuilt if plan.has_paths else (),
+        **(joined_amounts(rest, plan, mapped) if plan.has_paths else {}),
         moves=joined_moves(rest.past.moves, plan.moves, step),
         groups=joined_groups(rest.past.groups, plan.groups, step) if plan.has_paths else (),
         replanned=(*rest.worlds[:-1], replace(rest.worlds[-1], former=_former(rest, own))),
@@ -177,6 +198,8 @@ def ended_plan(plan: Plan, past: Past, world: World) -> Plan:
         agents=past.agents,
         cargo=past.cargo,
         executions=past.executions,
+        structures=past.built.structures,
+        rebuilt=past.built.rebuilt,
         moves=past.moves,
         groups=past.groups,
         replanned=(*plan.replanned, world),
@@ -239,6 +262,8 @@ def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> list[_Taken]:
     before = RunMap[Bundle](() if planned is None else Agents.of(planned.agents).stretches)
     found: list[_Taken] = []
     for rank, runs in zip(rest.mission.ranks, rest.names, strict=True):
+        if rest.mission.team[rank.group].configuration:  # whose ways are those of structures
+            continue
         paths = [(part, path) for part, path in own.parts(rank.names) if path is not None]
         asked = [
             (part, None if path is None else _ahead(path, rest.step))

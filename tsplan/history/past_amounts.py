@@ -24,6 +24,7 @@ from tsplan.plans.cargo_rows import CargoRow, CargoRows
 from tsplan.plans.double_booking import overbooked
 from tsplan.plans.ledger import FORGIVEN, Use, changes
 from tsplan.plans.presence import of_bundles, state_counts
+from tsplan.plans.structures import of_structures
 from tsplan.plans.supplies import StockHistory
 
 if TYPE_CHECKING:
@@ -138,7 +139,8 @@ def _uses(mission: Mission, past: Past, formula: Formula) -> list[_Done]:
 
 def _staffed(mission: Mission, past: Past, wanted: Iterable[_Done], step: int) -> list[_Done]:
     """The executions whose robots have been there, as far as they have come."""
-    present = list(of_bundles(past.agents.bundles))
+    structures = of_structures(past.built.structures)
+    present = [*of_bundles(past.agents.bundles), *structures]
     known: dict[tuple[str, str], Sequence[int]] = {}
 
     def there(state: str, capability: str) -> Sequence[int]:
@@ -227,6 +229,8 @@ class _Replay:
     def carry(self, past: Past) -> None:
         """What was to be carried, as far as robots really left then."""
         walkers: RunMap[Walker] = RunMap(past.agents.stretches)
+        for each in past.built.structures:
+            walkers.give(Run.of(each.id), each)
         for row in past.cargo.order:
             for part, who in walkers.parts(row.names):
                 ride = None if who is None else _ride(row._replace(names=part), who)

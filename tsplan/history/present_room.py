@@ -24,7 +24,8 @@ def with_present_room(system: TransitionSystem, team: Iterable[Group]) -> Transi
         for state, count in group.starts:
             at[state] += count
         for way, count in group.coming:
-            on[way.origin, way.target] += count
+            if group.configuration is None or way.origin != way.target:  # else it is rebuilt
+                on[way.origin, way.target] += count
     inside = Counter({name: _inside(system, name, at, on) for name in system.zones})
     states = tuple(_state(state, at[state.name]) for state in system.states.values())
     edges = tuple(_edges(system, on))

@@ -15,23 +15,25 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.errors import Finding, MissionError, PlanError
 from tsplan.history.changed_formula import changed_formula, on_named_states, parts_of
 from tsplan.history.changed_map import Maps
+from tsplan.history.module_places import modules_now
 from tsplan.history.past_amounts import Amounts, Load, amounts_until
 from tsplan.history.past_moves import presences, swarms_now
-from tsplan.history.past_paths import Now, Past, Whereabouts, whereabouts
+from tsplan.history.past_paths import Now, Past, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.history.present_room import with_present_room
 from tsplan.history.rest_tasks import with_tasks
+from tsplan.history.told_paths import Whereabouts
 from tsplan.logic import CountTrace, Formula, horizon, progress
 from tsplan.logic.unfolding import unfolded
 from tsplan.mission import Group
 from tsplan.mission.team import UnderWay
+from tsplan.plans.structures import of_structures
 from tsplan.plans.worlds import OnEdge
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
     from tsplan.mission.resources import Carries
     from tsplan.name_runs import Run, RunMap
-    from tsplan.plans.bundles import Bundle
     from tsplan.plans.supplies import StockHistory
     from tsplan.plans.worlds import World
 
@@ -72,6 +74,9 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     again, and NobodyLeftError where nobody is left.
     """
     refuse_unknown_kinds(mission)
+    if mission.modular and set(STABLE).intersection(objective_of(mission, worlds)):
+        what = "which modules go on as planned is not told, since structures do"
+        raise MissionError([Finding(f"{what}; 'stability' is of other robots", "name others")])
     step = worlds[-1].step
     formula = changed_formula(mission, worlds)
     mission = on_named_states(mission, formula)
@@ -81,7 +86,11 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
         what = f"the mission ends at step {last}, and it is to be planned again at step {step}"
         raise PlanError([Finding(what, "name a step of the plan")])
     past, amounts = accounted(mission, past, worlds, formula)
-    places = _loaded(whereabouts(mission, past.agents, worlds, maps), amounts.loads)
+    loads = amounts.loads
+    places = [
+        *_loaded(whereabouts(mission, past.agents, worlds, maps), loads),
+        *modules_now(mission, past, worlds, maps, loads),
+    ]
     robots, names = _team(mission, places, step)
     swarms = tuple(swarms_now(mission, past.moves, worlds, maps))
     team = (*robots, *swarms)
@@ -91,7 +100,7 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     left = _Left(mission, past, step)
     made = replace(
         mission,
-        system=with_present_room(maps.from_step(step), team),
+        system=with_present_room(maps.from_step(step), map(mission.modular.structures, team)),
         team=team,
         resources=amounts.left(mission.resources),
         formula=left.soft(formula) if mission.partial else left.of(formula),
@@ -175,9 +184,9 @@ class _Left(NamedTuple):
     def _trace(self, formula: Formula) -> CountTrace:
         """What has happened, as far as a formula is about it."""
         mission, past = self.mission, self.past
-        swarms = presences(mission, past.moves)
+        others = *presences(mission, past.moves), *of_structures(past.built.structures)
         where = mission.system, formula, past.agents, self.step - 1
-        return path_trace(*where, others=swarms, executions=past.executions)
+        return path_trace(*where, others=others, executions=past.executions)
 
 
 def refuse_unknown_kinds(mission: Mission, *, whole: bool = False) -> None:
@@ -187,7 +196,7 @@ def refuse_unknown_kinds(mission: Mission, *, whole: bool = False) -> None:
     """
     kinds = {
         "expected numbers": mission.expected is not None,
-        "modular robots": bool(mission.modular),
+        "modular robots": whole and bool(mission.modular),
         "a formula that may hold in part": whole and mission.partial,
     }
     done = "carried out or planned in pieces" if whole else "planned again"
@@ -210,15 +219,16 @@ def _team(
     """The groups of a team that begins where everybody is, and rank by rank who they are."""
     kinds: dict[_Kind, dict[str | UnderWay, list[Run]]] = {}
     ordered = sorted(places, key=lambda now: isinstance(now.place, OnEdge))  # as ranks are
-    for names, path, place, load in ordered:
-        starts = kinds.setdefault(_kind(mission, names, path), {})
-        starts.setdefault(_start(place, step, load), []).append(names)
+    for now in ordered:
+        starts = kinds.setdefault(_kind(mission, now), {})
+        starts.setdefault(_start(now.place, step, now.load), []).append(now.names)
     groups = tuple(
         Group.of(
             kind.class_name,
             [(start, sum(run.size for run in runs)) for start, runs in starts.items()],
             kind.capabilities,
             dict(kind.carries) if isinstance(kind.carries, tuple) else kind.carries,
+            kind.configuration,
         )
         for kind, starts in kinds.items()
     )
@@ -232,14 +242,15 @@ class _Kind(NamedTuple):
     class_name: str
     capabilities: frozenset[str]
     carries: Carries
+    configuration: str | None
 
 
-def _kind(mission: Mission, names: Run, path: Bundle) -> _Kind:
+def _kind(mission: Mission, now: Now) -> _Kind:
     """The group that robots are of."""
-    rank = mission.roster.get(names.name())
+    path, rank = now.path, mission.roster.get(now.names.name())
     alike = [group.carries for group in mission.team if group.class_name == path.class_name]
     carries = next(iter(alike), ()) if rank is None else mission.team[rank.group].carries
-    return _Kind(path.class_name, path.capabilities, carries)
+    return _Kind(path.class_name, path.capabilities, carries, now.configuration)
 
 
 def _start(place: Whereabouts, step: int, load: Load) -> str | UnderWay:

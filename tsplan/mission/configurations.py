@@ -125,6 +125,12 @@ class ModuleRules:
     def __bool__(self) -> bool:
         return bool(self.configurations or self.reconfigurations or self.performance)
 
+    @property
+    def sizes(self) -> dict[str, int]:
+        """Of how many modules a structure of each configuration is made, where that is a number."""
+        every = ((each.name, each.modules) for each in self.configurations)
+        return {name: size for name, size in every if type(size) is int and size > 0}
+
     def modules(self, parts: Parts) -> int:
         """Of how many modules some structures are made."""
         return sum(self.of[name].modules * count for name, count in parts)

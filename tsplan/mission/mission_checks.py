@@ -92,7 +92,7 @@ def _formula_faults(
 
 def _carrying(mission: MissionParts) -> Carrying:
     entries = carriers(_entries(mission), mission.modular)
-    resources = with_brought(mission.resources, mission.team)
+    resources = with_brought(mission.resources, mission.team, mission.modular.sizes)
     return Carrying(resources, entries, mission.system, mission.books)
 
 

@@ -315,7 +315,7 @@ class _Draft(Filing):
         entries = None if self.entries is None else carriers(self.entries, self.rules)
         known = self.resources
         if known is not None:
-            known = with_brought(known, self.team or ())
+            known = with_brought(known, self.team or (), self.rules.sizes)
         return Carrying(known, entries, self.system, file.booking != "shared")
 
     def _booked(self, file: MissionFile) -> Booked:

@@ -178,9 +178,19 @@ def _summed(starts: Iterable[tuple[_Start, Any]]) -> tuple[tuple[_Start, Any], .
     return tuple(total.items())
 
 
-def with_brought(resources: Iterable[Resource], team: Iterable[Group]) -> tuple[Resource, ...]:
-    """The resources with what agents of a team that start under way bring of each."""
-    ways = [each for group in team for each in group.coming]
+def with_brought(
+    resources: Iterable[Resource], team: Iterable[Group], modules: Mapping[str, Any]
+) -> tuple[Resource, ...]:
+    """The resources with what agents of a team that start under way bring of each.
+
+    Structures bring something, which are made of so many `modules` by their configurations.
+    """
+    ways = [
+        (start, count // size if type(count) is int else count)
+        for group in team
+        for size in [modules.get(group.configuration or "", 1)]
+        for start, count in group.coming
+    ]
     return tuple(
         replace(
             item,

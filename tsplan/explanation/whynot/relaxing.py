@@ -336,7 +336,7 @@ def _still_begun(group: Group, gone: Dropped, number: int) -> Sequence[tuple[Und
 
 def _with_lost(mission: Mission, team: Sequence[Group]) -> tuple[Resource, ...]:
     """The resources; what is brought by nobody any more lies there from the beginning."""
-    kept = with_brought(mission.resources, team)
+    kept = with_brought(mission.resources, team, mission.modular.sizes)
     found = []
     for item, other in zip(mission.resources, kept, strict=True):
         lost = item.brought if not other.brought else ()

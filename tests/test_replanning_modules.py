@@ -1,0 +1,229 @@
+"""Planning again with modular robots: against everything that can still be done."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import pytest
+
+import tsplan
+from tests.module_missions import (
+    MOST,
+    SENSE,
+    Body,
+    Situation,
+    Spent,
+    TooManyError,
+    World,
+    random_module_mission,
+    worth,
+)
+from tests.rich_missions import random_rich_mission
+from tests.seeds import seed_blocks
+from tsplan import Mission, Plan
+from tsplan.errors import MissionError, PlanError
+from tsplan.logic.evaluation import robustness
+from tsplan.mission import load_mission
+from tsplan.plans.structures import Structure
+from tsplan.replanning.replanner import replan
+
+
+@dataclass
+class Past:
+    """What there was until a step by a plan, and is; nothing here knows `tsplan.history`."""
+
+    mission: Mission
+    plan: Plan
+    step: int
+    said: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        plan, step = self.plan, self.step
+        self.here: dict[str, Body] = {}
+        self.coming: dict[str, tuple[int, Body]] = {}
+        robots = [(a.id, a.class_name, a) for a in plan.agents if not self._modular(a.class_name)]
+        bodies = [(s.id, s.configuration, s) for s in plan.structures]
+        for name, kind, who in (*robots, *bodies):
+            if isinstance(who, Structure) and not who.first <= step <= who.last:
+                continue
+            at = who.state_at(step)
+            if at is not None:
+                self.here[name] = Body(kind, at, False)
+            else:
+                self.coming[name] = self._arrival(kind, who)
+        for each in plan.rebuilt:
+            rule = self.mission.modular.reconfigurations[each.rule]
+            done = each.step + rule.duration
+            if each.step < step < done:
+                kinds = [kind for kind, count in rule.made for _ in range(count)]
+                for number, kind in enumerate(kinds):
+                    self.coming[f"made {each} {number}"] = done, Body(kind, each.state, True)
+
+    def _modular(self, class_name: str) -> bool:
+        return any(g.class_name == class_name and g.configuration for g in self.mission.team)
+
+    def _arrival(self, kind: str, who: Any) -> tuple[int, Body]:
+        after = [stay for stay in who.stays if stay[0] > self.step]
+        if after:
+            return after[0][0], Body(kind, after[0][2], True)
+        last = who.stays[-1]
+        edge = self.mission.system.edges[last[2], who.heading]
+        if isinstance(who, Structure):
+            steps = self.mission.modular.of[kind].steps(edge, who.class_name)
+        else:
+            steps = edge.duration_for(kind)
+        return last[1] + steps, Body(kind, who.heading, True)
+
+    def entries(self) -> tuple[tuple[tuple[str, str, int], ...], ...]:
+        """Who was where before the step."""
+        found = []
+        for step in range(self.step):
+            now: Counter[tuple[str, str]] = Counter()
+            for each in self.plan.structures:
+                if each.state_at(step) is not None:
+                    now[each.configuration, each.state_at(step)] += 1
+            for agent in self.plan.agents:
+                if not self._modular(agent.class_name) and agent.state_at(step) is not None:
+                    now[agent.class_name, agent.state_at(step)] += 1
+            found.append(tuple(sorted((*where, count) for where, count in now.items())))
+        return tuple(found)
+
+    def best(self, system: tsplan.TransitionSystem) -> tuple[float, ...] | None:
+        """The best of all that can be done from the step on, smaller is better."""
+        mission = replace(self.mission, system=system)
+        world = World(mission)
+        here = tuple(sorted(self.here.values()))
+        coming = tuple(sorted(self.coming.values()))
+        begun = Spent(makespan=max((end for end, _ in coming), default=0))
+        first = world.seen(Situation(here, coming, self.entries()))
+        reached: dict[Situation, set[Spent]] = {first: {begun}}
+        for step in range(self.step, mission.horizon):
+            later: dict[Situation, set[Spent]] = {}
+            for situation, spents in reached.items():
+                for after, own in world.steps(situation, step):
+                    later.setdefault(after, set()).update(each.and_also(own) for each in spents)
+                    if len(later) > MOST:
+                        raise TooManyError
+            reached = later
+        size = sum(world.modules(b.kind) for b in (*here, *(body for _, body in coming)))
+        found = None
+        for situation, spents in reached.items():
+            slack = float(robustness(mission.counted, world.trace(situation.past))[0])
+            if slack < 0:
+                continue
+            bodies = [*situation.here, *(body for _, body in situation.coming)]
+            idle = sum(world.modules(body.kind) for body in bodies if not body.moved)
+            for spent in spents:
+                values = {**spent._asdict(), "availability": slack, "agents": size - idle}
+                mine = tuple(SENSE[name] * float(values[name]) for name in mission.objective)
+                found = mine if found is None else min(found, mine)
+        return found
+
+
+def disturbed(mission: Mission, plan: Plan, seed: int) -> tuple[Past, tsplan.TransitionSystem]:
+    draw = random.Random(seed)
+    eventful = [each.step + 1 for each in plan.rebuilt] or [1]
+    steps = [min(draw.choice(eventful), mission.horizon), draw.randint(0, mission.horizon)]
+    past = Past(mission, plan, draw.choice(steps))
+    kind = draw.choice(["nothing", "nothing", "lost", "moved", "late", "closed"])
+    names = {each.id: each.modules[0] for each in plan.structures}
+    there = [name for name in (*past.here, *past.coming) if not name.startswith("made")]
+    if kind == "lost" and past.step and there and len(past.here) + len(past.coming) > 1:
+        name = draw.choice(there)
+        past.here.pop(name, None)
+        past.coming.pop(name, None)
+        past.said["lost"] = [draw.choice([name, names.get(name, name)])]
+    if kind == "moved" and past.step and there:
+        name = draw.choice(there)
+        body = past.here.pop(name, None) or past.coming.pop(name)[1]
+        able = World(mission).able(body.kind)
+        fitting = [s.name for s in mission.system.states.values() if s.needs <= able]
+        past.here[name] = Body(body.kind, draw.choice(fitting), False)
+        past.said["moved"] = {draw.choice([name, names.get(name, name)]): past.here[name].state}
+    away = [name for name in there if name in past.coming]
+    if kind == "late" and away:
+        name, steps_late = draw.choice(away), draw.randint(1, 2)
+        end, body = past.coming[name]
+        past.coming[name] = end + steps_late, body
+        past.said["late"] = {draw.choice([name, names.get(name, name)]): steps_late}
+    edges = dict(mission.system.edges)
+    if kind == "closed":
+        gone = draw.choice([pair for pair, edge in edges.items() if not edge.is_wait])
+        del edges[gone]
+        past.said["closed"] = [gone]
+    return past, mission.system.rebuilt(mission.system.states.values(), edges.values())
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(20, 2000), 10))
+def test_structures_go_on_as_well_as_can_be(seeds: list[int]) -> None:
+    for seed in seeds:
+        compare(random_module_mission(seed), seed)
+
+
+def compare(mission: Mission, seed: int) -> None:
+    plan = tsplan.plan(mission)
+    if not plan.has_paths:
+        return
+    past, system = disturbed(mission, plan, seed)
+    full = Counter(body.state for body in past.here.values())
+    rooms = ((full[s.name], s.capacity) for s in mission.system.states.values())
+    if any(most is not None and there > most for there, most in rooms):
+        return
+    try:
+        expected = past.best(system)
+    except TooManyError:
+        return
+    made = replan(mission, plan, past.step, **past.said)
+    if expected is None:
+        assert made.status == "infeasible", (seed, past.step, past.said)
+        return
+    assert (made.status, made.verified) == ("optimal", True), (seed, past.step, past.said)
+    values = {item.name: item.value for item in made.objective}
+    assert worth(mission, values) == pytest.approx(expected), (seed, past.step, past.said)
+    read = Plan.from_json(made.to_json())
+    assert tsplan.check(mission, read).ok, seed
+    for step in range(past.step):  # history stays
+        assert read.state_at(step).items() >= plan.state_at(step).items(), seed
+    again = replan(mission, read, past.step)
+    assert worth(mission, {item.name: item.value for item in again.objective}) == worth(
+        mission, values
+    ), seed
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(6), range(6, 600), 6))
+def test_everything_mixed_goes_on(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission = random_rich_mission(seed)
+        if "performance" in mission.objective:
+            continue
+        plan = tsplan.plan(mission)
+        for step in range(0, mission.horizon + 1, 2) if plan.status == "optimal" else ():
+            made = replan(mission, plan, step)
+            assert made.has_paths, (seed, step)
+            assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, (seed, step)
+
+
+def test_a_fence_is_built_on() -> None:
+    mission = load_mission("environments/fence_build.yaml")
+    plan = tsplan.plan(mission)
+    energy = [replan(mission, plan, step).value("energy") for step in (0, 5, 9, 15)]
+    assert energy == [32, 21, 11, 0]
+
+
+def test_what_is_told_of_modules_that_are_rebuilt_is_refused() -> None:
+    mission = load_mission("environments/fence_build.yaml")
+    plan = tsplan.plan(mission)
+    rebuilt = min(plan.rebuilt, key=lambda each: each.step)
+    made = next(each for each in plan.structures if each.id in rebuilt.made)
+    assert made.first - rebuilt.step > 1
+    with pytest.raises(PlanError, match="is being rebuilt at step"):
+        replan(mission, plan, rebuilt.step + 1, lost=[made.modules[0]])
+    with pytest.raises(PlanError, match="no agent 'line-99'"):
+        replan(mission, plan, 3, lost=["line-99"])
+    with pytest.raises(PlanError, match="say it once"):
+        replan(mission, plan, made.first, lost=[made.id, made.modules[0]])
+    with pytest.raises(MissionError, match="stability"):
+        replan(mission, plan, 3, objective=["stability"])

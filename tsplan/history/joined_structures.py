@@ -1,0 +1,167 @@
+"""The structures before a step and those of a plan of the rest as one plan has them, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tsplan.history.past_structures import Built
+from tsplan.history.told_paths import clipped
+from tsplan.name_runs import Run
+from tsplan.plans.agent_plans import joined
+from tsplan.plans.bundles import Bundle
+from tsplan.plans.structures import Rebuilt, Structure, module_paths
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from tsplan.history.rest_mission import Rest
+    from tsplan.plans.agent_plans import Stay
+    from tsplan.plans.plan import Plan
+
+
+def modules_by_rest(rest: Rest) -> dict[str, str]:
+    """The modules of a plan by their names in the mission of its rest."""
+    modular = rest.mission.team
+    return {
+        new: old
+        for rank, runs in zip(rest.mission.ranks, rest.names, strict=True)
+        if modular[rank.group].configuration
+        for new, old in zip(
+            rank.names.names(), (name for run in runs for name in run.names()), strict=True
+        )
+    }
+
+
+def joined_structures(rest: Rest, plan: Plan) -> tuple[Built, Mapping[str, str]]:
+    """All structures and what is rebuilt, and the ids of those of the plan of the rest."""
+    step, old = rest.step, modules_by_rest(rest)
+    before = {each.id: each for each in rest.past.built.structures}
+    open_ = {frozenset(each.modules): each for each in before.values() if each.last >= step}
+    ids: dict[str, str] = {}
+    later: dict[str, Structure] = {}
+    for each in plan.structures:
+        modules = tuple(old[module] for module in each.modules)
+        known = open_.get(frozenset(modules)) if not each.first else None
+        ids[each.id] = known.id if known else f"{each.id}@{step}"
+        if known or each.first:
+            later[ids[each.id]] = _later(each, known, ids[each.id], modules, step)
+    structures = (
+        *(later.pop(name, each) for name, each in before.items()),
+        *later.values(),
+    )
+    rebuilt = tuple(
+        replace(
+            each,
+            step=each.step + step,
+            parts=tuple(ids[name] for name in each.parts),
+            made=tuple(ids[name] for name in each.made),
+        )
+        for each in plan.rebuilt
+    )
+    return Built(structures, (*rest.past.built.rebuilt, *rebuilt)), ids
+
+
+def _later(
+    each: Structure, known: Structure | None, name: str, modules: tuple[str, ...], step: int
+) -> Structure:
+    """A structure of the plan of the rest, that goes on from a known one if there is one."""
+    stays = _shifted(each.stays, step)
+    if known is None or known.first > step:  # it is new, or was being made
+        first = each.first + step if known is None else stays[0][0]
+        return replace(
+            each,
+            id=name,
+            modules=modules,
+            first=first,
+            last=each.last + step,
+            stays=stays,
+            coming=None,
+        )
+    return replace(
+        known,
+        stays=tuple(joined([*clipped(known.stays, step - 1), *stays])),
+        heading=each.heading,
+        last=each.last + step,
+    )
+
+
+def _shifted(stays: Iterable[Stay], step: int) -> tuple[Stay, ...]:
+    return tuple((first + step, last + step, state) for first, last, state in stays)
+
+
+def structures_from(plan: Plan, rest: Rest) -> tuple[tuple[Structure, ...], tuple[Rebuilt, ...]]:
+    """What structures do from the step of a rest on, which is step 0 then, by names there."""
+    step = rest.step
+    new = {old: name for name, old in modules_by_rest(rest).items()}
+    making = {name for each in plan.rebuilt if each.step < step for name in each.made}
+    found = []
+    for each in plan.structures:
+        if each.last < step or not all(module in new for module in each.modules):
+            continue
+        modules = tuple(new[module] for module in each.modules)
+        stays = tuple(
+            (max(first, step) - step, last - step, state)
+            for first, last, state in each.stays
+            if last >= step
+        )
+        coming, first = None, max(each.first - step, 0)
+        if each.id in making and each.first > step:
+            coming, first = stays[0][2], 0
+        elif each.first <= step and (not stays or stays[0][0]):
+            coming = _left(each, step)
+        made = replace(each, modules=modules, stays=stays, coming=coming)
+        found.append(replace(made, first=first, last=each.last - step))
+    found += _beyond(rest, new, {module for each in found for module in each.modules})
+    rebuilt = (replace(r, step=r.step - step) for r in plan.rebuilt if r.step >= step)
+    return tuple(found), tuple(rebuilt)
+
+
+def _left(each: Structure, step: int) -> str | None:
+    """Where a structure was before it was under way at a step."""
+    before = [state for _, last, state in each.stays if last < step]
+    return before[-1] if before else each.coming
+
+
+def _beyond(rest: Rest, new: Mapping[str, str], told: set[str]) -> Iterator[Structure]:
+    """Structures that are being made and are not done before the end."""
+    mission = rest.mission
+    for group in mission.team:
+        for way, _ in group.coming if group.configuration else ():
+            if way.arrives <= mission.horizon:
+                continue
+            shape = mission.modular.of[str(group.configuration)]
+            mine = [
+                name
+                for rank in mission.ranks
+                if rank.start == way and mission.team[rank.group] is group
+                for name in rank.names.names()
+            ]
+            for begin in range(0, len(mine), shape.modules):
+                modules = tuple(mine[begin : begin + shape.modules])
+                if told.isdisjoint(modules):
+                    able = group.capabilities | shape.capabilities
+                    own = group.class_name, shape.name, able, modules, 0, mission.horizon, ()
+                    yield Structure(f"{shape.name}@{modules[0]}", *own, way.target, way.origin)
+
+
+def joined_modules(rest: Rest, structures: Iterable[Structure]) -> Iterator[tuple[Run, Bundle]]:
+    """The paths of modules, which are those of the structures that they are part of."""
+    paths = module_paths(structures)
+    for names, path in rest.past.modules.stretches:
+        for name in names.names():
+            if name in paths:
+                mine = paths[name]
+                own = path.class_name, path.capabilities, mine.stays, mine.heading
+                yield Run.of(name), Bundle(*own, coming=mine.coming)
+
+
+def modules_along(rest: Rest, structures: Iterable[Structure]) -> Iterator[tuple[Run, Bundle]]:
+    """The same of the modules of the mission of a rest."""
+    paths = module_paths(structures)
+    for rank in rest.mission.ranks:
+        for name in rank.names.names() if rest.mission.team[rank.group].configuration else ():
+            mine = paths[name]
+            own = rank.class_name, rank.capabilities, mine.stays, mine.heading
+            yield Run.of(name), Bundle(*own, coming=mine.coming)

@@ -1,0 +1,89 @@
+"""Where modules are at a step: in which structure, at which state, on which edge.
+
+Who is being rebuilt is on the way from a state to itself, as what it will be.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tsplan.errors import Finding, PlanError
+from tsplan.history.past_paths import Now
+from tsplan.history.past_structures import path_of
+from tsplan.history.told_paths import place_of
+from tsplan.mission.team import UnderWay
+from tsplan.name_runs import Run
+from tsplan.plans.bundles import Bundle
+from tsplan.plans.worlds import OnEdge
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from tsplan.history.changed_map import Maps
+    from tsplan.history.past_amounts import Load
+    from tsplan.history.past_paths import Past
+    from tsplan.mission import Mission
+    from tsplan.name_runs import RunMap
+    from tsplan.plans.structures import Structure
+    from tsplan.plans.worlds import World
+
+
+def modules_now(
+    mission: Mission, past: Past, worlds: Sequence[World], maps: Maps, loads: RunMap[Load]
+) -> Iterator[Now]:
+    """Where modules are at the step of the last of some worlds, those of a structure in a row."""
+    step = worlds[-1].step
+    for each in past.built.structures:
+        if each.first > step:
+            made = OnEdge(each.stays[0][2], each.stays[0][2], each.first)
+            yield from _of(mission, each.configuration, each.modules, made)
+        elif each.last >= step:
+            names = each.id, *each.modules
+            place = place_of(path_of(each), names, worlds, _begun(mission, each, maps))
+            load = (loads.get(each.id) or ()) if isinstance(place, OnEdge) else ()
+            yield from _of(mission, each.configuration, each.modules, place, load)
+    bodies = {each.id: each for each in past.built.structures}
+    for rebuilt in past.built.rebuilt:
+        rule = mission.modular.reconfigurations[rebuilt.rule]
+        done = rebuilt.step + rule.duration
+        if done > step and not rebuilt.made:  # beyond the end of the plan
+            modules = [module for name in rebuilt.parts for module in bodies[name].modules]
+            for name, count in rule.made:
+                for _ in range(count):
+                    size = mission.modular.of[name].modules
+                    mine, modules = modules[:size], modules[size:]
+                    yield from _of(mission, name, mine, OnEdge(rebuilt.state, rebuilt.state, done))
+
+
+def _of(
+    mission: Mission,
+    configuration: str,
+    modules: Iterable[str],
+    place: str | OnEdge,
+    load: Load = (),
+) -> Iterator[Now]:
+    for module in modules:
+        rank = mission.roster.get(module)
+        assert rank is not None
+        path = Bundle(rank.class_name, rank.capabilities, (), None)
+        yield Now(Run.of(module), path, place, load, configuration)
+
+
+def _begun(mission: Mission, each: Structure, maps: Maps) -> OnEdge | None:
+    """How a structure is under way that heads for somewhere, by the map."""
+    if each.heading is None:
+        return None
+    if each.stays:
+        _, depart, state = each.stays[-1]
+        edge = maps.at(depart).edges.get((state, each.heading))
+        shape = mission.modular.of[each.configuration]
+        steps = None if edge is None else shape.steps(edge, each.class_name)
+        if steps is None:
+            what = f"structure {each.id} goes from {state} to {each.heading} at step {depart}"
+            remedy = "say where it is, with 'moved'"
+            raise PlanError([Finding(f"{what}, and the map has no such edge for it", remedy)])
+        return OnEdge(state, each.heading, depart + steps)
+    rank = mission.roster.get(each.modules[0])
+    assert rank is not None
+    assert isinstance(rank.start, UnderWay)
+    return OnEdge(rank.start.origin, rank.start.target, rank.start.arrives)
