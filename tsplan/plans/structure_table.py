@@ -34,16 +34,21 @@ def alike(structures: Sequence[Structure]) -> list[Alike]:
     """
     found: dict[tuple[object, ...], list[Structure]] = {}
     for each in structures:
-        key = (each.class_name, each.configuration, each.stays, each.heading)
+        key = (each.class_name, each.configuration, each.stays, each.heading, each.coming)
         found.setdefault(key, []).append(each)
     return [
         Alike(
             tuple(each.id for each in mine),
             tuple(module for each in mine for module in each.modules),
-            Bundle(mine[0].configuration, mine[0].capabilities, mine[0].stays, mine[0].heading),
+            _path(mine[0]),
         )
         for mine in found.values()
     ]
+
+
+def _path(each: Structure) -> Bundle:
+    own = each.configuration, each.capabilities, each.stays, each.heading
+    return Bundle(*own, coming=each.coming)
 
 
 def moved(plan: Plan) -> list[Structure]:
@@ -86,4 +91,5 @@ def structures_checked(plan: Plan) -> list[str]:
 
 
 def _moves(each: Structure) -> bool:
-    return len({state for _, _, state in each.stays}) > 1 or each.heading is not None
+    rests = len({state for _, _, state in each.stays}) < 2  # noqa: PLR2004  (it is at one state)
+    return not rests or each.heading is not None or each.coming is not None
