@@ -271,6 +271,9 @@ class _Assembly:
         return ask(WitnessEncoder(self._draft, optimistic, rules), self._draft, network)
 
     def _demand_rows(self, network: Network, witnesses: Witnesses) -> list[Sited]:
+        """What is asked of the agents; nothing where it is known that they cannot do it."""
+        if witnesses.choices.refuted:
+            return []
         switches = self._setting.switches
         if self._swarms and self._setting.delay:  # who comes does not stand there for certain
             switches -= {Switch.VISITS, Switch.LAZY}
