@@ -144,7 +144,7 @@ def main() -> None:
     parser.add_argument("--families", default=",".join(FAMILIES), help="a,b,...")
     asked = parser.parse_args()
     first, last = (int(number) for number in asked.seeds.split("-"))
-    tsplan.plan(families.grid(3, 0))  # what is loaded at first is not measured
+    tsplan.explain(families.grid(3, 0))  # what is loaded at first is not measured
     for family in asked.families.split(","):
         rows = []
         for seed in range(first, last + 1):

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import random
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
+from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.seeds import sampled
+from tests.module_missions import RULES, SHAPES
+from tests.seeds import sampled, seed_blocks
 from tsplan import Mission, plan
 from tsplan.encode.assemble import tight
 from tsplan.encode.class_columns import ClassColumns
 from tsplan.encode.preparation import prepare
+from tsplan.encode.rivals.module_gaps import ModuleGaps
 from tsplan.encode.rivals.timetable import Timetables, Wanted
 from tsplan.encode.rivals.travel_gaps import Stay, TravelGaps
 from tsplan.encode.switches import Switch
@@ -147,6 +150,96 @@ def served(gaps: TravelGaps, first: Stay, second: Stay, later: int) -> bool:
 
 def has(item: ClassColumns, capability: str | None) -> bool:
     return capability in item.graph.capabilities
+
+
+# --- modules -----------------------------------------------------------------------------------
+
+
+def module_mission(seed: int) -> Mission:
+    """Several tasks in near windows for a few modules that are rebuilt in one place or two."""
+    rng = random.Random(f"rival modules {seed}")
+    system = ring(rng, rng.randint(3, 5))
+    rules = [
+        dict(rule, duration=rng.randint(1, 2), at=rng.sample(list(system.states), 2))
+        for rule in RULES
+    ]
+    crew: list[dict[str, Any]] = [
+        {"class": "cube", "count": rng.randint(3, 5), "at": "s0", "configuration": "one"}
+    ]
+    if rng.random() < 0.3:
+        crew.append({"class": "cart", "at": "s1", "capabilities": [rng.choice("uv")]})
+    shapes = {
+        name: {**shape, "duration": rng.choice([1, 1, 1.5])} for name, shape in SHAPES.items()
+    }
+    return Mission.of(
+        map=system,
+        team=crew,
+        configurations=shapes,
+        reconfigure=rules,
+        formula=" && ".join(wish(rng) for _ in range(rng.randint(2, 3))),
+        language="catl",
+        objective=rng.choice([("travel",), ()]),
+    )
+
+
+def agree_on_modules(seeds: list[int]) -> int:
+    """How many of the missions the gaps alone refute; all have plans just if they are said to."""
+    refuted = 0
+    for seed in seeds:
+        mission = module_mission(seed)
+        tightly, plainly = plan(mission), plan(mission, encoding="reference")
+        assert tightly.status == plainly.status, (seed, str(mission.formula))
+        values = [[item.value for item in made.objective] for made in (tightly, plainly)]
+        assert values[0] == values[1], (seed, str(mission.formula))
+        told = {
+            tight(prepare(mission, switches=frozenset(Switch) - without)).refuted
+            for without in ({Switch.RIVALS}, set())
+        }
+        refuted += len(told) > 1
+    return refuted
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(6), range(6, 300), 6))
+def test_rival_tasks_of_modules_agree_with_the_reference(seeds: list[int]) -> None:
+    agree_on_modules(seeds)
+
+
+def test_modules_have_ways_in_every_structure_and_are_rebuilt_on_them() -> None:
+    """Three of four modules lift at one end, and two look at the other: rebuilt half-way."""
+    system = line_of(["A", "dock", "B"])
+    rules = [{"from": "one", "to": "trio", "duration": 2, "at": ["dock"]}]
+    rules.append({"from": "trio", "to": "one", "duration": 4, "at": ["dock"]})
+    mission = Mission.of(
+        map=system,
+        team=[{"class": "cube", "count": 4, "at": "dock", "configuration": "one"}],
+        configurations={
+            "one": {"modules": 1, "capabilities": ["look"]},
+            "trio": {"modules": 3, "capabilities": ["lift"], "duration": 2},
+        },
+        reconfigure=rules,
+        formula="F[0,30] T(0,A,{(lift,1)}) && F[0,30] T(0,B,{(look,2)})",
+        language="catl",
+    )
+    setting = prepare(mission)
+    network = setting.unrolled()
+    number = setting.arrays.number
+    gaps = TravelGaps(network)
+    lift, look, one = (
+        gaps.stay((number[place],), {name: amount}, 30)
+        for place, name, amount in (("A", "lift", 1), ("B", "look", 2), ("B", "look", 1))
+    )
+    found = ModuleGaps(network, setting.changes).between([lift, look, one])
+    # 3 steps as a trio take 6, 4 to be taken apart, 3 one by one; the other way 3, 2 and 6
+    assert found.tolist() == [[0, 13, 0], [11, 0, 0], [0, 0, 0]]
+    assert not gaps.between([lift, look, one]).any()
+
+
+def line_of(labels: list[str]) -> TransitionSystem:
+    """States named by their labels, three steps from each to the next and back."""
+    states = [State(name, labels=frozenset({name})) for name in labels]
+    edges = [Edge(name, name, 1) for name in labels]
+    edges += [Edge(*ends, 3) for pair in pairwise(labels) for ends in (pair, pair[::-1])]
+    return TransitionSystem.build(states, edges)
 
 
 # --- timetables --------------------------------------------------------------------------------

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from tsplan import Mission, plan
 from tsplan.encode.assemble import tight
-from tsplan.encode.encoded import Encoded
 from tsplan.encode.preparation import prepare
 from tsplan.encode.priced_objectives import Travel
 from tsplan.encode.switches import ALL_SWITCHES, Switch
@@ -39,17 +36,24 @@ def lp_bound(mission: Mission, *without: Switch) -> float:
 
 
 def test_a_witness_that_needs_more_agents_than_there_are_is_ruled_out_before_any_lp() -> None:
-    def possible(encoded: Encoded) -> bool:
-        model = encoded.model
-        zero = (model.row_upper == 0.0) & (model.row_lower == 0.0)
-        kinds = [tag.kind for tag in model.tags for _ in range(tag.start, tag.stop)]
-        ruled_out = np.flatnonzero(zero & (np.array(kinds) == "together"))
-        return len(ruled_out) < len(encoded.indicators)
+    def refuted(mission: Mission) -> bool:
+        return tight(prepare(mission, switches=ALL_SWITCHES - {Switch.RIVALS})).refuted
 
-    assert not possible(tight(prepare(two_places(3))))
-    assert possible(tight(prepare(two_places(4))))
+    assert refuted(two_places(3))
+    assert not refuted(two_places(4))
     assert plan(two_places(3)).status == "infeasible"
     assert plan(two_places(4)).status == "optimal"
+
+
+def test_choices_of_impossible_witnesses_are_impossible_themselves() -> None:
+    """Neither part of the alternative can be had, at no step; a third one can."""
+    both = "(T(1,A,{(c,2)}) && T(1,B,{(c,2)}))"
+    formula = f"F[0,9] ({both} || F[1,3] {both})"
+    assert tight(prepare(two_places(3, formula))).refuted
+    assert plan(two_places(3, formula), encoding="reference").status == "infeasible"
+    formula = f"F[0,9] ({both} || F[1,3] {both} || T(1,A,{{(c,3)}}))"
+    assert not tight(prepare(two_places(3, formula))).refuted
+    assert plan(two_places(3, formula)).has_paths
 
 
 def test_needs_that_hold_in_any_case_refute_the_whole_problem() -> None:

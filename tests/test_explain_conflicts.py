@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from random import Random
 
 import pytest
 
@@ -11,6 +12,7 @@ from tests.explaining import check_conflict, check_explanation, elements, plain
 from tests.joint_plans import small_enough
 from tests.seeds import sampled, seed_blocks
 from tsplan.explanation import SoftConstraint, explain
+from tsplan.explanation.whynot.conflicts import Finder
 from tsplan.explanation.whynot.relaxing import relaxed
 from tsplan.mission import Group, Mission
 from tsplan.testing import random_mission, random_swarm_mission, random_task_mission
@@ -153,3 +155,47 @@ def test_time_that_is_too_short_is_admitted() -> None:
     made = explain(mission, time_limit=0.001)
     assert made.status in ("explained", "no_answer")
     assert all(not conflict.minimal or conflict.parts for conflict in made.conflicts)
+
+
+# --- deletion ----------------------------------------------------------------------------------
+
+
+def test_deletion_finds_the_conflict_that_names_late_parts_last() -> None:
+    """One part at a time from the end on, by definition; whatever sets are impossible."""
+    for seed in range(200):
+        rng = Random(seed)
+        parts = [SoftConstraint("formula", ((), number)) for number in range(rng.randint(1, 20))]
+        bad = [frozenset(rng.sample(parts, rng.randint(1, len(parts)))) for _ in range(3)]
+        known = Known(tuple(parts), tuple(bad))
+        kept = list(parts)
+        for part in reversed(parts):
+            rest = frozenset(kept) - {part}
+            if any(some <= rest for some in bad):
+                kept.remove(part)
+        core = Finder(known).within(frozenset(parts))  # type: ignore[arg-type]  # what it asks of
+        assert core is not None
+        assert core.minimal
+        assert core.constraints == frozenset(kept)
+
+
+@dataclass
+class Known:
+    """An oracle of parts of which some sets are impossible, and its own subject."""
+
+    parts: tuple[SoftConstraint, ...]
+    bad: tuple[frozenset[SoftConstraint], ...]
+    groups: tuple[tuple[SoftConstraint, ...], ...] = ()
+
+    @property
+    def subject(self) -> Known:
+        return self
+
+    @property
+    def bounds(self) -> tuple[SoftConstraint, ...]:
+        return self.parts
+
+    def refuses(self) -> bool:
+        return False
+
+    def without(self, gone: frozenset[SoftConstraint]) -> bool:
+        return not any(some <= frozenset(self.parts) - gone for some in self.bad)

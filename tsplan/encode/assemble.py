@@ -32,7 +32,7 @@ from tsplan.encode.memory import Watch
 from tsplan.encode.model_objectives import objectives_of
 from tsplan.encode.own_constraints import PART as VARIABLES
 from tsplan.encode.own_constraints import Quantities, constraint_rows, variable_columns
-from tsplan.encode.precedence import direct, legs_of, route_rows
+from tsplan.encode.precedence import direct, legs_of, placed, route_rows
 from tsplan.encode.quantities import OwnVariable
 from tsplan.encode.reference import ReferenceEncoder
 from tsplan.encode.rivals.rival_rows import rival_rows
@@ -120,10 +120,10 @@ class _Assembly:
         network = self._network(self._laid)
         if swarms:
             self._shared_rows(network)
-        elif direct(network):
+        elif placed(network):
             if Switch.RIVALS in setting.switches and not optional:
-                rival_rows(witnesses, network, draft)
-            if Switch.TOGETHER in setting.switches:
+                rival_rows(witnesses, network, draft, setting.changes)
+            if Switch.TOGETHER in setting.switches and direct(network):
                 legs = legs_of(witnesses, network)
                 if "travel" in setting.mission.objective and not setting.delay:
                     route_rows(legs, network, draft)
@@ -271,6 +271,9 @@ class _Assembly:
         return ask(WitnessEncoder(self._draft, optimistic, rules), self._draft, network)
 
     def _demand_rows(self, network: Network, witnesses: Witnesses) -> list[Sited]:
+        """What is asked of the agents; nothing where it is known that they cannot do it."""
+        if witnesses.choices.refuted:
+            return []
         switches = self._setting.switches
         if self._swarms and self._setting.delay:  # who comes does not stand there for certain
             switches -= {Switch.VISITS, Switch.LAZY}

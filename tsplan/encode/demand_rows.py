@@ -27,7 +27,7 @@ from tsplan.encode.flow_network import Network
 from tsplan.encode.hulls import hull_of
 from tsplan.encode.joint_demands import JointDemands, Region
 from tsplan.encode.running_sums import RunningSums
-from tsplan.encode.selection import Selection, less
+from tsplan.encode.selection import Selection, SelectionColumns, less
 from tsplan.encode.step_runs import Run, most_at_once
 from tsplan.encode.switches import Switch
 from tsplan.encode.visitor_cuts import Visits
@@ -77,6 +77,14 @@ class Built(NamedTuple):
     asked: Family
 
 
+class _Joint(NamedTuple):
+    """What is asked of a capability at several places together, and what asks for too much."""
+
+    capability: str | None
+    demands: JointDemands
+    too_much: Sequence[Selection]
+
+
 class DemandRows:
     """Writes the rows of all demands, and keeps what is needed to separate more arrival cuts."""
 
@@ -92,8 +100,19 @@ class DemandRows:
         self.built: list[Built] = []
 
     def write(self, witnesses: Witnesses) -> None:
-        """Rows for every demand, arrival cuts, and what is asked for at several places together."""
+        """Rows for every demand, arrival cuts, and what is asked for at several places together.
+
+        None are written where too much is asked for at once whatever is chosen.
+        """
         lower = _by_place(need for need in witnesses.demands if not need.bound.upper)
+        joint: list[_Joint] = []
+        if Switch.TOGETHER in self._options:
+            every = (need for needs in lower.values() for need in needs)
+            joint = self._joint(every, witnesses.choices)
+            excess = [some for item in joint for some in item.too_much]
+            witnesses.choices.settle(excess)
+            if witnesses.choices.refuted:
+                return
         wanted = frozenset(state for states, _ in lower for state in states)
         for (states, capability), needs in lower.items():
             span = min(need.first for need in needs), max(need.last for need in needs)
@@ -111,8 +130,8 @@ class DemandRows:
                     self.families.append((around, made))
                     self._window_rows(around, made)
                 self._cover_rows(around, asked, witnesses.covers, (hull, capability))
-        if Switch.TOGETHER in self._options:
-            self._together([need for needs in lower.values() for need in needs], witnesses)
+        for item in joint:
+            self._together(item, witnesses)
         for place, visits in _by_place(witnesses.visits).items():
             self._visited(*place, visits)
         self._needs.write(self._draft)
@@ -144,19 +163,27 @@ class DemandRows:
         for one in visits:
             self._once((states, capability), (one.first, one.last), 1.0, one.selection)
 
-    def _together(self, lower: Sequence[Demand], witnesses: Witnesses) -> None:
-        """Rule out witnesses that need too many agents at once; arrival cuts of whole regions."""
+    def _joint(self, lower: Iterable[Demand], choices: SelectionColumns) -> list[_Joint]:
+        """What is asked for at several places together, capability by capability."""
         able: dict[str | None, list[Demand]] = defaultdict(list)
         for need in lower:
             able[need.bound.capability].append(need)
-        for capability, needs in able.items():
-            joint = JointDemands(needs, witnesses.choices)
-            joint.rule_out(self._network.agents(capability))
-            regions = joint.regions() if self._cuts else []
-            if self._cuts and self._network.reborn(capability):
-                regions.append(joint.everywhere(self._network.states))
-            for region in regions:
-                self._region_rows(region, capability, witnesses)
+        return [
+            _Joint(name, made, made.too_much(self._network.agents(name)))
+            for name, needs in able.items()
+            for made in [JointDemands(needs, choices)]
+        ]
+
+    def _together(self, joint: _Joint, witnesses: Witnesses) -> None:
+        """Rule out witnesses that need too many agents at once; arrival cuts of whole regions."""
+        capability, demands, too_much = joint
+        for selection in too_much:
+            witnesses.choices.refute(selection, "together")
+        regions = demands.regions() if self._cuts else []
+        if self._cuts and self._network.reborn(capability):
+            regions.append(demands.everywhere(self._network.states))
+        for region in regions:
+            self._region_rows(region, capability, witnesses)
 
     def _region_rows(self, region: Region, capability: str | None, witnesses: Witnesses) -> None:
         runs = [run for found in region.columns.values() for run in found]

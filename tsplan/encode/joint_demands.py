@@ -20,7 +20,7 @@ import numpy as np
 
 from tsplan.encode.atom_encoders import Site
 from tsplan.encode.encoder_rules import Demand
-from tsplan.encode.selection import ALWAYS, SelectionColumns
+from tsplan.encode.selection import ALWAYS, Selection, SelectionColumns
 from tsplan.encode.step_runs import Run, pieces
 
 
@@ -74,14 +74,16 @@ class JointDemands:
         """Agents needed at most at one step: in any case, and where a column is 1."""
         return _most(self._base), {column: _most(needs) for column, needs in self._of.items()}
 
+    def too_much(self, team: int) -> list[Selection]:
+        """What needs more than `team` agents at one step."""
+        always, needs = self.most()
+        found: list[Selection] = [ALWAYS] if always > team else []
+        return [*found, *((column,) for column, need in needs.items() if need > team)]
+
     def rule_out(self, team: int) -> None:
         """Refute what needs more than `team` agents at one step."""
-        always, needs = self.most()
-        if always > team:
-            self._choices.refute(ALWAYS, "together")
-        for column, need in needs.items():
-            if need > team:
-                self._choices.refute((column,), "together")
+        for selection in self.too_much(team):
+            self._choices.refute(selection, "together")
 
     def regions(self) -> list[Region]:
         """A region for every set of places that some column needs most agents at, all at once."""

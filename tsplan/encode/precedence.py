@@ -30,13 +30,18 @@ class Leg(NamedTuple):
     way: int
 
 
-def direct(network: Network) -> bool:
-    """Whether a state where somebody is needed is one node of every class's map.
+def placed(network: Network) -> bool:
+    """Whether a state where somebody is needed is one node of every class's map."""
+    modes = [item.graph.modes for item in network.classes]
+    return not any(each is not None and each.recent.any() for each in modes)
 
-    And whether who serves in one class serves in none besides, as structures of modules may.
+
+def direct(network: Network) -> bool:
+    """Whether that is so, and who serves in one class serves in none besides.
+
+    Modules serve in several classes.
     """
-    graphs = [item.graph for item in network.classes]
-    return all(g.layer is None and (g.modes is None or not g.modes.recent.any()) for g in graphs)
+    return placed(network) and all(item.graph.layer is None for item in network.classes)
 
 
 def legs_of(witnesses: Witnesses, network: Network) -> list[Leg]:

@@ -9,7 +9,7 @@ stands for "always". Which columns exclude each other is told by their ancestry
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
@@ -63,6 +63,7 @@ class SelectionColumns:
         self.exact: list[tuple[Selection, Ints]] = []
         self.relays: list[Relayed] = []
         self.refuted = False
+        self._impossible: set[int] = set()
 
     # --- columns ---------------------------------------------------------------------------------
 
@@ -207,8 +208,21 @@ class SelectionColumns:
         """The selection cannot be 1; an impossible `ALWAYS` refutes the whole problem."""
         if selection:
             self._draft.sums((0, selection, 1.0), upper=0.0, kind=kind)
+            self._impossible.update(selection)
         else:
             self.refuted = True
+
+    def settle(self, others: Collection[Selection]) -> None:
+        """Refute the problem if it needs a column of a choice that has impossible ones alone.
+
+        Those are the refuted ones, others that are told, and what needs a column of such a choice.
+        """
+        self.refuted = self.refuted or ALWAYS in others
+        impossible = self._impossible.union(*others)
+        for parent, columns in reversed(self.exact):  # parents are made before their children
+            if impossible.issuperset(columns.tolist()):
+                self.refuted = self.refuted or not parent
+                impossible.update(parent)
 
     # --- ancestry --------------------------------------------------------------------------------
 

@@ -9,7 +9,7 @@ what is needed in any case, is impossible.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -18,7 +18,9 @@ import numpy as np
 from tsplan.encode.atom_encoders import Site
 from tsplan.encode.encoder_rules import Demand, Witnesses
 from tsplan.encode.flow_network import Network
+from tsplan.encode.rivals.module_gaps import ModuleGaps
 from tsplan.encode.rivals.travel_gaps import Stay, TravelGaps
+from tsplan.encode.structure_flows import Change
 from tsplan.milp.model import Bools, Ints
 
 MOST_NEEDS = 1500
@@ -60,13 +62,17 @@ def bits(members: int) -> list[int]:
     return found
 
 
-def rival_columns(witnesses: Witnesses, network: Network) -> RivalColumns | None:
-    """Which columns of `witnesses` exclude each other; None where none do, or they are too many."""
-    gaps = TravelGaps(network)
-    needed = _Needed(gaps)
+def rival_columns(
+    witnesses: Witnesses, network: Network, changes: Sequence[Change] = ()
+) -> RivalColumns | None:
+    """Which columns of `witnesses` exclude each other; None where none do, or they are too many.
+
+    `changes` say how structures of modules become others.
+    """
+    needed = _Needed(TravelGaps(network))
     for column, demands in _implied(witnesses).items():
         needed.add(column, demands)
-    entries = needed.entries(gaps)
+    entries = needed.entries(ModuleGaps(network, changes) if changes else None)
     if entries is None or len(entries.column) > MOST_NEEDS:
         return None
     columns, begin = np.unique(entries.column, return_index=True)
@@ -134,9 +140,11 @@ class _Needed:
     def _kind(self, states: Site, amounts: Mapping[str | None, int], step: int) -> int:
         return self._kinds.setdefault(self._gaps.stay(states, amounts, step), len(self._kinds))
 
-    def entries(self, gaps: TravelGaps) -> _Entries | None:
+    def entries(self, built: ModuleGaps | None) -> _Entries | None:
         """Those needs that some other one must be apart from; None if there are none."""
-        way = gaps.between(list(self._kinds))
+        way = self._gaps.between(list(self._kinds))
+        if built is not None:
+            way = np.maximum(way, built.between(list(self._kinds)))
         if not way.any():
             return None
         column, first, last, begun, ended = np.array(sorted(self._found), dtype=np.int64).T

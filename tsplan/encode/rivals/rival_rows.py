@@ -22,6 +22,7 @@ from tsplan.encode.flow_network import Network
 from tsplan.encode.rivals.rival_columns import RivalColumns, bits, rival_columns
 from tsplan.encode.rivals.timetable import Timetables, Wanted
 from tsplan.encode.selection import ALWAYS, Selection
+from tsplan.encode.structure_flows import Change
 from tsplan.milp.model import Block, Draft
 
 _SHARE = 3  # of a window at least a third is excluded: rows about less say little
@@ -36,13 +37,15 @@ class _Order(NamedTuple):
     above: frozenset[int]
 
 
-def rival_rows(witnesses: Witnesses, network: Network, draft: Draft) -> None:
+def rival_rows(
+    witnesses: Witnesses, network: Network, draft: Draft, changes: Sequence[Change] = ()
+) -> None:
     """Rule out witnesses by timetables, and say which of the others exclude each other.
 
-    The states at which agents are needed must be nodes of the map of every class, and who serves in
-    one class must serve in none besides (`encode.precedence.direct`).
+    The states at which agents are needed must be nodes of the map of every class
+    (`encode.precedence.placed`). By `changes` structures of modules become others.
     """
-    rivals = rival_columns(witnesses, network)
+    rivals = rival_columns(witnesses, network, changes)
     if rivals is None:
         return
     asked = _Asked(rivals, witnesses)

@@ -77,7 +77,7 @@ class TravelGaps:
         lacking = sets.wanted[:, None] + sets.wanted[None, :]
         for meets, agents in zip(sets.meets.T, self._agents.tolist(), strict=True):
             lacking = lacking - agents * np.maximum(meets[:, None], meets[None, :])
-        apart = _disjoint([stay.states for stay in stays])
+        apart = disjoint([stay.states for stay in stays])
         one, other = np.nonzero((lacking > 0) & apart[np.ix_(sets.stay, sets.stay)])
         if len(one):
             twice = self._agents * np.minimum(sets.meets[one], sets.meets[other])
@@ -89,7 +89,7 @@ class TravelGaps:
     def _sets(self, stays: Sequence[Stay]) -> _Sets:
         """The sets of needs of every stay that are looked at."""
         placed = [(place, stay) for place, stay in enumerate(stays) if stay.states]
-        entries = [(place, needs) for place, stay in placed for needs in _subsets(stay)]
+        entries = [(place, needs) for place, stay in placed for needs in self._subsets(stay)]
         meets = np.zeros((len(entries), len(self._agents)), dtype=np.int64)
         for number, (place, needs) in enumerate(entries):
             classes = list(stays[place].classes)
@@ -98,6 +98,17 @@ class TravelGaps:
         stay = np.array([place for place, _ in entries], dtype=np.int64)
         wanted = [sum(amount for _, amount in needs) for _, needs in entries]
         return _Sets(stay, np.array(wanted, dtype=np.int64), meets)
+
+    def _subsets(self, stay: Stay) -> list[tuple[tuple[str | None, int], ...]]:
+        """Sets of the needs of a stay: all of them, or single ones where that would be many.
+
+        Nothing is said of needs that structures of modules may meet, of whom nobody knows how many
+        there are.
+        """
+        amounts = [need for need in stay.amounts if not self._network.reborn(need[0])]
+        most = len(amounts) if len(amounts) <= _MOST_TOGETHER else 1
+        sizes = range(1, most + 1)
+        return list(chain.from_iterable(combinations(amounts, size) for size in sizes))
 
     def _having(self, capability: str | None) -> Bools:
         """The classes that have a capability."""
@@ -128,14 +139,7 @@ def gaps_between(bounds: Sequence[Bound], network: Network) -> Ints:
     return gaps.between(stays)
 
 
-def _subsets(stay: Stay) -> list[tuple[tuple[str | None, int], ...]]:
-    """Sets of the needs of a stay: all of them, or single ones where that would be many."""
-    most = len(stay.amounts) if len(stay.amounts) <= _MOST_TOGETHER else 1
-    sizes = range(1, most + 1)
-    return list(chain.from_iterable(combinations(stay.amounts, size) for size in sizes))
-
-
-def _disjoint(sites: Sequence[Site]) -> Bools:
+def disjoint(sites: Sequence[Site]) -> Bools:
     """Which places have no state in common."""
     states = sorted({state for site in sites for state in site})
     number = {state: place for place, state in enumerate(states)}
