@@ -14,6 +14,7 @@ import pytest
 import tsplan
 from tests.deliveries import GARDEN, WALL, building
 from tests.joint_plans import JointPlan, Path, how_many, joint_plans
+from tests.module_missions import TooManyError
 from tests.resource_missions import (
     Depot,
     Done,
@@ -36,6 +37,10 @@ from tsplan.testing.random_beginnings import with_starts_under_way
 
 MOST = 300
 """Ways to go on of a mission, each with all that can be done with its resources."""
+
+
+LARGEST = 2_000
+"""Different things that may have been done by a step of one way to go on."""
 
 
 @dataclass(frozen=True)
@@ -129,6 +134,8 @@ def goings_on(past: Past, stores: Stores, joint: JointPlan) -> Iterator[tuple[Wh
         for name, amounts in past.said.get("stocks", {}).items() if step == past.step else ():
             there = {with_stock(here, stores, name, amounts) for here in there}
         now = {after for here in there for after in depot.executions(here, step)}
+        if len(now) > LARGEST:
+            raise TooManyError
         if step < past.mission.horizon:
             now = {after for here in now for after in depot.departures(here, step)}
     yield from ((whole, here.done) for here in now)
@@ -226,7 +233,10 @@ def compare(mission: Mission, seed: int) -> None:
     past = disturbed(mission, plan, seed)
     if how_many(past.continued(mission.system)) > MOST:
         return
-    expected = best_continuation(past, plan)
+    try:
+        expected = best_continuation(past, plan)
+    except TooManyError:
+        return
     made = replan(mission, plan, past.step, **past.said)
     if expected is None:
         assert made.status == "infeasible", (seed, past.step, past.said)
