@@ -373,8 +373,16 @@ def best(mission: Mission) -> tuple[float, ...] | None:
     Raises TooManyError.
     """
     world = World(mission)
-    reached: dict[Situation, set[Spent]] = {world.begin(): {world.begun()}}
-    for step in range(mission.horizon):
+    return best_from(world, world.begin(), world.begun())
+
+
+def best_from(
+    world: World, first: Situation, begun: Spent, begin: int = 0
+) -> tuple[float, ...] | None:
+    """The best of all that may come after a situation at a step, with what is spent before."""
+    mission = world.mission
+    reached: dict[Situation, set[Spent]] = {first: {begun}}
+    for step in range(begin, mission.horizon):
         later: dict[Situation, set[Spent]] = {}
         for situation, spents in reached.items():
             for after, own in world.steps(situation, step):
@@ -384,6 +392,8 @@ def best(mission: Mission) -> tuple[float, ...] | None:
         reached = later
     slack: dict[Any, float] = {}
     found = None
+    everybody = [*first.here, *(body for _, body in first.coming)]
+    size = sum(world.modules(body.kind) for body in everybody)
     for situation, spents in reached.items():
         if situation.past not in slack:
             trace = world.trace(situation.past)
@@ -392,7 +402,7 @@ def best(mission: Mission) -> tuple[float, ...] | None:
             continue
         bodies = [*situation.here, *(body for _, body in situation.coming)]
         idle = sum(world.modules(body.kind) for body in bodies if not body.moved)
-        known = {"availability": slack[situation.past], "agents": mission.size - idle}
+        known = {"availability": slack[situation.past], "agents": size - idle}
         if "performance" in mission.objective:
             known["performance"] = world.value(mission.formula, 0, situation.past)
         for spent in spents:

@@ -11,13 +11,12 @@ import pytest
 
 import tsplan
 from tests.module_missions import (
-    MOST,
-    SENSE,
     Body,
     Situation,
     Spent,
     TooManyError,
     World,
+    best_from,
     random_module_mission,
     worth,
 )
@@ -25,7 +24,6 @@ from tests.rich_missions import random_rich_mission
 from tests.seeds import seed_blocks
 from tsplan import Mission, Plan
 from tsplan.errors import MissionError, PlanError
-from tsplan.logic.evaluation import robustness
 from tsplan.mission import load_mission
 from tsplan.plans.structures import Structure
 from tsplan.replanning.replanner import replan
@@ -99,28 +97,7 @@ class Past:
         coming = tuple(sorted(self.coming.values()))
         begun = Spent(makespan=max((end for end, _ in coming), default=0))
         first = world.seen(Situation(here, coming, self.entries()))
-        reached: dict[Situation, set[Spent]] = {first: {begun}}
-        for step in range(self.step, mission.horizon):
-            later: dict[Situation, set[Spent]] = {}
-            for situation, spents in reached.items():
-                for after, own in world.steps(situation, step):
-                    later.setdefault(after, set()).update(each.and_also(own) for each in spents)
-                    if len(later) > MOST:
-                        raise TooManyError
-            reached = later
-        size = sum(world.modules(b.kind) for b in (*here, *(body for _, body in coming)))
-        found = None
-        for situation, spents in reached.items():
-            slack = float(robustness(mission.counted, world.trace(situation.past))[0])
-            if slack < 0:
-                continue
-            bodies = [*situation.here, *(body for _, body in situation.coming)]
-            idle = sum(world.modules(body.kind) for body in bodies if not body.moved)
-            for spent in spents:
-                values = {**spent._asdict(), "availability": slack, "agents": size - idle}
-                mine = tuple(SENSE[name] * float(values[name]) for name in mission.objective)
-                found = mine if found is None else min(found, mine)
-        return found
+        return best_from(world, first, begun, self.step)
 
 
 def disturbed(mission: Mission, plan: Plan, seed: int) -> tuple[Past, tsplan.TransitionSystem]:
