@@ -215,6 +215,10 @@ def by_label(seed: int) -> Mission:
     return random_booked_mission(seed, "per-label")
 
 
+def test_what_was_to_be_brought_is_lost_with_who_brings_it() -> None:
+    compare(resources(594), 594)  # it started under way and was lost before it came anywhere
+
+
 @pytest.mark.parametrize("draw", [resources, exclusive, by_label])
 @pytest.mark.parametrize("seeds", seed_blocks(range(16), range(16, 1500), 8))
 def test_what_is_executed_goes_on_as_well_as_can_be(

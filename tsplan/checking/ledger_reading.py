@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.checking.team_check import told
 from tsplan.exact import digits, exact
 from tsplan.logic import Execution, walk
+from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Names, Run, RunMap, overlaid
 from tsplan.plans.bundles import Agents
 from tsplan.plans.cargo_rows import CargoRows
@@ -17,7 +19,7 @@ from tsplan.plans.ledger import FORGIVEN, Haul, Ledger, Use
 from tsplan.plans.structures import Structure
 
 if TYPE_CHECKING:
-    from tsplan.mission import Mission
+    from tsplan.mission import Mission, Resource
     from tsplan.plans.cargo_rows import CargoRow
     from tsplan.plans.loading import Walker
     from tsplan.plans.plan import Plan
@@ -36,8 +38,32 @@ def read_ledger(mission: Mission, plan: Plan) -> tuple[Ledger, list[str]]:
         for name, amounts in world.stocks.items()
         for state, amount in amounts.items()
     }
-    ledger = Ledger(mission.resources, plan.horizon, tuple(hauls), tuple(uses), found)
+    resources = _really_brought(mission, plan) if plan.replanned else mission.resources
+    ledger = Ledger(resources, plan.horizon, tuple(hauls), tuple(uses), found)
     return ledger, problems + wrong
+
+
+def _really_brought(mission: Mission, plan: Plan) -> tuple[Resource, ...]:
+    """The resources with what those brought that started under way, where they came in the end."""
+    starts: RunMap[UnderWay] = RunMap(
+        (rank.names, rank.start) for rank in mission.ranks if isinstance(rank.start, UnderWay)
+    )
+    come = [(names, path.stays) for names, path in Agents.of(plan.agents).stretches]
+    if plan.structures:  # which bring something as a whole
+        robots = {bundle.class_name for bundle in plan.robots}
+        come = [each for each in come if plan.agent[each[0].name()].class_name in robots]
+        come += [
+            (Run.of(each.modules[0]), each.stays)
+            for each in plan.structures
+            if each.coming is not None
+        ]
+    brought: dict[str, list[tuple[str, int, float]]] = defaultdict(list)
+    for names, stays in come:
+        for part, start in starts.parts(names):
+            for name, amount in () if start is None or not stays else start.carrying:
+                total = float(exact(amount) * part.size)
+                brought[name].append((stays[0][2], stays[0][0], total))
+    return tuple(replace(each, brought=tuple(brought[each.name])) for each in mission.resources)
 
 
 def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:
