@@ -23,6 +23,8 @@ from tsplan.milp.model import Floats, Ints
 _MOST = 50_000  # labels of one length; more of them are told apart by less
 _SAME = 1e-9  # costs that are told apart no more
 _EACH = 8  # routes from one start that are told
+_FEW = 1_000  # labels of one length that are followed in a hurry
+_BITS = 62  # of a whole number
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,23 +66,35 @@ class _Labels:
 
 @dataclass(frozen=True, eq=False)
 class Pricing:
-    """Routes of one class from some `starts`, places whose distances are given in two tables."""
+    """Routes of one class from some `starts`, places whose distances are given in two tables.
+
+    From one need to another an agent takes as many steps as they are `apart`, too. Of needs that
+    are the `same` one follows the other, or there is only one of them on a route.
+    """
 
     visits: Visits
     starts: Ints
     steps: Floats
     prices: Floats
+    apart: Floats
+    same: Ints
     _near: Ints = field(init=False)
 
     def __post_init__(self) -> None:
-        """Sort the needs by how near they are to each other."""
-        needs = np.unique(self.visits.need)
-        places = self.visits.place
+        """Sort the needs by how near they are to each other, those that are the same as one."""
+        of = self.same[self.visits.need]
+        order = np.argsort(of, kind="stable")
+        places = self.visits.place[order]
         table = self.prices[np.ix_(places, places)]
-        begin = np.searchsorted(self.visits.need, needs)
+        begin = np.searchsorted(of[order], np.unique(of))
         table = np.minimum.reduceat(np.minimum.reduceat(table, begin, axis=0), begin, axis=1)
         np.fill_diagonal(table, -1.0)
         object.__setattr__(self, "_near", np.argsort(table, axis=1, kind="stable"))
+
+    def some(self, worth: Floats) -> list[Route]:
+        """Some routes of a reduced cost below 0, in a hurry: there may be others."""
+        found = self._layers(worth, np.flatnonzero(worth > _SAME), 8, hurried=True)
+        return [] if found is None else self._told(found)[1]
 
     def cheapest(self, worth: Floats) -> tuple[Floats, list[Route]]:
         """The least reduced cost of a route from every start, at most 0, and some that have less.
@@ -94,20 +108,29 @@ class Pricing:
                 return self._told(found)
         raise AssertionError("routes without a memory are few")
 
-    def _layers(self, worth: Floats, good: Ints, memory: int) -> list[_Labels] | None:
-        """Labels by the length of their routes; None if they are too many."""
+    def _layers(
+        self, worth: Floats, good: Ints, memory: int, *, hurried: bool = False
+    ) -> list[_Labels] | None:
+        """Labels by the length of their routes; None if they are too many, or else only the best.
+
+        The latter where it is `hurried`.
+        """
         visits = self.visits.some(good)
-        of = np.searchsorted(np.unique(self.visits.need), visits.need)
+        same = self.same[visits.need]
+        of = np.searchsorted(np.unique(self.same[self.visits.need]), same)
         bit = np.left_shift(1, np.arange(len(self._near)) % 63)
         known = np.array([bit[near[:memory]].sum() for near in self._near], dtype=np.int64)
         steps, prices = (table[np.ix_(visits.place, visits.place)] for table in self._tables)
+        steps = np.maximum(steps, self.apart[np.ix_(visits.need, visits.need)])
         soonest = self.steps[np.ix_(self.starts, visits.place)].min(axis=0, initial=np.inf)
         earliest = np.maximum(visits.first, soonest)
         now = np.flatnonzero(earliest <= visits.last)
         labels = _Labels(bit[of[now]], now, -worth[good[now]], visits.last[now], now)
         layers = [labels]
-        for _ in range(1, len(self._near)):
-            row, visit = np.nonzero((labels.memory[:, None] & bit[of]) == 0)
+        after = (same[:, None] == same) & (visits.need[:, None] != visits.need)
+        for _ in range(1, len(np.unique(self.visits.need))):
+            new = (labels.memory[:, None] & bit[of]) == 0
+            row, visit = np.nonzero(new | after[labels.visit])
             rest = labels.visit[row]
             latest = np.minimum(visits.last[visit], labels.latest[row] - steps[visit, rest])
             kept = np.flatnonzero(latest >= earliest[visit])
@@ -115,6 +138,8 @@ class Pricing:
             cost = labels.cost[row] + prices[visit, rest] - worth[good[visit]]
             remembered = (labels.memory[row] & known[of[visit]]) | bit[of[visit]]
             labels = _best(_Labels(remembered, visit, cost, latest[kept], row))
+            if hurried and len(labels.visit) > _FEW:
+                labels = labels.some(np.argpartition(labels.cost, _FEW)[:_FEW])
             if len(labels.visit) > _MOST and memory > 1:
                 return None
             if not len(labels.visit):
@@ -154,9 +179,17 @@ def _followed(layers: list[_Labels], length: int, label: int) -> Iterator[int]:
         label = int(labels.parent[label])
 
 
+def _keys(labels: _Labels) -> list[Ints]:
+    """By what labels are told apart: one number for visit and memory where that is large enough."""
+    most, known = int(labels.visit.max(initial=0)), int(labels.memory.max(initial=0))
+    if most.bit_length() + known.bit_length() > _BITS:
+        return [labels.visit, labels.memory]
+    return [labels.memory << most.bit_length() | labels.visit]
+
+
 def _best(labels: _Labels) -> _Labels:
     """Without labels that another of the same visit and memory undercuts in cost and time."""
-    order = np.lexsort((-labels.latest, labels.cost, labels.visit, labels.memory))
+    order = np.lexsort((-labels.latest, labels.cost, *_keys(labels)))
     labels = labels.some(order)
     if not len(order):
         return labels

@@ -135,7 +135,7 @@ class CapacityRelaxation:
         if agenda is None:
             return
         seed = self.effort.choice.seed or 0
-        self._appointed = AppointedPlans(self.setting, agenda, self._known, seed)
+        self._appointed = AppointedPlans(self.setting, agenda, self._known, self.effort, seed)
         left = self.clock.left
         clock = self.clock if left is None else self.clock.within(_SHARE * left)
         self._appointed.search(clock)

@@ -25,14 +25,12 @@ from tsplan.clock import Clock
 from tsplan.encode.objective_kinds import StageObjective
 from tsplan.encode.priced_objectives import Priced
 from tsplan.milp.lp import WarmLP
-from tsplan.milp.model import INFINITY, Draft, Floats, Ints
+from tsplan.milp.model import INFINITY, Draft, Floats, Ints, Model
 from tsplan.routing.appointments import Agenda
+from tsplan.routing.calls import MOST, apart, calls_of, joined
 from tsplan.routing.distances import Distances
 from tsplan.routing.routes import Pricing, Visits
 from tsplan.routing.tours import Tours
-
-MOST_NEEDS = 62
-"""Needs up to which routes are looked for: sets of them are whole numbers of 64 bits."""
 
 _DEAR = 4.0  # what a need costs that no route serves, in longest ways
 _NEAR = 0.7  # of the best prices so far in those that are tried
@@ -89,19 +87,26 @@ class Worth:
 
 @dataclass(eq=False)
 class RouteBound:
-    """The program of routes that keep an agenda, of `room` in states."""
+    """The program of routes that keep an agenda, of `room` in states.
+
+    All prices of plans are multiples of `unit`, if it is not 0. Without `ends` nobody is asked to
+    stay: that is solved sooner, and says less.
+    """
 
     agenda: Agenda
     distances: Distances
     room: Mapping[int, int]
+    unit: float = 0.0
+    ends: bool = True
     used: list[Key] = field(default_factory=list, init=False)  # of the last program's solution
 
     def __post_init__(self) -> None:
         """Number the visits, and the rows of needs, of starts and of places."""
-        agenda, distances = self.agenda, self.distances
-        numbered = list(enumerate(agenda.needs))
-        self._of = [n for n, item in enumerate(agenda.appointments) for _ in item.needs]
-        every = [(number, state) for number, need in numbered for state in need.states]
+        distances = self.distances
+        self.calls = calls_of(self.agenda, ends=self.ends)
+        self._apart = apart(self.calls)
+        self._of = [call.appointment for call in self.calls]
+        every = [(n, state) for n, call in enumerate(self.calls) for state in call.need.states]
         self._need = np.array([number for number, _ in every], dtype=np.int64)
         self._place = distances.places([state for _, state in every])
         self._begun = Counter(zip(distances.kind.tolist(), distances.begin.tolist(), strict=True))
@@ -114,18 +119,23 @@ class RouteBound:
         self._routes: dict[Key, float] = {}
 
     def _limited(self, every: Sequence[tuple[int, int]]) -> dict[int, tuple[int, int, int]]:
-        """The appointment (or need), step after its beginning and state of visits that are limited.
+        """The appointment (or call), step after its beginning and state of visits that are limited.
 
-        Agents that serve two needs are counted twice, so then each need is limited by itself.
+        Agents that answer two calls are counted twice, so then each call is limited by itself.
         """
         found = {}
         for visit, (number, state) in enumerate(every):
-            item = self.agenda.appointments[self._of[number]]
+            call = self.calls[number]
             if state not in self.room:
                 continue
-            apart = not any(one.able & other.able for one, other in combinations(item.needs, 2))
-            group = -1 - self._of[number] if apart else number
-            found[visit] = group, self.agenda.needs[number].after[0], state
+            needs = [
+                other.need
+                for other in self.calls
+                if (other.appointment, other.after) == (call.appointment, call.after)
+            ]
+            single = not any(one.able & other.able for one, other in combinations(needs, 2))
+            group = -1 - call.appointment if single else number
+            found[visit] = group, call.after, state
         return found
 
     # --- the program -----------------------------------------------------------------------------
@@ -133,15 +143,20 @@ class RouteBound:
     def begin_with(self, tours: Tours) -> None:
         """Know the routes of some tours."""
         number = {(self._need[v], self._place[v]): v for v in range(len(self._need))}
-        first = np.searchsorted(self._of, np.arange(len(self.agenda.appointments))).tolist()
         routes: dict[int, list[int]] = {}
         for each in tours.order:
-            for place, group in enumerate(tours.serving[each]):
-                for agent, state in group:
-                    visit = number[first[each] + place, self.distances.place[state]]
+            items = zip(self.agenda.appointments[each].needs, tours.serving[each], strict=True)
+            agents = dict(items)
+            for call in sorted(self._calls(each), key=lambda call: self.calls[call].after):
+                for agent, state in agents[self.calls[call].need]:
+                    visit = number[call, self.distances.place[state]]
                     routes.setdefault(agent, []).append(visit)
         for agent, visits in routes.items():
             self._add(int(self.distances.kind[agent]), int(self.distances.begin[agent]), visits)
+
+    def _calls(self, appointment: int) -> list[int]:
+        """The numbers of the calls of an appointment."""
+        return [number for number, of in enumerate(self._of) if of == appointment]
 
     def _add(self, kind: int, start: int, visits: Sequence[int]) -> bool:
         """Know one more route; False if it is known."""
@@ -161,30 +176,42 @@ class RouteBound:
         for kind, (mine, pricing) in pricings.items():
             for start, visit in product(pricing.starts.tolist(), mine.tolist()):
                 self._add(kind, start, [visit])
-        best = 0.0
-        centre = Worth(0.0 * self._many, 0.0 * self._limit)
+        best, centre = 0.0, Worth(0.0 * self._many, 0.0 * self._limit)
         while not clock.over:
             solved = self._solved(windows, clock)
             if solved is None:
                 return
             value, worth = solved
+            if self._hurried(pricings, worth.mixed(centre, _NEAR)):
+                continue
             for near in (_NEAR, 0.0):  # prices near the best so far change less
                 tried = worth.mixed(centre, near)
                 bound, new = self._priced(pricings, tried)
                 if bound > best:
                     best, centre = bound, tried
-                    yield best
+                    yield self._whole(best)
                 if new:
                     break
-            if not new or best >= value - _CLOSE:
+            if not new or self._whole(best) >= value - _CLOSE:
                 return
+
+    def _whole(self, bound: float) -> float:
+        """The least price of a plan that is not below a bound."""
+        return bound if not self.unit else float(np.ceil(bound / self.unit - _CLOSE)) * self.unit
+
+    def _hurried(self, pricings: Mapping[int, tuple[Ints, Pricing]], tried: Worth) -> bool:
+        """Whether the program gets routes that it lacks, of those that are soon found."""
+        visits, new = self._visits(tried), False
+        for kind, (mine, pricing) in pricings.items():
+            for route in pricing.some(visits[mine]):
+                new = self._add(kind, route.start, mine[list(route.visits)].tolist()) or new
+        return new
 
     def _priced(
         self, pricings: Mapping[int, tuple[Ints, Pricing]], tried: Worth
     ) -> tuple[float, bool]:
         """The bound that some prices give, and whether routes come up that the program lacks."""
-        visits = tried.needs[self._need]
-        visits += np.where(self._full < 0, 0.0, np.append(tried.places, 0.0)[self._full])
+        visits = self._visits(tried)
         bound = float(self._many @ tried.needs) + float(self._limit @ tried.places)
         new = False
         for kind, (mine, pricing) in pricings.items():
@@ -195,33 +222,63 @@ class RouteBound:
                 new = self._add(kind, route.start, mine[list(route.visits)].tolist()) or new
         return bound, new
 
+    def _visits(self, tried: Worth) -> Floats:
+        """What each visit is worth."""
+        return np.asarray(
+            tried.needs[self._need]
+            + np.where(self._full < 0, 0.0, np.append(tried.places, 0.0)[self._full])
+        )
+
     @property
     def _many(self) -> Floats:
-        return np.array([need.many for need in self.agenda.needs], dtype=np.float64)
+        return np.array([call.need.many for call in self.calls], dtype=np.float64)
 
     def _pricings(self, windows: Windows) -> dict[int, tuple[Ints, Pricing]]:
         """Of every class its visits and what finds routes by them."""
         found = {}
-        needs, of = self.agenda.needs, np.array(self._of)
-        after = np.array([need.after[0] for need in needs])
+        of = np.array(self._of)
+        after = np.array([call.after for call in self.calls])
         first = (np.array(windows.first)[of] + after)[self._need].astype(np.float64)
         last = (np.array(windows.last)[of] + after)[self._need].astype(np.float64)
         visits = Visits(self._need, self._place, first, last)
         for kind in sorted({kind for kind, _ in self._begun}):
-            able = [number for number, need in enumerate(needs) if kind in need.able]
+            able = [n for n, call in enumerate(self.calls) if kind in call.need.able]
             mine = np.flatnonzero(np.isin(self._need, able))
             starts = np.array([start for of_kind, start in self._begun if of_kind == kind])
             if len(mine):
                 steps, prices = self.distances.steps[kind], self.distances.prices[kind]
-                found[kind] = mine, Pricing(visits.some(mine), starts, steps, prices)
+                same = joined(self.calls, kind, self.distances)
+                found[kind] = (
+                    mine,
+                    Pricing(visits.some(mine), starts, steps, prices, self._apart, same),
+                )
         return found
 
     def _solved(self, windows: Windows, clock: Clock) -> tuple[float, Worth] | None:
         """The value of the program of the routes that are known, and what rows are worth."""
-        kept = [key for key in self._routes if self._in_time(key, windows)]
-        needs, starts = len(self.agenda.needs), {key: n for n, key in enumerate(self._begun)}
+        kept = self.known(windows)
+        program = self.program(kept)
+        solved = WarmLP(program, clock.stop).solve(clock.left)
+        duals, values = solved.row_duals, solved.values
+        if duals is None or values is None:
+            return None
+        self.used = [kept[n] for n in np.flatnonzero(values[: len(kept)] > _CLOSE).tolist()]
+        needs, starts = len(self.calls), len(self._begun)
+        of_needs, _, of_places = np.split(duals, [needs, needs + starts])
+        return solved.objective, Worth(np.maximum(of_needs, 0.0), np.minimum(of_places, 0.0))
+
+    def known(self, windows: Windows) -> list[Key]:
+        """The routes that are known and can be followed within windows."""
+        return [key for key in self._routes if self._in_time(key, windows)]
+
+    def program(self, kept: Sequence[Key], *, whole: bool = False) -> Model:
+        """The program of some routes; calls can be left unanswered at a high price.
+
+        Routes come first in it, as fractions or `whole`.
+        """
+        needs, starts = len(self.calls), {key: n for n, key in enumerate(self._begun)}
         draft = Draft()
-        columns = draft.columns(len(kept) + needs)
+        columns = draft.columns(len(kept) + needs, integer=whole)
         visits = np.array([visit for _, _, route in kept for visit in route], dtype=np.int64)
         by = np.repeat(np.arange(len(kept)), [len(route) for _, _, route in kept])
         row = np.concatenate([self._need[visits], np.arange(needs)])
@@ -237,13 +294,7 @@ class RouteBound:
         finite = self.distances.prices[np.isfinite(self.distances.prices)]
         dear = _DEAR * float(finite.max(initial=1.0)) + 1.0
         costs = np.array([*(self._routes[key] for key in kept), *([dear] * needs)])
-        solved = WarmLP(draft.build().with_objective(costs), clock.stop).solve(clock.left)
-        duals, values = solved.row_duals, solved.values
-        if duals is None or values is None:
-            return None
-        self.used = [kept[n] for n in np.flatnonzero(values[: len(kept)] > _CLOSE).tolist()]
-        of_needs, _, of_places = np.split(duals, [needs, needs + len(counts)])
-        return solved.objective, Worth(np.maximum(of_needs, 0.0), np.minimum(of_places, 0.0))
+        return draft.build().with_objective(costs)
 
     def stops(self, route: Key) -> Stops:
         """The appointments of a route, and how far they are from each other in time.
@@ -251,14 +302,25 @@ class RouteBound:
         It is counted from where the agent is wanted at one of them, not for how long.
         """
         kind, place, visits = route
-        numbers, soonest, before = [], [], 0
+        numbers, soonest, before, last = [], [], 0, -1
         for visit in visits:
-            need = int(self._need[visit])
-            after, there = self.agenda.needs[need].after[0], int(self._place[visit])
-            numbers.append(self._of[need])
-            soonest.append(float(self.distances.steps[kind, place, there]) + before - after)
-            place, before = there, after
+            call = int(self._need[visit])
+            after, there = self.calls[call].after, int(self._place[visit])
+            steps = float(self.distances.steps[kind, place, there])
+            if last >= 0:
+                steps = max(steps, float(self._apart[last, call]))
+            numbers.append(self._of[call])
+            soonest.append(steps + before - after)
+            place, before, last = there, after, call
         return Stops(tuple(numbers), tuple(soonest))
+
+    def price(self, route: Key) -> float:
+        """What a route that is known costs."""
+        return self._routes[route]
+
+    def answers(self, route: Key) -> list[int]:
+        """The calls that a route answers, by their numbers."""
+        return [int(call) for call in self._need[list(route[2])]]
 
     def _in_time(self, route: Key, windows: Windows) -> bool:
         """Whether an agent can follow a route within the windows."""
@@ -276,4 +338,4 @@ def boundable(
     """Whether routes say something of the first objective, in which edges have these prices."""
     priced = len(objectives) == 1 and isinstance(objectives[0], Priced)
     paid = all((price >= 0).all() for price in prices)
-    return priced and paid and len(agenda.needs) <= MOST_NEEDS
+    return priced and paid and len(agenda.needs) <= MOST

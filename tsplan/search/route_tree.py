@@ -8,46 +8,109 @@ has a bound of its own. The least one holds for all plans.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from heapq import heappop, heappush
 
 import numpy as np
 
 from tsplan.clock import Clock
 from tsplan.milp.model import Floats
-from tsplan.search.route_bound import RouteBound, Stops, Windows
+from tsplan.search.route_bound import Key, RouteBound, Stops, Windows
+
+_PLUNGE = 8  # of so many parts one is split until its routes meet
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, order=True)
+class _Part:
+    """Windows with their bound, and the routes that the program uses in them."""
+
+    bound: float
+    number: int
+    windows: Windows = field(compare=False)
+    used: Sequence[Key] = field(compare=False)
+
+
+@dataclass(eq=False)
 class RouteTree:
-    """Raises the bound of all routes by splitting windows."""
+    """Raises the bound of all routes by splitting windows.
+
+    `windows` are those that were split last, and `met` those in which all routes of the program can
+    keep their appointments together, if there have been any.
+    """
 
     routes: RouteBound
+    windows: Windows
+    met: Windows | None = field(default=None, init=False)
+    _number: int = field(default=0, init=False)
 
     def raised(self, clock: Clock, enough: Callable[[], float]) -> Iterator[float]:
-        """Better bounds, or the same again after some work; up to what is `enough`."""
-        windows = Windows.of(self.routes.agenda)
+        """Better bounds, or the same again after some work; up to what is `enough`.
+
+        The part with the least bound is split; now and then its better half is, too, and so on
+        until all routes in it can keep their appointments together.
+        """
         best = 0.0
-        for bound in self.routes.raised(clock, windows):
+        for bound in self.routes.raised(clock, self.windows):
             best = bound
             yield best
-        opened = [(best, 0, windows, self.routes.used)]
-        number = 0
-        while opened and not clock.over:
-            bound, _, windows, used = heappop(opened)
-            parts = split(windows, [self.routes.stops(route) for route in used])
-            if parts is None:
-                return
-            for part in parts:
-                own = bound
-                for more in self.routes.raised(clock, part):
-                    own = max(own, more)
-                    if own >= enough():
-                        break
-                number += 1
-                heappush(opened, (own, number, part, self.routes.used))
-            best = max(best, opened[0][0])
+        opened = [_Part(best, 0, self.windows, self.routes.used)]
+        closed, turn = np.inf, 0
+        while opened and opened[0].bound < min(closed, enough()) and not clock.over:
+            part: _Part | None = heappop(opened)
+            plunging = turn % _PLUNGE == 0
+            turn += 1
+            while part is not None and not clock.over:
+                self.windows = part.windows
+                halves = split(part.windows, [self.routes.stops(route) for route in part.used])
+                if halves is None:
+                    closed, self.met = min(closed, part.bound), part.windows
+                    break
+                near, far = sorted(self._halves(part, halves, clock, enough))
+                heappush(opened, far)
+                part = near
+                if not plunging or near.bound >= enough():
+                    heappush(opened, near)
+                    part = None
+                least = min([closed, opened[0].bound, *([] if part is None else [part.bound])])
+                best = max(best, least)
+                yield best
+            else:
+                if part is not None:
+                    heappush(opened, part)
+            best = max(best, min([closed, *(each.bound for each in opened[:1])]))
             yield best
+
+    def _halves(
+        self,
+        part: _Part,
+        halves: Sequence[Windows],
+        clock: Clock,
+        enough: Callable[[], float],
+    ) -> Iterator[_Part]:
+        """Both halves of a part, each with its own bound."""
+        for windows in halves:
+            bound = part.bound
+            for more in self.routes.raised(clock, windows):
+                bound = max(bound, more)
+                if bound >= enough():
+                    break
+            self._number += 1
+            yield _Part(bound, self._number, windows, self.routes.used)
+
+
+def highest(trees: Sequence[Iterator[float]], clock: Clock) -> Iterator[float]:
+    """The highest bound so far of several trees, each of which gets as much time as the others."""
+    best, spent = 0.0, dict.fromkeys(range(len(trees)), 0.0)
+    while spent:
+        number = min(spent, key=spent.__getitem__)
+        began = clock.elapsed
+        bound = next(trees[number], None)
+        if bound is None:
+            del spent[number]
+            continue
+        spent[number] += clock.elapsed - began
+        best = max(best, bound)
+        yield best
 
 
 def split(windows: Windows, routes: Sequence[Stops]) -> tuple[Windows, Windows] | None:
