@@ -170,7 +170,7 @@ def compare(mission: Mission, seed: int) -> None:
     ), seed
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(6), range(6, 600), 6))
+@pytest.mark.parametrize("seeds", seed_blocks([0, 1, 2, 3, 15], range(4, 600), 6))
 def test_everything_mixed_goes_on(seeds: list[int]) -> None:
     for seed in seeds:
         mission = random_rich_mission(seed)

@@ -265,7 +265,7 @@ class _Replay:
         )
 
     def _free(self, node: _Node, step: int) -> Fraction:
-        """What lies there and is not in use."""
+        """What lies there and is not in use at a step or after it."""
         busy = (amount for last, amount in self._busy[node] if last >= step)
         return self._lying[node] - sum(busy, _NOTHING)
 
@@ -291,7 +291,8 @@ class _Replay:
         """Load what robots carry as far as it lies there, one robot after the other."""
         row, name = ride.row, ride.row.resource
         node, each = (name, ride.source), exact(ride.row.amount)
-        free = max(self._free(node, row.step), _NOTHING)
+        # tools may leave at the last step at which they are used
+        free = max(self._free(node, row.step + 1), _NOTHING)
         parts = [(row.names, row.amount)]
         if each * row.names.size > free + self._forgiven(name):
             full = floor(free / each)
