@@ -90,6 +90,16 @@ class Run(NamedTuple):
         return Run(self.stem, first, last) if self.stem == other.stem and first <= last else None
 
 
+def counterpart(part: Run, own: Run, other: Run) -> Run:
+    """The names among the other ones that stand where a part stands among its own.
+
+    >>> counterpart(Run("a-", 3, 4), Run("a-", 2, 9), Run("b-", 11, 18))
+    Run(stem='b-', first=12, last=13)
+    """
+    begin = part.first - own.first
+    return other.part(begin, begin + part.size)
+
+
 class Continuing(Protocol):
     """What may go on in the next of its kind."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.errors import Finding, MapError, PlanError, nearest
 from tsplan.plans.worlds import OnEdge, World
@@ -15,8 +15,11 @@ from tsplan.ts.edges import ByClass, Pair
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from tsplan.plans.bundles import Bundle
     from tsplan.plans.worlds import Place
+
+
+Pace: TypeAlias = Callable[[Edge], "int | None"]
+"""How many steps somebody needs for an edge; None if it cannot take it."""
 
 
 @dataclass(frozen=True)
@@ -37,15 +40,15 @@ class Maps:
         """The map for who sets out at a step; what is closed for a time is open in it."""
         return next(system for first, system in reversed(self._made) if first <= step)
 
-    def ride(self, path: Bundle, name: str, ends: tuple[str, str], step: int) -> OnEdge:
-        """How an agent that enters an edge at a step is under way on it.
+    def ride(self, who: str, pace: Pace, ends: tuple[str, str], step: int) -> OnEdge:
+        """How somebody who enters an edge at a step is under way on it, by how long edges take.
 
         Raises PlanError where the map has no such edge for it.
         """
         edge = self.at(step).edges.get(ends)
-        duration = None if edge is None else edge.duration_for(path.class_name)
+        duration = None if edge is None else pace(edge)
         if duration is None:
-            what = f"agent {name} goes from {ends[0]} to {ends[1]} at step {step}"
+            what = f"{who} goes from {ends[0]} to {ends[1]} at step {step}"
             remedy = "say where it is, with 'moved'"
             raise PlanError([Finding(f"{what}, and the map has no such edge for it", remedy)])
         return OnEdge(*ends, step + duration)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from tsplan.history.past_amounts import executable
 from tsplan.logic.atoms import begun_text
-from tsplan.name_runs import Run, RunMap
+from tsplan.name_runs import Run, RunMap, counterpart
 from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.presence import state_counts
 from tsplan.plans.supplies import ExecutedTask, StockHistory
@@ -45,18 +45,12 @@ def cargo_from(cargo: Iterable[Cargo], step: int, names: RunMap[tuple[Run, Run]]
     `names` have for each run of names itself and the others.
     """
     return CargoRows.joined(
-        row._replace(names=_named(part, *both), step=row.step - step)
+        row._replace(names=counterpart(part, *both), step=row.step - step)
         for row in CargoRows.of(cargo).order
         if row.step >= step
         for part, both in names.parts(row.names)
         if both is not None
     )
-
-
-def _named(part: Run, own: Run, other: Run) -> Run:
-    """The names among the other ones that stand where a part stands among its own."""
-    begin = part.first - own.first
-    return other.part(begin, begin + part.size)
 
 
 def executions_from(executions: Iterable[ExecutedTask], rest: Rest) -> tuple[ExecutedTask, ...]:

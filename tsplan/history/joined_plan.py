@@ -14,7 +14,6 @@ from tsplan.history.joined_amounts import (
     stocks_from,
 )
 from tsplan.history.joined_structures import (
-    joined_modules,
     joined_structures,
     modules_along,
     structures_from,
@@ -22,11 +21,11 @@ from tsplan.history.joined_structures import (
 from tsplan.history.past_moves import groups_from, joined_groups, joined_moves
 from tsplan.history.past_paths import Past
 from tsplan.history.rest_mission import STABLE, Rest, rest_of
-from tsplan.history.told_paths import clipped
+from tsplan.history.told_paths import ahead, followed_by
 from tsplan.mission.intended_paths import Intended
 from tsplan.mission.team import UnderWay
-from tsplan.name_runs import Run, RunMap
-from tsplan.plans.agent_plans import Stay, joined
+from tsplan.name_runs import Run, RunMap, counterpart
+from tsplan.plans.agent_plans import Stay
 from tsplan.plans.bundles import Agents, Bundle
 from tsplan.plans.outcomes import ObjectiveValue, Status
 from tsplan.plans.worlds import Ahead, World
@@ -94,21 +93,20 @@ def renamed(rest: Rest) -> Iterator[tuple[Run, Run, str | None]]:
 
 def planned_ahead(rest: Rest, plan: Plan) -> Plan:
     """What a plan has for the robots of a rest, under their names there, from its step on."""
+    structures, rebuilt = structures_from(plan, rest)
+    modular = {each.class_name for each in structures}  # whose ways are those of structures
     own = RunMap(Agents.of(plan.agents).stretches)
     stretches = []
     for old, new, origin in renamed(rest):
         for part, path in _each(old, new, own):
             stays, heading = _ahead(path, rest.step)
-            if stays or heading:
+            if (stays or heading) and path.class_name not in modular:
                 stretches.append((part, replace(path, stays=stays, heading=heading, coming=origin)))
     names = RunMap((old, (old, new)) for old, new, _ in renamed(rest))
-    structures, rebuilt = structures_from(plan, rest)
+    if structures:
+        stretches += modules_along(rest.mission.agents, structures)
     for each in structures:
         names.give(Run.of(each.id), (Run.of(each.id), Run.of(each.id)))
-    if structures:
-        modular = {each.class_name for each in structures}
-        stretches = [each for each in stretches if each[1].class_name not in modular]
-        stretches += modules_along(rest, structures)
     return replace(
         plan,
         agents=Agents.along(stretches),
@@ -175,7 +173,7 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
     for names, past in rest.past.agents.stretches:
         for part, path in own.parts(names):
             paths.append((part, past if path is None else _one(past, path, step)))
-    paths += joined_modules(rest, built.structures)
+    paths += modules_along(rest.past.modules, built.structures)
     mapped = [*(each[:2] for each in taken), *((Run.of(ids[new]), Run.of(new)) for new in ids)]
     return replace(
         plan,
@@ -230,15 +228,12 @@ def _former(rest: Rest, later: RunMap[Bundle]) -> dict[str, Ahead]:
             wanted, path = intended.get(named), later.get(name)
             if wanted is not None and (path is None or wanted != (path.stays, path.heading)):
                 stays, heading = wanted
-                ahead = tuple((a + rest.step, b + rest.step, state) for a, b, state in stays)
-                found[name] = Ahead(ahead, heading)
+                found[name] = Ahead(followed_by((), stays, rest.step), heading)
     return found
 
 
 def _one(past: Bundle, later: Bundle, step: int) -> Bundle:
-    after = ((first + step, last + step, state) for first, last, state in later.stays)
-    stays = tuple(joined([*clipped(past.stays, step - 1), *after]))
-    return replace(past, stays=stays, heading=later.heading)
+    return replace(past, stays=followed_by(past.stays, later.stays, step), heading=later.heading)
 
 
 class _Taken(NamedTuple):
@@ -254,7 +249,7 @@ def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> list[_Taken]:
     own = RunMap(Agents.of(plan.agents).stretches)
     if rest.mission.intended:  # who keeps which path is settled
         return [
-            _Taken(_part(old, new, part), part, path)
+            _Taken(counterpart(part, new, old), part, path)
             for old, new, _ in renamed(rest)
             for part, path in own.parts(new)
             if path is not None
@@ -274,20 +269,9 @@ def _shared_out(rest: Rest, plan: Plan, planned: Plan | None) -> list[_Taken]:
     return found
 
 
-def _part(old: Run, new: Run, part: Run) -> Run:
-    """The names among the old ones that stand where a part stands among the new ones."""
-    begin = part.first - new.first
-    return old.part(begin, begin + part.size)
-
-
 def _ahead(path: Bundle, step: int) -> _Ahead:
     """What of a path lies ahead of a step, which is its step 0."""
-    stays = tuple(
-        (max(first, step) - step, last - step, state)
-        for first, last, state in path.stays
-        if last >= step
-    )
-    return stays, path.heading
+    return ahead(path.stays, step), path.heading
 
 
 _Ahead: TypeAlias = "tuple[tuple[Stay, ...], str | None]"

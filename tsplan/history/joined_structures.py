@@ -7,17 +7,18 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.history.past_structures import Built
-from tsplan.history.told_paths import clipped
+from tsplan.history.told_paths import ahead, followed_by
 from tsplan.name_runs import Run
-from tsplan.plans.agent_plans import joined
-from tsplan.plans.bundles import Bundle
+from tsplan.plans.structure_paths import module_plan
 from tsplan.plans.structures import Rebuilt, Structure, module_paths
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from tsplan.history.rest_mission import Rest
-    from tsplan.plans.agent_plans import Stay
+    from tsplan.mission import Agent
+    from tsplan.plans.agent_plans import AgentPlan
+    from tsplan.plans.bundles import Bundle
     from tsplan.plans.plan import Plan
 
 
@@ -67,7 +68,7 @@ def _later(
     each: Structure, known: Structure | None, name: str, modules: tuple[str, ...], step: int
 ) -> Structure:
     """A structure of the plan of the rest, that goes on from a known one if there is one."""
-    stays = _shifted(each.stays, step)
+    stays = followed_by((), each.stays, step)
     if known is None or known.first > step:  # it is new, or was being made
         first = each.first + step if known is None else stays[0][0]
         return replace(
@@ -81,14 +82,10 @@ def _later(
         )
     return replace(
         known,
-        stays=tuple(joined([*clipped(known.stays, step - 1), *stays])),
+        stays=followed_by(known.stays, each.stays, step),
         heading=each.heading,
         last=each.last + step,
     )
-
-
-def _shifted(stays: Iterable[Stay], step: int) -> tuple[Stay, ...]:
-    return tuple((first + step, last + step, state) for first, last, state in stays)
 
 
 def structures_from(plan: Plan, rest: Rest) -> tuple[tuple[Structure, ...], tuple[Rebuilt, ...]]:
@@ -101,11 +98,7 @@ def structures_from(plan: Plan, rest: Rest) -> tuple[tuple[Structure, ...], tupl
         if each.last < step or not all(module in new for module in each.modules):
             continue
         modules = tuple(new[module] for module in each.modules)
-        stays = tuple(
-            (max(first, step) - step, last - step, state)
-            for first, last, state in each.stays
-            if last >= step
-        )
+        stays = ahead(each.stays, step)
         coming, first = None, max(each.first - step, 0)
         if each.id in making and each.first > step:
             coming, first = stays[0][2], 0
@@ -146,22 +139,11 @@ def _beyond(rest: Rest, new: Mapping[str, str], told: set[str]) -> Iterator[Stru
                     yield Structure(f"{shape.name}@{modules[0]}", *own, way.target, way.origin)
 
 
-def joined_modules(rest: Rest, structures: Iterable[Structure]) -> Iterator[tuple[Run, Bundle]]:
-    """The paths of modules, which are those of the structures that they are part of."""
+def modules_along(
+    modules: Iterable[Agent | AgentPlan], structures: Sequence[Structure]
+) -> Iterator[tuple[Run, Bundle]]:
+    """The paths of those modules that are part of some structures."""
     paths = module_paths(structures)
-    for names, path in rest.past.modules.stretches:
-        for name in names.names():
-            if name in paths:
-                mine = paths[name]
-                own = path.class_name, path.capabilities, mine.stays, mine.heading
-                yield Run.of(name), Bundle(*own, coming=mine.coming)
-
-
-def modules_along(rest: Rest, structures: Iterable[Structure]) -> Iterator[tuple[Run, Bundle]]:
-    """The same of the modules of the mission of a rest."""
-    paths = module_paths(structures)
-    for rank in rest.mission.ranks:
-        for name in rank.names.names() if rest.mission.team[rank.group].configuration else ():
-            mine = paths[name]
-            own = rank.class_name, rank.capabilities, mine.stays, mine.heading
-            yield Run.of(name), Bundle(*own, coming=mine.coming)
+    for each in modules:
+        if each.id in paths:
+            yield Run.of(each.id), module_plan(each, paths[each.id])

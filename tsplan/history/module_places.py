@@ -5,13 +5,12 @@ Who is being rebuilt is on the way from a state to itself, as what it will be.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
-from tsplan.errors import Finding, PlanError
-from tsplan.history.past_paths import Now
+from tsplan.history.past_paths import Now, way_from_start
 from tsplan.history.past_structures import path_of
 from tsplan.history.told_paths import place_of
-from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Run
 from tsplan.plans.bundles import Bundle
 from tsplan.plans.worlds import OnEdge
@@ -75,15 +74,7 @@ def _begun(mission: Mission, each: Structure, maps: Maps) -> OnEdge | None:
         return None
     if each.stays:
         _, depart, state = each.stays[-1]
-        edge = maps.at(depart).edges.get((state, each.heading))
         shape = mission.modular.of[each.configuration]
-        steps = None if edge is None else shape.steps(edge, each.class_name)
-        if steps is None:
-            what = f"structure {each.id} goes from {state} to {each.heading} at step {depart}"
-            remedy = "say where it is, with 'moved'"
-            raise PlanError([Finding(f"{what}, and the map has no such edge for it", remedy)])
-        return OnEdge(state, each.heading, depart + steps)
-    rank = mission.roster.get(each.modules[0])
-    assert rank is not None
-    assert isinstance(rank.start, UnderWay)
-    return OnEdge(rank.start.origin, rank.start.target, rank.start.arrives)
+        pace = partial(shape.steps, class_name=each.class_name)
+        return maps.ride(f"structure {each.id}", pace, (state, each.heading), depart)
+    return way_from_start(mission, each.modules[0])

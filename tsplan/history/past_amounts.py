@@ -22,7 +22,7 @@ from tsplan.name_runs import Run, RunMap, overlaid
 from tsplan.plans.bundles import Agents
 from tsplan.plans.cargo_rows import CargoRow, CargoRows
 from tsplan.plans.double_booking import overbooked
-from tsplan.plans.ledger import FORGIVEN, Use, changes
+from tsplan.plans.ledger import Use, changes, forgiven_of
 from tsplan.plans.presence import of_bundles, state_counts
 from tsplan.plans.structures import of_structures
 from tsplan.plans.supplies import StockHistory
@@ -269,16 +269,11 @@ class _Replay:
         busy = (amount for last, amount in self._busy[node] if last >= step)
         return self._lying[node] - sum(busy, _NOTHING)
 
-    def _forgiven(self, name: str) -> Fraction:
-        resource = self._of[name]
-        one = Fraction(1)
-        return _NOTHING if resource.indivisible else FORGIVEN * max(one, resource.total)
-
     def _execute(self, done: _Done) -> None:
         use = done.use
         asked = {(name, use.state): use.needs(name) for name, _ in use.task.resources}
         for node, amount in asked.items():
-            if amount > self._free(node, use.first) + self._forgiven(node[0]):
+            if amount > self._free(node, use.first) + forgiven_of(self._of[node[0]]):
                 return
         self._executions.append(done.item)
         for node, amount in asked.items():
@@ -294,7 +289,7 @@ class _Replay:
         # tools may leave at the last step at which they are used
         free = max(self._free(node, row.step + 1), _NOTHING)
         parts = [(row.names, row.amount)]
-        if each * row.names.size > free + self._forgiven(name):
+        if each * row.names.size > free + forgiven_of(self._of[name]):
             full = floor(free / each)
             left = free - full * each
             left = Fraction(floor(left)) if self._of[name].indivisible else left

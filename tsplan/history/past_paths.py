@@ -18,7 +18,7 @@ from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.worlds import Newcomers, OnEdge, World
 
 if TYPE_CHECKING:
-    from tsplan.history.changed_map import Maps
+    from tsplan.history.changed_map import Maps, Pace
     from tsplan.mission import Mission
     from tsplan.plans.moves import Move
     from tsplan.plans.plan import Plan
@@ -197,7 +197,17 @@ def _begun(mission: Mission, name: str, path: Bundle, maps: Maps) -> OnEdge | No
         return None
     if path.stays:
         _, depart, state = path.stays[-1]
-        return maps.ride(path, name, (state, path.heading), depart)
+        return maps.ride(f"agent {name}", pace_of(path), (state, path.heading), depart)
+    return way_from_start(mission, name)
+
+
+def pace_of(path: Bundle) -> Pace:
+    """How long edges take agents on a path."""
+    return lambda edge: edge.duration_for(path.class_name)
+
+
+def way_from_start(mission: Mission, name: str) -> OnEdge:
+    """How a robot is under way that starts so and has not arrived."""
     rank = mission.roster.get(name)
     assert rank is not None
     assert isinstance(rank.start, UnderWay)

@@ -32,6 +32,29 @@ def clipped(stays: Iterable[Stay], last: int) -> tuple[Stay, ...]:
     return tuple((first, min(end, last), state) for first, end, state in stays if first <= last)
 
 
+def ahead(stays: Iterable[Stay], step: int) -> tuple[Stay, ...]:
+    """What of some stays lies ahead of a step, which is step 0 then.
+
+    >>> ahead([(0, 2, "p"), (4, 9, "q"), (11, 12, "p")], 6)
+    ((0, 3, 'q'), (5, 6, 'p'))
+    """
+    return tuple(
+        (max(first, step) - step, last - step, state)
+        for first, last, state in stays
+        if last >= step
+    )
+
+
+def followed_by(stays: Iterable[Stay], later: Iterable[Stay], step: int) -> tuple[Stay, ...]:
+    """Stays before a step, and after them those of a path whose step 0 is that step.
+
+    >>> followed_by([(0, 7, "p")], [(0, 1, "p"), (3, 9, "q")], 4)
+    ((0, 5, 'p'), (7, 13, 'q'))
+    """
+    after = ((first + step, last + step, state) for first, last, state in later)
+    return tuple(joined([*clipped(stays, step - 1), *after]))
+
+
 def until(path: Bundle, step: int) -> Bundle:
     """A path until a step, heading for where it goes on if it is on an edge then.
 

@@ -30,6 +30,11 @@ FORGIVEN = Fraction(1, 10**5)
 _NOTHING = Fraction(0)
 
 
+def forgiven_of(resource: Resource) -> Fraction:
+    """By how much a stock of a resource may fall short."""
+    return _NOTHING if resource.indivisible else FORGIVEN * max(Fraction(1), resource.total)
+
+
 class Haul(NamedTuple):
     """An amount that leaves a state at step `left` and is at another at `come`.
 
@@ -161,9 +166,7 @@ class Ledger:
         _, left, spent = self._moved
         for resource in self.resources:
             name = resource.name
-            forgiven = (
-                _NOTHING if resource.indivisible else FORGIVEN * max(Fraction(1), resource.total)
-            )
+            forgiven = forgiven_of(resource)
             nodes = {node[1:] for node in (*left, *spent) if node[0] == name}
             if not resource.consumed:
                 busy = (use for use in self.uses if use.needs(name))

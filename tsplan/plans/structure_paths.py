@@ -22,6 +22,7 @@ from tsplan.plans.structures import ModulePath, Rebuilt, Structure
 if TYPE_CHECKING:
     from tsplan.mission import Agent, Mission
     from tsplan.mission.configurations import Pool
+    from tsplan.plans.agent_plans import AgentPlan
     from tsplan.plans.moves import Move
 
 
@@ -81,7 +82,7 @@ def structures_of(
     return tuple(structures), tuple(sorted(rebuilt, key=lambda each: each.step))
 
 
-def module_plan(member: Agent, path: ModulePath) -> Bundle:
+def module_plan(member: Agent | AgentPlan, path: ModulePath) -> Bundle:
     """The path of a module as a plan has it."""
     own = member.class_name, member.capabilities, path.stays, path.heading
     return Bundle(*own, coming=path.coming)

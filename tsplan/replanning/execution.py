@@ -12,7 +12,7 @@ from tsplan.errors import SolverError
 from tsplan.history.changed_formula import changed_formula
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import ended_plan, joined_plan
-from tsplan.history.past_paths import Past, really, whereabouts
+from tsplan.history.past_paths import Past, pace_of, really, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.history.rest_mission import NobodyLeftError, accounted
 from tsplan.logic.evaluation import robustness
@@ -120,7 +120,8 @@ class Execution:
                 target = later[0][2] if later else bundle.heading
                 if last != self.step or target is None:
                     continue
-                way = maps.ride(bundle, bundle.agents[0], (state, target), last)
+                first = f"agent {bundle.agents[0]}"
+                way = maps.ride(first, pace_of(bundle), (state, target), last)
                 yield from (MoveOrder(name, state, target, way.arrives) for name in bundle.agents)
 
     def _places(self, step: int) -> Iterator[tuple[str, str | OnEdge]]:
