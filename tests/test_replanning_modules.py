@@ -24,9 +24,12 @@ from tests.rich_missions import random_rich_mission
 from tests.seeds import seed_blocks
 from tsplan import Mission, Plan
 from tsplan.errors import MissionError, PlanError
+from tsplan.exact import exact
+from tsplan.logic import walk
 from tsplan.mission import load_mission
 from tsplan.plans.structures import Structure
 from tsplan.replanning.replanner import replan
+from tsplan.testing import with_starts_under_way
 
 
 @dataclass
@@ -180,6 +183,35 @@ def test_everything_mixed_goes_on(seeds: list[int]) -> None:
         for step in range(0, mission.horizon + 1, 2) if plan.status == "optimal" else ():
             made = replan(mission, plan, step)
             assert made.has_paths, (seed, step)
+            assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, (seed, step)
+
+
+@pytest.mark.parametrize("seeds", seed_blocks([0, 1, 2, 162], range(4, 400), 4))
+def test_what_structures_bring_from_the_start_goes_on(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission = with_starts_under_way(random_rich_mission(seed), seed)
+        if "performance" in mission.objective:
+            continue
+        plan = tsplan.plan(mission)
+        tasks = {str(node): node for node in walk(mission.formula)}
+        if plan.status == "optimal":  # those on one edge arrive when each of them does
+            first = tsplan.rest_mission(mission, plan, 0)
+            starts = [Counter() for _ in range(2)]
+            for count, team in zip(starts, (mission.team, first.team), strict=True):
+                for way, number in (each for group in team for each in group.coming):
+                    count[way] += number
+            assert starts[0] == starts[1], seed
+        for step in range(mission.horizon + 1) if plan.status == "optimal" else ():
+            made = replan(mission, plan, step)
+            assert made.has_paths, (seed, step)
+            rest = tsplan.rest_mission(mission, plan, step)
+            for before, after in zip(mission.resources, rest.resources, strict=True):
+                spent = sum(
+                    exact(dict(tasks[each.task].resources).get(before.name, 0.0))
+                    for each in plan.executions
+                    if each.step < step and before.consumed
+                )
+                assert after.total == before.total - spent, (seed, step)
             assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, (seed, step)
 
 

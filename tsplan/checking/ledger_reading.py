@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.checking.team_check import told
 from tsplan.exact import digits, exact
 from tsplan.logic import Execution, walk
-from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Names, Run, RunMap, overlaid
+from tsplan.plans.begun_loads import begun_loads
 from tsplan.plans.bundles import Agents
 from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.ledger import FORGIVEN, Haul, Ledger, Use
@@ -45,25 +45,16 @@ def read_ledger(mission: Mission, plan: Plan) -> tuple[Ledger, list[str]]:
 
 def _really_brought(mission: Mission, plan: Plan) -> tuple[Resource, ...]:
     """The resources with what those brought that started under way, where they came in the end."""
-    starts: RunMap[UnderWay] = RunMap(
-        (rank.names, rank.start) for rank in mission.ranks if isinstance(rank.start, UnderWay)
-    )
-    come = [(names, path.stays) for names, path in Agents.of(plan.agents).stretches]
-    if plan.structures:  # which bring something as a whole
-        robots = {bundle.class_name for bundle in plan.robots}
-        come = [each for each in come if plan.agent[each[0].name()].class_name in robots]
-        come += [
-            (Run.of(each.modules[0]), each.stays)
-            for each in plan.structures
-            if each.coming is not None
-        ]
+    others = {each.class_name for each in plan.structures}
+    robots = Agents.of(plan.agents).only(lambda bundle: bundle.class_name not in others)
     brought: dict[str, list[tuple[str, int, float]]] = defaultdict(list)
-    for names, stays in come:
-        for part, start in starts.parts(names):
-            for name, amount in () if start is None or not stays else start.carrying:
-                total = float(exact(amount) * part.size)
-                brought[name].append((stays[0][2], stays[0][0], total))
-    return tuple(replace(each, brought=tuple(brought[each.name])) for each in mission.resources)
+    for each in begun_loads(mission, robots, plan.structures):
+        if each.who.stays:
+            first, _, state = each.who.stays[0]
+            total = float(exact(each.amount) * each.names.size)
+            brought[each.resource].append((state, first, total))
+    every = mission.resources
+    return tuple(replace(item, brought=tuple(brought[item.name])) for item in every)
 
 
 def _read_cargo(mission: Mission, plan: Plan) -> tuple[list[Haul], list[str]]:

@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 from tsplan.errors import Finding, PlanError, nearest
 from tsplan.exact import exact
 from tsplan.logic import Execution, Formula, walk
-from tsplan.mission.team import UnderWay
 from tsplan.name_runs import Run, RunMap, overlaid
-from tsplan.plans.bundles import Agents
+from tsplan.plans.begun_loads import begun_loads
 from tsplan.plans.cargo_rows import CargoRow, CargoRows
 from tsplan.plans.double_booking import overbooked
 from tsplan.plans.ledger import Use, changes, forgiven_of
@@ -86,7 +85,7 @@ def amounts_until(
     replay = _Replay(mission, step)
     for world in worlds:
         replay.correct(world)
-    replay.bring(past.agents)
+    replay.bring(past)
     replay.carry(past)
     replay.execute(_staffed(mission, past, _uses(mission, past, formula), step))
     return replay.run()
@@ -188,6 +187,7 @@ class _Replay:
     """Goes through the steps until one, and tells what could be carried and executed."""
 
     def __init__(self, mission: Mission, step: int) -> None:
+        self._mission = mission
         self._step = step
         self._of = {each.name: each for each in mission.resources}
         self._lying: dict[_Node, Fraction] = defaultdict(Fraction)
@@ -196,7 +196,6 @@ class _Replay:
         self._leaving: dict[int, list[_Ride]] = defaultdict(list)
         self._begun: dict[int, list[_Done]] = defaultdict(list)
         self._busy: dict[_Node, list[tuple[int, Fraction]]] = defaultdict(list)
-        self._ranks = [rank for rank in mission.ranks if isinstance(rank.start, UnderWay)]
         self._cargo: list[CargoRow] = []
         self._executions: list[ExecutedTask] = []
         self._loads: list[tuple[Run, tuple[str, float]]] = []
@@ -211,20 +210,15 @@ class _Replay:
             for state, amount in amounts.items():
                 self._found[world.step][name, state] = exact(amount)
 
-    def bring(self, agents: Agents) -> None:
+    def bring(self, past: Past) -> None:
         """What those bring that started under way."""
-        paths = RunMap(agents.stretches)
-        for rank in self._ranks:
-            assert isinstance(rank.start, UnderWay)
-            for part, path in paths.parts(rank.names):
-                if path is None:
-                    continue
-                for name, amount in rank.start.carrying:
-                    if path.stays:
-                        first, _, state = path.stays[0]
-                        self._coming[first].append(((name, state), exact(amount) * part.size))
-                    else:
-                        self._loads.append((part, (name, amount)))
+        for each in begun_loads(self._mission, past.agents, past.built.structures):
+            if each.who.stays:
+                first, _, state = each.who.stays[0]
+                total = exact(each.amount) * each.names.size
+                self._coming[first].append(((each.resource, state), total))
+            else:
+                self._loads.append((each.names, (each.resource, each.amount)))
 
     def carry(self, past: Past) -> None:
         """What was to be carried, as far as robots really left then."""

@@ -160,10 +160,13 @@ def whereabouts(
     lost, named = lost_in(worlds), _named(worlds)
     for names, path in agents.stretches:
         for part, name in named.parts(names):
-            if name is None or name not in lost:
-                first = name or part.name()
+            if name is not None and name in lost:
+                continue
+            # without stays it is their starts that tell when they arrive
+            for some in [part] if path.stays else (p for p, _ in mission.roster.parts(part)):
+                first = name or some.name()
                 way = _begun(mission, first, path, maps)
-                yield Now(part, path, place_of(path, (first,), worlds, way))
+                yield Now(some, path, place_of(path, (first,), worlds, way))
 
 
 def newcomers(mission: Mission, worlds: Iterable[World]) -> list[Joining]:
