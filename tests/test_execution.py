@@ -10,16 +10,15 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import tsplan
 from tests.command_line import ROOT, here, posix, started
 from tests.seeds import sampled, seed_blocks
+from tests.watched_fleet import Watched, slack
 from tsplan import Mission, Plan
 from tsplan.draw.trial_chart import draw_trial
 from tsplan.errors import InputError
-from tsplan.logic.evaluation import CountTrace, robustness
 from tsplan.plans.worlds import OnEdge
 from tsplan.replanning.execution import Execution
 from tsplan.replanning.execution_journal import ExecutionJournal, seen_from
@@ -46,42 +45,6 @@ objective: [availability, travel]
 """
 
 
-class Watched(SimulatedFleet):
-    """A fleet that writes down where everybody was."""
-
-    def __init__(self, *given) -> None:
-        super().__init__(*given)
-        self.states: list[dict[str, str | None]] = []
-
-    def begin(self, step, places) -> None:
-        super().begin(step, places)
-        self._write(places)
-
-    def advance(self, step, orders) -> Seen:
-        seen = super().advance(step, orders)
-        self._write(seen.places)
-        return seen
-
-    def _write(self, places) -> None:
-        self.states.append({n: p if isinstance(p, str) else None for n, p in places.items()})
-
-
-def slack(mission: Mission, states: list[dict[str, str | None]]) -> float:
-    """The robustness of the formula on what a fleet wrote down."""
-    names = list(mission.system.states)
-    of = {agent.id: agent for agent in mission.agents}
-    counts = {name: np.zeros((len(names), len(states))) for name in (None, *mission.capabilities)}
-    for step, places in enumerate(states):
-        for agent, state in places.items():
-            for name in (None, *of[agent].capabilities) if state is not None else ():
-                counts[name][names.index(state), step] += 1
-    labels = {
-        label: np.array([names.index(state) for state in members])
-        for label, members in mission.system.labels.items()
-    }
-    return float(robustness(mission.counted, CountTrace(counts, labels))[0])
-
-
 def executable(seed: int) -> tuple[Mission, Plan] | None:
     mission = random_mission(seed, states=5, most_agents=5, steps=8)
     if mission.delay or "delay" in mission.objective or mission.partial or mission.prefer:
@@ -104,7 +67,7 @@ def test_what_happened_is_what_robots_did_and_planning_again_helps(seeds: list[i
             for step, places in enumerate(fleet.states):
                 told = {name: state for name, state in done.plan.state_at(step).items() if state}
                 assert told == {name: state for name, state in places.items() if state}, seed
-            assert done.availability == slack(mission, fleet.states), seed
+            assert done.availability == slack(mission, fleet), seed
             if done.met and replanning:
                 assert tsplan.check(mission, done.plan).ok, seed
             met[replanning] += done.met
@@ -128,7 +91,7 @@ def test_where_nobody_is_left_the_rest_happens_without(seed: int) -> None:
         done = Execution(mission, plan, fleet, planner).run()
         assert not any(fleet.states[-1].values())
         assert not any(done.plan.state_at(mission.horizon).values())
-        assert done.availability == slack(mission, fleet.states)
+        assert done.availability == slack(mission, fleet)
         assert tsplan.check(mission, done.plan).ok == done.met
         assert not tsplan.check(mission, replace(done.plan, availability=17.0)).ok
 

@@ -1,4 +1,4 @@
-"""Robots that are now and then late, or lost, as a process: `tsplan execute --robots`.
+"""Robots and structures that are now and then late, or lost: `tsplan execute --robots`.
 
     tsplan execute mission.yaml plan.json --robots "python simulator.py --late 0.2 --seed 1"
 
@@ -46,6 +46,8 @@ class Robots:
         step = message["step"]
         for order in message["orders"]:
             self.set_out(order, self.chance(step, order["agent"]))
+        for order in message.get("rebuild", []):
+            self.rebuild(order, self.chance(step, *order["parts"]))
         for name in self.places:
             if self.chance(step, name, "lost").random() < self.lost:
                 self.places[name] = None
@@ -57,10 +59,24 @@ class Robots:
 
     def set_out(self, order: dict[str, Any], chance: random.Random) -> None:
         """Begin a move, which may take longer than it should."""
-        arrives = order["arrives"]
-        while chance.random() < self.late:
-            arrives += 1
+        arrives = order["arrives"] + self.delay(chance)
         self.places[order["agent"]] = {**order, "arrives": arrives}
+
+    def rebuild(self, order: dict[str, Any], chance: random.Random) -> None:
+        """Begin to make structures of others, on the way from a state to itself until then."""
+        for name in order["parts"]:
+            del self.places[name]
+        done = order["done"] + self.delay(chance)
+        for made in order["made"]:
+            way = {"from": order["state"], "to": order["state"], "arrives": done}
+            self.places[made["structure"]] = way
+
+    def delay(self, chance: random.Random) -> int:
+        """By how many steps something takes longer."""
+        steps = 0
+        while chance.random() < self.late:
+            steps += 1
+        return steps
 
     def seen(self, step: int) -> dict[str, Any]:
         """Where everybody is at a step: a state, the two ends of an edge, or None."""

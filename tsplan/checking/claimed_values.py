@@ -29,7 +29,12 @@ def false_objectives(
         )
         return
     for item in plan.objective:
-        actual = values[item.name]
+        actual = values.get(item.name)
+        if actual is None:
+            if item.value is not None:
+                what = f"the plan claims {item.name} {clipped(item.value)}"
+                yield f"{what}, and has none, since the formula does not hold"
+            continue
         if not _claimed(mission, item.value, actual):
             yield f"the plan claims {item.name} {clipped(item.value)} and has {shown(actual)}"
         yield from _bound(item, actual, plan.status, _near(mission, item.name))

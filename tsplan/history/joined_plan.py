@@ -166,7 +166,7 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
     `planned`.
     """
     taken = _shared_out(rest, plan, planned) if plan.has_paths else []
-    built, ids = joined_structures(rest, plan)
+    built, ids = joined_structures(rest, plan, planned)
     own = RunMap((each.old, each.path) for each in taken)
     step = rest.step
     paths: list[tuple[Run, Bundle]] = []
@@ -191,9 +191,10 @@ def joined_plan(rest: Rest, plan: Plan, planned: Plan | None = None) -> Plan:
 
 def ended_plan(plan: Plan, past: Past, world: World) -> Plan:
     """A plan of which nobody is left in a world: what has happened before."""
+    modules = modules_along(past.modules, past.built.structures)
     return replace(
         unjudged(plan),
-        agents=past.agents,
+        agents=Agents.along([*past.agents.stretches, *modules]),
         cargo=past.cargo,
         executions=past.executions,
         structures=past.built.structures,

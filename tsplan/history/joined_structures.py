@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -35,23 +36,28 @@ def modules_by_rest(rest: Rest) -> dict[str, str]:
     }
 
 
-def joined_structures(rest: Rest, plan: Plan) -> tuple[Built, Mapping[str, str]]:
-    """All structures and what is rebuilt, and the ids of those of the plan of the rest."""
+def joined_structures(
+    rest: Rest, plan: Plan, planned: Plan | None = None
+) -> tuple[Built, Mapping[str, str]]:
+    """All structures and what is rebuilt, and the ids of those of the plan of the rest.
+
+    Structures that were `planned` alike before are called as they were then.
+    """
     step, old = rest.step, modules_by_rest(rest)
     before = {each.id: each for each in rest.past.built.structures}
     open_ = {frozenset(each.modules): each for each in before.values() if each.last >= step}
+    names = _Names(step, () if planned is None else planned.structures, before)
     ids: dict[str, str] = {}
     later: dict[str, Structure] = {}
+    new: list[Structure] = []
     for each in plan.structures:
         modules = tuple(old[module] for module in each.modules)
         known = open_.get(frozenset(modules)) if not each.first else None
-        ids[each.id] = known.id if known else f"{each.id}@{step}"
-        if known or each.first:
-            later[ids[each.id]] = _later(each, known, ids[each.id], modules, step)
-    structures = (
-        *(later.pop(name, each) for name, each in before.items()),
-        *later.values(),
-    )
+        ids[each.id] = name = known.id if known else names.of(each, modules)
+        if known or each.stays:  # else it comes to be after the end
+            later[name] = _later(each, known, name, modules, step)
+            if known is None and not each.first:
+                new.append(later[name])
     rebuilt = tuple(
         replace(
             each,
@@ -61,7 +67,41 @@ def joined_structures(rest: Rest, plan: Plan) -> tuple[Built, Mapping[str, str]]
         )
         for each in plan.rebuilt
     )
-    return Built(structures, (*rest.past.built.rebuilt, *rebuilt)), ids
+    past = _completed(rest.past.built, before, new)
+    return Built(tuple((before | later).values()), (*past, *rebuilt)), ids
+
+
+class _Names:
+    """Ids of structures that come to be from a step on."""
+
+    def __init__(
+        self, step: int, planned: Iterable[Structure], before: Mapping[str, Structure]
+    ) -> None:
+        self._step = step
+        self._taken = set(before)
+        self._planned: dict[tuple[str, frozenset[str]], list[str]] = defaultdict(list)
+        for each in planned:
+            if each.id not in before:
+                self._planned[each.configuration, frozenset(each.modules)].append(each.id)
+
+    def of(self, each: Structure, modules: Iterable[str]) -> str:
+        """The id of a structure of modules: as planned, or else a new one."""
+        alike = self._planned[each.configuration, frozenset(modules)]
+        name = alike.pop(0) if alike else f"{each.id}@{self._step}"
+        while name in self._taken:
+            name = f"{name}@{self._step}"
+        self._taken.add(name)
+        return name
+
+
+def _completed(
+    built: Built, before: Mapping[str, Structure], new: Sequence[Structure]
+) -> Iterator[Rebuilt]:
+    """What was rebuilt before, with what comes out of it, now that the plan ends later."""
+    for each in built.rebuilt:
+        modules = {module for part in each.parts for module in before[part].modules}
+        out = (body.id for body in new if modules.issuperset(body.modules))
+        yield each if each.made else replace(each, made=tuple(out))
 
 
 def _later(
@@ -70,12 +110,11 @@ def _later(
     """A structure of the plan of the rest, that goes on from a known one if there is one."""
     stays = followed_by((), each.stays, step)
     if known is None or known.first > step:  # it is new, or was being made
-        first = each.first + step if known is None else stays[0][0]
         return replace(
             each,
             id=name,
             modules=modules,
-            first=first,
+            first=stays[0][0],
             last=each.last + step,
             stays=stays,
             coming=None,

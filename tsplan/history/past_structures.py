@@ -5,7 +5,7 @@ A structure is told of by its own id or by one of its modules.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -46,33 +46,65 @@ class Built(NamedTuple):
         Raises PlanError for what it says of structures and cannot be.
         """
         findings: list[Finding] = []
-        found = []
+        found: list[Structure] = []
+        born = {name for each in self.rebuilt for name in each.made}
         for each in self.structures:
-            if not each.first <= world.step <= each.last:
-                findings += _rebuilt_then(each, world)
-                found.append(each)
-                continue
-            mine = [name for name in told_of(world) if name in (each.id, *each.modules)]
+            over = each.last < world.step
+            mine = [] if over else [n for n in told_of(world) if n in (each.id, *each.modules)]
             if len(mine) > 1:
                 what = f"structure {each.id} is told of as {' and as '.join(mine)}"
                 findings.append(Finding(what, "say it once"))
             try:
-                path = told_path(world, maps, mine[0], path_of(each)) if mine else path_of(each)
+                seen = _seen(each, mine[0], world, maps, born=each.id in born) if mine else each
             except PlanError as error:
                 findings += error.findings
                 continue
-            there = path.heading or (path.stays and path.stays[-1][1] == world.step)
-            last = world.step if there else world.step - 1
-            if path.stays or path.heading:
-                found.append(replace(each, stays=path.stays, heading=path.heading, last=last))
+            if seen is not None:
+                found.append(seen)
         if findings:
             raise PlanError(findings)
-        known = {each.id for each in found}
-        rebuilt = (
-            replace(each, made=tuple(name for name in each.made if name in known))
-            for each in self.rebuilt
-        )
-        return Built(tuple(found), tuple(rebuilt))
+        return Built(tuple(found), tuple(_come_out(self.rebuilt, {each.id for each in found})))
+
+    def by(self, horizon: int) -> Built:
+        """The same but for what is so late that it does not come to be by the end of a plan."""
+        found = tuple(each for each in self.structures if each.first <= horizon)
+        return Built(found, tuple(_come_out(self.rebuilt, {each.id for each in found})))
+
+
+def _come_out(rebuilt: Iterable[Rebuilt], there: Container[str]) -> Iterator[Rebuilt]:
+    """What is rebuilt, as far as structures come out; where all are lost, nothing was."""
+    for each in rebuilt:
+        made = tuple(name for name in each.made if name in there)
+        if made or not each.made:
+            yield replace(each, made=made)
+
+
+def _seen(each: Structure, name: str, world: World, maps: Maps, *, born: bool) -> Structure | None:
+    """A structure until the step of a world, as that says of a name; None if it never was.
+
+    One that is `born` of others may come to be later than planned, as it may come to its first
+    state.
+    """
+    before = path_of(each)
+    path = told_path(
+        world, maps, name, replace(before, coming=before.stays[0][2]) if born else before
+    )
+    if not path.stays and path.heading is None:
+        return None
+    if born and not path.stays:
+        if name in world.moved:
+            what = f"{name} is being rebuilt at step {world.step}"
+            raise PlanError([Finding(what, "say at which state it is, or that it is late")])
+        first, state = each.first + world.late[name], each.stays[0][2]
+        return _made(replace(each, first=first, stays=((first, first, state),)))
+    there = path.heading or path.stays[-1][1] == world.step
+    return replace(
+        each,
+        stays=path.stays,
+        heading=path.heading,
+        first=path.stays[0][0] if born else each.first,
+        last=world.step if there else world.step - 1,
+    )
 
 
 def _until(each: Structure, step: int) -> Structure:
@@ -91,13 +123,3 @@ def path_of(each: Structure) -> Bundle:
     """The path of a structure."""
     own = each.class_name, each.capabilities, each.stays, each.heading
     return Bundle(*own, coming=each.coming)
-
-
-def _rebuilt_then(each: Structure, world: World) -> Iterator[Finding]:
-    """That modules are told of which are being rebuilt."""
-    if each.first <= world.step:
-        return
-    for name in told_of(world):
-        if name in (each.id, *each.modules):
-            what = f"{name} is being rebuilt at step {world.step}"
-            yield Finding(what, "say what becomes of it when that is done")

@@ -85,7 +85,7 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
     if step > last:
         what = f"the mission ends at step {last}, and it is to be planned again at step {step}"
         raise PlanError([Finding(what, "name a step of the plan")])
-    past, amounts = accounted(mission, past, worlds, formula)
+    past, amounts = accounted(mission, past._replace(built=past.built.by(last)), worlds, formula)
     loads = amounts.loads
     places = [
         *_loaded(whereabouts(mission, past.agents, worlds, maps), loads),
@@ -196,7 +196,6 @@ def refuse_unknown_kinds(mission: Mission, *, whole: bool = False) -> None:
     """
     kinds = {
         "expected numbers": mission.expected is not None,
-        "modular robots": whole and bool(mission.modular),
         "a formula that may hold in part": whole and mission.partial,
     }
     done = "carried out or planned in pieces" if whole else "planned again"

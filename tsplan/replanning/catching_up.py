@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from tsplan.history.joined_plan import planned_ahead, unjudged
-from tsplan.mission.team import UnderWay
-from tsplan.name_runs import RunMap
+from tsplan.history.joined_structures import modules_along
+from tsplan.history.past_paths import pace_of
+from tsplan.name_runs import Run, RunMap
 from tsplan.plans.bundles import Agents, Bundle
 from tsplan.plans.cargo_rows import CargoRows
 from tsplan.plans.outcomes import ObjectiveValue
+from tsplan.replanning.followed_path import Beginning, Followed, Follower
+from tsplan.replanning.followed_structures import followed_structures
 
 if TYPE_CHECKING:
     from tsplan.history.rest_mission import Rest
     from tsplan.mission import Mission, Rank
-    from tsplan.plans.agent_plans import Stay
     from tsplan.plans.plan import Plan
 
 
@@ -34,14 +34,24 @@ def catching_up(rest: Rest, plan: Plan) -> Plan:
     followed = [
         (part, _followed(mission, rank, path))
         for rank in mission.ranks
+        if mission.team[rank.group].configuration is None
         for part, path in own.parts(rank.names)
     ]
-    leaving = RunMap((part, way.leaves) for part, way in followed)
+    bodies = followed_structures(mission, ahead)
+    leaving = RunMap(
+        [
+            *((part, way.leaves) for part, way in followed),
+            *((Run.of(name), leaves) for name, leaves in bodies.leaves.items()),
+        ]
+    )
+    modules = modules_along(mission.agents, bodies.structures) if bodies.structures else ()
     return replace(
         unjudged(plan),
         horizon=mission.horizon,
         objective=tuple(ObjectiveValue(name, None) for name in mission.objective),
-        agents=Agents.along((part, way.path) for part, way in followed),
+        agents=Agents.along([*((part, way.path) for part, way in followed), *modules]),
+        structures=bodies.structures,
+        rebuilt=bodies.rebuilt,
         executions=ahead.executions,
         cargo=CargoRows.joined(
             row._replace(names=part, step=leaves[row.step])
@@ -53,45 +63,8 @@ def catching_up(rest: Rest, plan: Plan) -> Plan:
     )
 
 
-class _Followed(NamedTuple):
-    """A path that follows another one; it leaves by the steps at which it was to."""
-
-    path: Bundle
-    leaves: Mapping[int, int]
-
-
-def _followed(mission: Mission, rank: Rank, path: Bundle | None) -> _Followed:
-    coming = rank.start.origin if isinstance(rank.start, UnderWay) else None
-    if isinstance(rank.start, UnderWay):
-        where, step = rank.start.target, rank.start.arrives
-    else:
-        where, step = rank.start, 0
-    kind = rank.class_name, rank.capabilities
-    if step > mission.horizon:
-        return _Followed(Bundle(*kind, (), where, coming=coming), {})
-    ahead = () if path is None else path.stays
-    begin = next((n for n, stay in enumerate(ahead) if stay[2] == where), len(ahead))
-    heading = path.heading if path is not None and begin < len(ahead) else None
-    stays: list[Stay] = []
-    leaves: dict[int, int] = {}
-    for target, planned in _rides(ahead[begin:], heading):
-        leave = max(planned, step)  # nobody leaves before it has come
-        edge = mission.system.edges.get((where, target))
-        lasts = None if edge is None else edge.duration_for(rank.class_name)
-        if lasts is None or leave >= mission.horizon:
-            break
-        stays.append((step, leave, where))
-        leaves[planned] = leave
-        where, step = target, leave + lasts
-        if step > mission.horizon:
-            return _Followed(Bundle(*kind, tuple(stays), where, coming=coming), leaves)
-    stays.append((step, mission.horizon, where))
-    return _Followed(Bundle(*kind, tuple(stays), None, coming=coming), leaves)
-
-
-def _rides(stays: tuple[Stay, ...], heading: str | None) -> Iterator[tuple[str, int]]:
-    """Where a path goes, and when it leaves for there."""
-    for before, after in pairwise(stays):
-        yield after[2], before[1]
-    if heading is not None and stays:
-        yield heading, stays[-1][1]
+def _followed(mission: Mission, rank: Rank, path: Bundle | None) -> Followed:
+    """What a robot of a rank does that was to take a path."""
+    kind = Bundle(rank.class_name, rank.capabilities, (), None)
+    follower = Follower(mission.system, mission.horizon)
+    return follower.follow(kind, path, Beginning.of(rank.start), pace_of(kind))

@@ -12,16 +12,19 @@ from tsplan.errors import SolverError
 from tsplan.history.changed_formula import changed_formula
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import ended_plan, joined_plan
-from tsplan.history.past_paths import Past, pace_of, really, whereabouts
+from tsplan.history.module_places import bodies_now
+from tsplan.history.past_paths import Past, really, robots_of, whereabouts
 from tsplan.history.path_traces import path_trace
 from tsplan.history.rest_mission import NobodyLeftError, accounted
 from tsplan.logic.evaluation import robustness
-from tsplan.plans.bundles import Agents
+from tsplan.name_runs import RunMap
 from tsplan.plans.outcomes import Status
+from tsplan.plans.structures import of_structures
 from tsplan.plans.worlds import OnEdge, World
 from tsplan.replanning.catching_up import catching_up
+from tsplan.replanning.orders import assembly, orders_at
 from tsplan.replanning.replanner import Left, left, planned_again
-from tsplan.replanning.robot_fleet import Fleet, MoveOrder, Seen, difference
+from tsplan.replanning.robot_fleet import Assembly, Fleet, Order, Seen, difference
 
 if TYPE_CHECKING:
     from tsplan.mission import Mission
@@ -77,7 +80,7 @@ class Execution:
 
     def run(self) -> Executed:
         """Go on to the end."""
-        self.fleet.begin(self.step, dict(self._places(self.step)))
+        self.fleet.begin(self.step, dict(self._places(self.step)), self._built())
         while self.step < self.plan.horizon:
             seen = self.fleet.advance(self.step, list(self.orders()))
             self.keep(seen, None)
@@ -96,9 +99,9 @@ class Execution:
     def outcome(self) -> Executed:
         """What came of it."""
         plan = self.plan if self.plan.verified else self._as_it_was()
-        formula, agents = self.mission.counted, Agents.of(plan.agents)
-        where = self.mission.system, formula, agents, plan.horizon
-        trace = path_trace(*where, executions=plan.executions)
+        formula, agents = self.mission.counted, robots_of(self.mission, plan)
+        where, others = (self.mission.system, formula, agents), of_structures(plan.structures)
+        trace = path_trace(*where, plan.horizon, others=others, executions=plan.executions)
         slack = float(robustness(formula, trace)[0])
         return Executed(plan, slack, self._adapted, tuple(self._seconds), self._stuck)
 
@@ -111,26 +114,25 @@ class Execution:
         stocks = amounts.stocks
         return replace(plan, executions=past.executions, cargo=past.cargo, stocks=stocks)
 
-    def orders(self) -> Iterator[MoveOrder]:
-        """Who is to set out now, and for where."""
-        maps = Maps(self.mission.system, self.plan.replanned)
-        for bundle in Agents.of(self.plan.agents).bundles:
-            for place, (_, last, state) in enumerate(bundle.stays):
-                later = bundle.stays[place + 1 :]
-                target = later[0][2] if later else bundle.heading
-                if last != self.step or target is None:
-                    continue
-                first = f"agent {bundle.agents[0]}"
-                way = maps.ride(first, pace_of(bundle), (state, target), last)
-                yield from (MoveOrder(name, state, target, way.arrives) for name in bundle.agents)
+    def orders(self) -> Iterator[Order]:
+        """Who is to set out now, and for where, and what is to be rebuilt."""
+        return orders_at(self.step, self.mission, self.plan)
 
     def _places(self, step: int) -> Iterator[tuple[str, str | OnEdge]]:
-        """Where everybody who is not lost is by the plan."""
+        """Where everybody who is not lost is by the plan: robots and structures."""
         worlds = (*self.plan.replanned, World(step))
-        past = Past.of(self.mission, self.plan, step).agents
+        past = Past.of(self.mission, self.plan, step)
         maps = Maps(self.mission.system, worlds)
-        for now in whereabouts(self.mission, past, worlds, maps):
+        for now in whereabouts(self.mission, past.agents, worlds, maps):
             yield from ((name, now.place) for name in now.names.names())
+        for body in bodies_now(self.mission, past, worlds, maps, RunMap()):
+            if body.id:
+                yield body.id, body.place
+
+    def _built(self) -> list[Assembly]:
+        """The structures that there are, or that are being made."""
+        built = Past.of(self.mission, self.plan, self.step).built
+        return [assembly(each) for each in built.structures if each.last >= self.step]
 
     def _adjusted(self, world: World) -> Plan:
         """The plan from a world on: the one there is, if it works, else another one."""
@@ -142,15 +144,16 @@ class Execution:
         followed = catching_up(rest, self.plan)
         self._adapted += 1
         try:
-            return joined_plan(rest, certify(rest.mission, followed))
+            return joined_plan(rest, certify(rest.mission, followed), self.plan)
         except SolverError:  # it does not work any more
             made = self._replanned(found)
-        return joined_plan(rest, followed) if made is None else made
+        return joined_plan(rest, followed, self.plan) if made is None else made
 
     def _ended(self, world: World) -> Plan:
         """The plan where nobody is left: what has happened."""
         mission, worlds = self.mission, (*self.plan.replanned, world)
         past = really(mission, self.plan, world, Maps(mission.system, worlds))
+        past = past._replace(built=past.built.by(self.plan.horizon))
         past, _ = accounted(mission, past, worlds, changed_formula(mission, worlds))
         return ended_plan(self.plan, past, world)
 

@@ -13,12 +13,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tsplan.checking.plan_check import certify
 from tsplan.clock import Clock
 from tsplan.errors import Finding, InputError
 from tsplan.history.joined_plan import joined_plan
+from tsplan.history.joined_structures import modules_along
+from tsplan.history.past_paths import pace_of
+from tsplan.history.past_structures import path_of
 from tsplan.history.rest_mission import refuse_unknown_kinds
 from tsplan.limits import MOST_STEPS, Range
 from tsplan.logic.first_steps import within
@@ -31,7 +35,9 @@ from tsplan.run.planner import plan as plan_mission
 from tsplan.stopping import StoppedBy
 
 if TYPE_CHECKING:
+    from tsplan.history.changed_map import Pace
     from tsplan.mission import Mission
+    from tsplan.plans.structures import Structure
     from tsplan.replanning.replanner import Planner
 
 _WIDER = 2  # times as long is the next window where there is no plan in one
@@ -170,15 +176,30 @@ def _extended(mission: Mission, plan: Plan) -> Plan:
     """A plan of the first steps in which everybody stays at the end where it has come to."""
     if plan.horizon >= mission.horizon:
         return plan
-    stretches = (
-        (names, _staying(mission, path, plan.horizon))
+    bodies = tuple(_lasting(mission, each, plan.horizon) for each in plan.structures)
+    modular = {each.class_name for each in bodies}
+    stretches = [
+        (names, _staying(mission, path, pace_of(path)))
         for names, path in Agents.of(plan.agents).stretches
-    )
-    return replace(plan, agents=Agents.along(stretches), horizon=mission.horizon)
+        if path.class_name not in modular
+    ]
+    if bodies:
+        stretches += modules_along(mission.agents, bodies)
+    agents = Agents.along(stretches)
+    return replace(plan, agents=agents, structures=bodies, horizon=mission.horizon)
 
 
-def _staying(mission: Mission, path: Bundle, end: int) -> Bundle:
-    """A path that ended at a step, with a stay until the end of the mission."""
+def _lasting(mission: Mission, each: Structure, end: int) -> Structure:
+    """A structure that was there at a step lasts until the end of the mission."""
+    if each.last < end:
+        return each
+    shape = mission.modular.of[each.configuration]
+    path = _staying(mission, path_of(each), partial(shape.steps, class_name=each.class_name))
+    return replace(each, stays=path.stays, heading=path.heading, last=mission.horizon)
+
+
+def _staying(mission: Mission, path: Bundle, pace: Pace) -> Bundle:
+    """A path up to a step, with a stay after it until the end of the mission."""
     last = mission.horizon
     if path.heading is None:
         first, _, state = path.stays[-1]
@@ -186,7 +207,7 @@ def _staying(mission: Mission, path: Bundle, end: int) -> Bundle:
     if not path.stays:
         return path
     _, depart, state = path.stays[-1]
-    lasts = mission.system.edges[state, path.heading].duration_for(path.class_name)
+    lasts = pace(mission.system.edges[state, path.heading])
     arrives = depart + (lasts or 0)
     if arrives > last:
         return path

@@ -13,7 +13,7 @@ Sighting: TypeAlias = str | tuple[str, str] | None
 
 
 class MoveOrder(NamedTuple):
-    """An agent is to set out from one state to another, and should arrive at a step."""
+    """An agent or structure is to set out for another state, and should arrive at a step."""
 
     agent: str
     source: str
@@ -21,11 +21,37 @@ class MoveOrder(NamedTuple):
     arrives: int
 
 
+class Assembly(NamedTuple):
+    """Modules that are, or become, one structure of a configuration."""
+
+    structure: str
+    configuration: str
+    modules: tuple[str, ...]
+
+
+class RebuildOrder(NamedTuple):
+    """Structures at a state are to become others there, which should be done at a step.
+
+    Until then it is those that are `made` that are seen, on the way from the state to itself. Where
+    that is not done by the end of the plan there are none.
+    """
+
+    state: str
+    parts: tuple[str, ...]
+    made: tuple[Assembly, ...]
+    done: int
+
+
+Order: TypeAlias = MoveOrder | RebuildOrder
+"""What is to begin at a step."""
+
+
 @dataclass(frozen=True)
 class Seen:
     """What is seen at a step: where agents are, and what is closed and opened from then on.
 
-    Agents that are not named are where they should be by their orders.
+    Modules are seen as the structures that they are, or become. Who is not named is where it
+    should be by its orders.
     """
 
     step: int
@@ -37,10 +63,12 @@ class Seen:
 class Fleet(Protocol):
     """Robots that take orders and are seen at every step."""
 
-    def begin(self, step: int, places: Mapping[str, str | OnEdge]) -> None:
-        """Make ready to go on from a step, at which agents are at these places."""
+    def begin(
+        self, step: int, places: Mapping[str, str | OnEdge], built: Sequence[Assembly] = ()
+    ) -> None:
+        """Make ready to go on from a step, at which agents and structures are at these places."""
 
-    def advance(self, step: int, orders: Sequence[MoveOrder]) -> Seen:
+    def advance(self, step: int, orders: Sequence[Order]) -> Seen:
         """Carry out the orders of a step; what is seen at the next one."""
 
     def end(self) -> None:

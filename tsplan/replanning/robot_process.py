@@ -20,7 +20,7 @@ from tsplan.errors import TsplanError
 from tsplan.limits import clipped
 from tsplan.plans.worlds import OnEdge
 from tsplan.replanning.execution_journal import seen_from
-from tsplan.replanning.robot_fleet import MoveOrder, Seen
+from tsplan.replanning.robot_fleet import Assembly, MoveOrder, Order, RebuildOrder, Seen
 
 FORMAT = "tsplan-robots/1"
 
@@ -43,7 +43,9 @@ class RobotProcess:
     _process: subprocess.Popen[str] | None = field(default=None, init=False)
     _lines: queue.Queue[str | None] = field(default_factory=queue.Queue, init=False)
 
-    def begin(self, step: int, places: Mapping[str, str | OnEdge]) -> None:
+    def begin(
+        self, step: int, places: Mapping[str, str | OnEdge], built: Sequence[Assembly] = ()
+    ) -> None:
         """Start the process, and tell it where everybody is. Raises RobotsError."""
         try:
             self._process = subprocess.Popen(  # noqa: S603  (a command of the user's own)
@@ -57,18 +59,21 @@ class RobotProcess:
         assert self._process.stdout is not None
         threading.Thread(target=self._listen, args=(self._process.stdout,), daemon=True).start()
         agents = {name: _place(place) for name, place in places.items()}
-        self._say({"type": "begin", "format": FORMAT, "step": step, "agents": agents})
+        structures = {"structures": list(map(_assembly, built))} if built else {}
+        self._say({"type": "begin", "format": FORMAT, "step": step, "agents": agents, **structures})
         answer = self._answer("begin")
         if answer.get("type") != "ready":
             raise RobotsError(f"the robots should say that they are ready, and say {answer}")
 
-    def advance(self, step: int, orders: Sequence[MoveOrder]) -> Seen:
+    def advance(self, step: int, orders: Sequence[Order]) -> Seen:
         """Send the orders of a step, and wait for what is seen at the next. Raises RobotsError."""
         moves = [
             {"agent": name, "from": source, "to": target, "arrives": arrives}
-            for name, source, target, arrives in orders
+            for name, source, target, arrives in (o for o in orders if isinstance(o, MoveOrder))
         ]
-        self._say({"type": "step", "step": step, "orders": moves})
+        rebuild = [_rebuild(order) for order in orders if isinstance(order, RebuildOrder)]
+        more = {"rebuild": rebuild} if rebuild else {}
+        self._say({"type": "step", "step": step, "orders": moves, **more})
         answer = self._answer(f"step {step}")
         try:
             seen = seen_from(answer)
@@ -127,6 +132,19 @@ class RobotProcess:
         for line in stream:
             self._lines.put(line)
         self._lines.put(None)
+
+
+def _rebuild(order: RebuildOrder) -> dict[str, Any]:
+    made = [_assembly(each) for each in order.made]
+    return {"state": order.state, "parts": list(order.parts), "made": made, "done": order.done}
+
+
+def _assembly(each: Assembly) -> dict[str, Any]:
+    return {
+        "structure": each.structure,
+        "configuration": each.configuration,
+        "modules": list(each.modules),
+    }
 
 
 def _place(place: str | OnEdge) -> Any:
