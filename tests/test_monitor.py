@@ -13,7 +13,6 @@ import pytest
 
 import tsplan
 from tests.fleet_worlds import Walker, counted, followed_mission, onwards, walked_plan
-from tests.module_missions import random_module_mission
 from tests.resource_missions import random_booked_mission
 from tests.seeds import seed_blocks
 from tests.slippery import grid_mission
@@ -320,8 +319,6 @@ def test_what_cannot_be_followed_is_refused():
         Monitor(replace(mission, horizon=11), plan)
     with pytest.raises(PlanError, match="policies"):
         Monitor(*planned(grid_mission(3, 2, "F[0,9] goal")))
-    with pytest.raises(PlanError, match="modular"):
-        Monitor(*planned(random_module_mission(1)))
 
 
 def planned(mission):
@@ -394,3 +391,35 @@ def test_what_is_preferred_and_what_holds_in_part_is_told_but_not_asked_for():
         "violated",
         ["violated", "holds"],
     )
+
+
+def test_a_plan_that_was_replanned_is_followed_by_what_it_was_replanned_for():
+    mission, plan = planned(replace(mission_from_text(TEXT), objective=("travel",)))
+    more = {"class": "crew", "at": "moor", "capabilities": ["row"]}
+    made = tsplan.replan(
+        *(mission, plan, 2),
+        added=[more],
+        withdrawn=["G[0,9] (sum(home) <= 3)"],
+        demanded=["G[0,7] (sum(home) <= 3)", "F[0,11] moor"],
+        opened=[{"from": "moor", "to": "yard"}],
+    )
+    monitor = Monitor(mission, made)
+    told = monitor.update(0).parts
+    assert [part.text for part in told][-2:] == [
+        "F[2,2] G[0,7] (sum(home) <= 3)",
+        "F[2,2] F[0,11] moor",
+    ]
+    assert told[-2].truth == "open"  # there will be four
+    assert monitor.update(3, {"crew-4": ("moor", "yard")}).parts[-1].truth == "holds"
+
+
+def test_who_starts_under_way_may_be_late_for_its_first_state():
+    text = TEXT.replace("[{class: crew, count: 3, at: yard", "[{class: crew, count: 3, at: START")
+    text = text.replace("START", "{from: road, to: dock, arrives: 2}")
+    text = text.replace("G[0,9] sum(home) <= 3 && F[7,9] sum(home) >= 1", "G[0,3] sum(home) <= 3")
+    mission, plan = planned(mission_from_text(text))
+    monitor = Monitor(mission, plan)
+    assert monitor.update(0).slack.agents == 1
+    late = monitor.update(2, dict.fromkeys(["crew-1", "crew-2"], ("road", "dock")))
+    assert (late.works, late.truth) == (True, "open")
+    assert monitor.update(3).parts[0].truth == "holds"  # they are taken to come a step later

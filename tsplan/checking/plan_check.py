@@ -102,6 +102,12 @@ def certify(mission: Mission, plan: Plan) -> Plan:
     return replace(plan, verified=True)
 
 
+def with_values(mission: Mission, plan: Plan) -> Plan:
+    """The plan with what it leaves open filled in, whether or not the check accepts it."""
+    traffic, _ = _judged(mission, plan)
+    return plan if traffic is None else _completed(plan, traffic, measured(traffic))
+
+
 def objective_values(mission: Mission, plan: Plan) -> dict[str, float]:
     """Every objective's value, by name, computed from a plan that fits the map."""
     if plan.replanned:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tsplan.errors import Finding, FormulaError, PlanError, nearest
-from tsplan.logic import And, Formula, Window, conjunction, parse_with_places
+from tsplan.logic import And, Formula, Window, conjunction, horizon, parse_with_places
 from tsplan.logic.nodes import Eventually, Switch
 from tsplan.mission.formula_checks import formula_faults
 from tsplan.mission.name_resolution import with_named_states
@@ -40,6 +40,19 @@ def changed_formula(mission: Mission, worlds: Sequence[World]) -> Formula:
     for world in worlds:
         parts = _changed(mission, parts, world)
     return conjunction(parts)
+
+
+def changed_mission(mission: Mission, worlds: Sequence[World]) -> Mission:
+    """The mission with what has to hold of the whole trace after what some worlds say.
+
+    Raises PlanError as `changed_formula` does.
+    """
+    formula = changed_formula(mission, worlds)
+    if formula is mission.formula:
+        return mission
+    mission = on_named_states(mission, formula)
+    last = max(mission.horizon, horizon(mission.translated(formula)))
+    return replace(mission, formula=formula, text="", horizon=last, origin=None)
 
 
 def on_named_states(mission: Mission, formula: Formula) -> Mission:

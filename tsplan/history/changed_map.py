@@ -40,6 +40,11 @@ class Maps:
         """The map for who sets out at a step; what is closed for a time is open in it."""
         return next(system for first, system in reversed(self._made) if first <= step)
 
+    @property
+    def edges(self) -> frozenset[tuple[str, str]]:
+        """All edges that there have been."""
+        return frozenset(pair for _, system in self._made for pair in system.edges)
+
     def ride(self, who: str, pace: Pace, ends: tuple[str, str], step: int) -> OnEdge:
         """How somebody who enters an edge at a step is under way on it, by how long edges take.
 

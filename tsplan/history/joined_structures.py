@@ -157,12 +157,10 @@ def _left(each: Structure, step: int) -> str | None:
 
 
 def _beyond(rest: Rest, new: Mapping[str, str], told: set[str]) -> Iterator[Structure]:
-    """Structures that are being made and are not done before the end."""
+    """Structures that are being made, and were not to be done before the plan ended; they stay."""
     mission = rest.mission
     for group in mission.team:
         for way, _ in group.coming if group.configuration else ():
-            if way.arrives <= mission.horizon:
-                continue
             shape = mission.modular.of[str(group.configuration)]
             mine = [
                 name
@@ -174,8 +172,20 @@ def _beyond(rest: Rest, new: Mapping[str, str], told: set[str]) -> Iterator[Stru
                 modules = tuple(mine[begin : begin + shape.modules])
                 if told.isdisjoint(modules):
                     able = group.capabilities | shape.capabilities
-                    own = group.class_name, shape.name, able, modules, 0, mission.horizon, ()
-                    yield Structure(f"{shape.name}@{modules[0]}", *own, way.target, way.origin)
+                    stays = ((way.arrives, mission.horizon, way.target),)
+                    late = way.arrives > mission.horizon
+                    yield Structure(
+                        f"{shape.name}@{modules[0]}",
+                        group.class_name,
+                        shape.name,
+                        able,
+                        modules,
+                        0,
+                        mission.horizon,
+                        () if late else stays,
+                        way.target if late else None,
+                        way.origin,
+                    )
 
 
 def modules_along(

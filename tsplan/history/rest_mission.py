@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import Finding, MissionError, PlanError
-from tsplan.history.changed_formula import changed_formula, on_named_states, parts_of
+from tsplan.history.changed_formula import changed_mission, parts_of
 from tsplan.history.changed_map import Maps
 from tsplan.history.module_places import modules_now
 from tsplan.history.past_amounts import Amounts, Load, amounts_until
@@ -23,7 +23,7 @@ from tsplan.history.path_traces import path_trace
 from tsplan.history.present_room import with_present_room
 from tsplan.history.rest_tasks import with_tasks
 from tsplan.history.told_paths import Whereabouts
-from tsplan.logic import CountTrace, Formula, horizon, progress
+from tsplan.logic import CountTrace, Formula, progress
 from tsplan.logic.unfolding import unfolded
 from tsplan.mission import Group
 from tsplan.mission.team import UnderWay
@@ -78,10 +78,9 @@ def rest_of(mission: Mission, worlds: Sequence[World], past: Past) -> Rest:
         what = "which modules go on as planned is not told, since structures do"
         raise MissionError([Finding(f"{what}; 'stability' is of other robots", "name others")])
     step = worlds[-1].step
-    formula = changed_formula(mission, worlds)
-    mission = on_named_states(mission, formula)
+    mission = changed_mission(mission, worlds)
+    formula, last = mission.formula, mission.horizon
     maps = Maps(mission.system, tuple(worlds))
-    last = max(mission.horizon, _horizon(mission, formula))
     if step > last:
         what = f"the mission ends at step {last}, and it is to be planned again at step {step}"
         raise PlanError([Finding(what, "name a step of the plan")])
@@ -206,10 +205,6 @@ def refuse_unknown_kinds(mission: Mission, *, whole: bool = False) -> None:
     ]
     if findings:
         raise MissionError(findings)
-
-
-def _horizon(mission: Mission, formula: Formula) -> int:
-    return horizon(mission.translated(formula))
 
 
 def _team(

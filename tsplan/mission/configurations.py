@@ -15,6 +15,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import ceil, inf, lcm
+from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.exact import exact
@@ -196,18 +197,28 @@ class ModuleRules:
             if capability is None or capability in group.capabilities | shape.capabilities
         )
 
-    def most(self, team: Sequence[Group], capability: str | None) -> int:
+    def most(
+        self,
+        team: Sequence[Group],
+        capability: str | None,
+        *,
+        lost: Mapping[int, int] = MappingProxyType({}),
+    ) -> int:
         """How many structures can have a capability at once, at most; any at all for None.
+
+        `lost` says how many modules are, by the place of their group in the team.
 
         >>> from tsplan.mission import Group
         >>> rules = ModuleRules((Configuration("pair", 2, frozenset({"lift"})),))
         >>> rules.most([Group.of("cube", {"dock": 6}, configuration="pair")], "lift")
         3
         """
-        able = [
-            (pool, self.able(team[pool.groups[0]], pool, capability)) for pool in self.pools(team)
-        ]
-        return sum(pool.count // min(s.modules for s in shapes) for pool, shapes in able if shapes)
+        found = 0
+        for pool in self.pools(team):
+            shapes = self.able(team[pool.groups[0]], pool, capability)
+            left = pool.count - sum(lost.get(number, 0) for number in pool.groups)
+            found += left // min(shape.modules for shape in shapes) if shapes else 0
+        return found
 
     def possible(self, team: Sequence[Group]) -> tuple[Group, ...]:
         """The groups of a team with the abilities of everything that modules can become."""

@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from tsplan import display, logic
@@ -201,14 +202,21 @@ class Mission(MissionParts):
         able = self.modular.possible(self.team)
         return frozenset().union(*(group.capabilities for group in able))
 
-    def having(self, capability: str | None) -> int:
+    def having(
+        self, capability: str | None, *, lost: Mapping[int, int] = MappingProxyType({})
+    ) -> int:
         """How many robots have a capability; all of them for None.
 
         Modules have what they can do as structures: as many of these count as there can be at once.
+        `lost` says how many are, by the place of their group in the team.
         """
-        robots = (group for group in self.team if group.configuration is None)
-        able = (g.count for g in robots if capability is None or capability in g.capabilities)
-        return sum(able) + self.modular.most(self.team, capability)
+        able = (
+            group.count - lost.get(number, 0)
+            for number, group in enumerate(self.team)
+            if group.configuration is None
+            and (capability is None or capability in group.capabilities)
+        )
+        return sum(able) + self.modular.most(self.team, capability, lost=lost)
 
     def plot(self, ax: Any = None) -> display.Picture:
         """The map with the team's starts: the matplotlib figure and its axes.

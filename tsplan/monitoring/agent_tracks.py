@@ -42,14 +42,31 @@ class Future(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Route:
-    """The path of an agent in a plan up to a horizon."""
+    """The path of an agent in a plan up to a horizon; it may come from a state before step 0.
+
+    A structure that is made of others comes from the state where it is made.
+    """
 
     stays: tuple[Stay, ...]
     heading: str | None
     horizon: int
+    coming: str | None = None
+
+    @property
+    def beginning(self) -> Track:
+        """Where the agent is before its first stay."""
+        return Track(self, -1, self.stays[0][0] if self.stays else self.horizon + 1)
+
+    @property
+    def end(self) -> Track:
+        """Where the agent is when it has left its last stay, for good."""
+        return Track(self, len(self.stays) - 1, self.horizon + 1)
 
     def edge(self, place: int) -> tuple[str, str] | None:
-        """The edge after a stay; None at the end of the path."""
+        """The edge after a stay, at place -1 that before the first; None at the end of the path."""
+        if place < 0:
+            target = self.stays[0][2] if self.stays else self.heading
+            return None if self.coming is None or target is None else (self.coming, target)
         state = self.stays[place][2]
         if place + 1 < len(self.stays):
             return state, self.stays[place + 1][2]
@@ -61,18 +78,21 @@ class Route:
             return self.stays[place + 1][0] - self.stays[place][1]
         return self.horizon + 1
 
-    def onwards(self, place: int, step: int) -> Future:
+    def onwards(self, place: int, step: int, ends: int | None = None) -> Future:
         """The future of an agent that comes to a stay of its path at a step, or is there then.
 
-        It is told until it has caught up with the path.
+        It is told until it has caught up with the path. Where that leads no farther the agent stays
+        to the end, or until something is made of it at the step `ends`.
         """
         stays, begin, over = [], place, len(self.stays)
+        ends = self.horizon if ends is None else ends
+        planned = self.heading is not None or not over or ends == self.stays[-1][1]
         while step <= self.horizon and place < over:
             _, last, state = self.stays[place]
-            leaves = self.horizon if self.edge(place) is None else max(last, step)
+            leaves = max(ends if self.edge(place) is None else last, step)
             stays.append((step, min(leaves, self.horizon), state))
             step, place = leaves + self.duration(place), place + 1
-            if leaves == last:
+            if leaves == last and planned:
                 return Future(tuple(stays), begin, place)
         return Future(tuple(stays), begin, over)
 
@@ -102,8 +122,8 @@ class Track:
     strayed: Position | OnItsWay = None
     lost: bool = False
 
-    def future(self, now: int) -> Future:
-        """Where the agent is taken to stay from now on."""
+    def future(self, now: int, ends: int | None = None) -> Future:
+        """Where the agent is taken to stay from now on; something is made of it at step `ends`."""
         over = len(self.route.stays)
         if self.lost:
             return Future((), over, over)
@@ -112,8 +132,17 @@ class Track:
             stays = ((now, self.route.horizon, there),) if isinstance(there, str) else ()
             return Future(stays, over, over)
         if self.arrives is None:
-            return self.route.onwards(self.place, now)
-        return self.route.onwards(self.place + 1, self.arrives)
+            return self.route.onwards(self.place, now, ends)
+        return self.route.onwards(self.place + 1, self.arrives, ends)
+
+    def arrival(self, future: Future) -> int | None:
+        """When the agent comes to the end of its path, by its future; None if it does not."""
+        if self.lost or self.strayed is not None or self.route.heading is not None:
+            return None
+        if future.upto < len(self.route.stays):
+            return self.route.stays[-1][0]
+        complete = future.begin + len(future.stays) == len(self.route.stays)
+        return future.stays[-1][0] if future.stays and complete else None
 
 
 PLANNED = Future((), 0, 0)
@@ -140,7 +169,7 @@ def seen(track: Track, position: Position | OnItsWay, now: int) -> Track:
     if isinstance(position, str):
         begin = place if track.arrives is None else place + 1
         found = _first(range(begin, len(route.stays)), route, position)
-        if found is None and track.arrives is not None and route.stays[place][2] == position:
+        if found is None and place >= 0 and route.stays[place][2] == position:
             found = place  # has turned back
         return Track(route, place, strayed=position) if found is None else Track(route, found)
     on_way = isinstance(position, OnItsWay)

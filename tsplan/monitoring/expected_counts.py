@@ -17,6 +17,7 @@ from tsplan.logic import Count, Execution, Formula, Not
 from tsplan.logic.traces import Floats
 from tsplan.milp.model import Ints
 from tsplan.mission import Mission
+from tsplan.monitoring.able_counts import AbleCounts
 from tsplan.monitoring.fleet import Shift
 from tsplan.monitoring.margin_network import Span
 from tsplan.parameters import whole
@@ -63,7 +64,8 @@ class ExpectedCounts:
         watched = {state for atom in counts for state in labels[atom.label]}
         self._states = tuple(state for state in mission.system.states if state in watched)
         named = {None, *(atom.capability for atom in counts)}
-        self.agents = {name: mission.having(name) for name in named}
+        self._able = AbleCounts(mission, plan)
+        self.agents = {name: self._able.of(name) for name in named}
         rows = {state: row for row, state in enumerate(self._states)}
         tables = {name: np.asarray(plan.tallied(self._states, name), np.int64) for name in named}
         self.atoms: dict[Count, _Measured] = {}
@@ -95,8 +97,9 @@ class ExpectedCounts:
                     self._add(state, Span(first, last), shift.capabilities, change)
             if shift.lost:
                 lost = True
-                for name in self.agents:
-                    self.agents[name] -= name is None or name in shift.capabilities
+                self._able.lose(shift.lost)
+        if lost:
+            self.agents = {name: self._able.of(name) for name in self.agents}
         return lost
 
     def refuse(self, swarms: Mapping[str, Mapping[str, int]], states: Sequence[str]) -> None:

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from tsplan.errors import Finding, InputError, PlanError
+from tsplan.history.changed_formula import changed_mission
+from tsplan.history.changed_map import Maps
 from tsplan.mission import Mission
 from tsplan.monitoring.agent_tracks import Position
 from tsplan.monitoring.decisions import FAILS, HOLDS, OPEN
@@ -33,23 +35,25 @@ class Monitor:
     way of the agents could make it hold any more is not looked for; that needs planning. Agents
     that are not told of go on as they are taken to: by their paths, where they are late as soon as
     they can (each leaves a state at the step of its path, or at once where that has gone by), and
-    not at all where they have strayed from their paths. Tasks are executed as the plan says.
-    Capacities are not watched.
+    not at all where they have strayed from their paths. Structures of modules are rebuilt as soon
+    as all that go in are there. Tasks are executed as the plan says. Capacities are not watched.
 
-    `agents` are the ids of the agents with paths and `states` those of the map, in the order of
-    arrays of positions.
+    `agents` are the ids of the robots with paths and of the structures that there are at any step,
+    and `states` those of the map, in the order of arrays of positions.
 
-    Raises PlanError for a plan without paths, of another horizon or of modular robots, and for
-    policies, by which nobody is expected anywhere.
+    Of a plan that was replanned the steps before are told of, too, and the parts are those that it
+    was replanned for.
+
+    Raises PlanError for a plan without paths or of another horizon, and for policies, by which
+    nobody is expected anywhere.
     """
 
     def __init__(self, mission: Mission, plan: Plan) -> None:
+        mission = changed_mission(mission, plan.replanned)
         _refuse(mission, plan)
         self._parts = parts_of(mission)
         self._outlook = Outlook(mission, plan, [part.goal for part in self._parts])
-        named = {name for each in plan.robots for name in each.agents}
-        order = [name for name in plan.agent if name in named]
-        self._fleet = Fleet(plan.robots, order, mission.system, plan.horizon)
+        self._fleet = Fleet(plan, mission.system.states, Maps(mission.system, plan.replanned).edges)
         self._horizon = plan.horizon
         self._now = -1
         self._told: list[PartVerdict] = []
@@ -57,7 +61,7 @@ class Monitor:
 
     @property
     def agents(self) -> tuple[str, ...]:
-        """The ids of the agents that have paths."""
+        """The ids of the agents that have paths: robots, and structures of modules."""
         return self._fleet.agents
 
     @property
@@ -74,7 +78,9 @@ class Monitor:
         """What is to be said once it is known where agents are at a step.
 
         `positions` has by their ids the agents that are told of: at a state, on an edge of the map
-        as `(from, to)`, or None for one that is lost from now on. Instead it may be an array of
+        as `(from, to)`, or None for one that is lost from now on. Structures are told of by their
+        ids or by one of their modules, and what is being rebuilt at a state as on the way from
+        there to there, by what it will be. Instead it may be an array of
         whole numbers with one for each of `agents`: that of its state in `states`, -1 for one that
         is between two states, on the edge that its path has next, and -2 for one that is lost.
         `counts` has by the names of swarms the numbers of their agents at states at this step;
@@ -139,8 +145,6 @@ def _refuse(mission: Mission, plan: Plan) -> None:
     elif plan.policies:
         what = "the plan has policies, by which no agent is expected anywhere"
         wrong.append(Finding(what, "follow a mission of certain moves"))
-    elif plan.structures:
-        wrong.append(Finding("the plan is one of modular robots, which are not followed yet"))
     elif plan.horizon != mission.horizon:
         what = f"the plan ends at step {plan.horizon} and the mission at step {mission.horizon}"
         wrong.append(Finding(what, "give the mission that the plan was made for"))

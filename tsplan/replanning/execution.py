@@ -7,11 +7,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from tsplan.checking.plan_check import certify
+from tsplan.checking.plan_check import certify, with_values
+from tsplan.checking.replanned_check import left_over
 from tsplan.errors import SolverError
 from tsplan.history.changed_formula import changed_formula
 from tsplan.history.changed_map import Maps
-from tsplan.history.joined_plan import ended_plan, joined_plan
+from tsplan.history.joined_plan import ended_plan, joined_plan, unjudged
 from tsplan.history.module_places import bodies_now
 from tsplan.history.past_paths import Past, really, robots_of, whereabouts
 from tsplan.history.path_traces import path_trace
@@ -106,13 +107,22 @@ class Execution:
         return Executed(plan, slack, self._adapted, tuple(self._seconds), self._stuck)
 
     def _as_it_was(self) -> Plan:
-        """The plan with what was executed and carried of what it has."""
+        """The plan with what was executed and carried of what it has, and what that is worth."""
         mission, plan = self.mission, self.plan
         end = plan.horizon + 1
         worlds = (*plan.replanned, World(end))
         past, amounts = accounted(mission, Past.of(mission, plan, end), worlds, mission.formula)
         stocks = amounts.stocks
-        return replace(plan, executions=past.executions, cargo=past.cargo, stocks=stocks)
+        plan = replace(plan, executions=past.executions, cargo=past.cargo, stocks=stocks)
+        left = left_over(mission, plan)
+        if left.rest is None:
+            return plan
+        made = with_values(left.rest.mission, unjudged(left.plan))
+        plan = joined_plan(left.rest, made, plan)
+        try:
+            return certify(mission, plan)
+        except SolverError:  # it has not met the formula
+            return plan
 
     def orders(self) -> Iterator[Order]:
         """Who is to set out now, and for where, and what is to be rebuilt."""
