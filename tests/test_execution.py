@@ -18,7 +18,9 @@ from tests.seeds import sampled, seed_blocks
 from tests.watched_fleet import Watched, slack
 from tsplan import Mission, Plan
 from tsplan.draw.trial_chart import draw_trial
-from tsplan.errors import InputError
+from tsplan.errors import InputError, MissionError
+from tsplan.logic import parse
+from tsplan.mission import Preference
 from tsplan.plans.worlds import OnEdge
 from tsplan.replanning.execution import Execution
 from tsplan.replanning.execution_journal import ExecutionJournal, seen_from
@@ -109,6 +111,71 @@ def test_a_trial_says_how_often_the_formula_held() -> None:
     assert (alone.kept, alone.replanned) == (trial.kept, None)
     with pytest.raises(InputError, match="delay: "):
         tsplan.execute(mission, plan, delay=1.5)
+
+
+def in_part(seed: int) -> tuple[Mission, Plan] | None:
+    """A mission whose formula, or what is preferred, may hold in part."""
+    mission = random_mission(seed, states=5, most_agents=5, steps=8)
+    if mission.delay or "delay" in mission.objective:
+        return None
+    wish = Preference(mission.formula, name="wish")
+    if seed % 2:
+        mission = replace(mission, objective=("satisfaction", "travel"), prefer=())
+    else:
+        soft = {"formula": parse("sum(a) >= 0"), "text": "", "objective": ("preferences", "travel")}
+        mission = replace(mission, prefer=(wish,), **soft)
+    plan = tsplan.plan(mission)
+    return (mission, plan) if plan.has_paths else None
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(20, 600), 20))
+def test_what_holds_in_part_is_told_as_it_was(seeds: list[int]) -> None:
+    for seed in seeds:
+        mission, plan = in_part(seed) or (None, None)
+        for planner in (None, tsplan.plan) if mission else ():
+            fleet = Watched(mission, Chances(0.4, 0.02, 0.1), seed)
+            done = Execution(mission, plan, fleet, planner).run()
+            assert done.availability == slack(mission, fleet), seed
+            assert tsplan.check(mission, Plan.from_json(done.plan.to_json())).ok, seed
+            soft = done.plan.satisfaction
+            if soft is not None:
+                assert done.satisfaction == soft.fraction
+            if done.plan.preferences:
+                said = tuple(wish.fraction for wish in done.plan.preferences)
+                assert done.preferences == said
+            if mission.partial:
+                assert (done.satisfaction == 1) == done.met
+
+
+def test_more_holds_in_part_where_it_is_planned_again() -> None:
+    text = MISSION.replace("[availability, travel]", "[satisfaction, travel]")
+    wishes = MISSION.replace("[availability, travel]", "[preferences, travel]").replace(
+        'formula: "F[0,12] min(rooms) >= 1 && F[14,24] sum(base) >= 2"',
+        "formula: 'sum(base) >= 0', prefer: [{formula: 'F[0,12] min(rooms) >= 1'},"
+        " {formula: 'F[14,24] sum(base) >= 2', level: 1}]",
+    )
+    for written in (text, wishes):
+        mission = tsplan.mission_from_text(written)
+        trial = tsplan.execute(mission, tsplan.plan(mission), runs=12, delay=0.3, loss=0.02)
+        kept, again = [], []
+        for run in trial.runs:
+            assert run.replanned is not None
+            kept.append(run.kept.satisfaction or sum(run.kept.preferences))
+            again.append(run.replanned.satisfaction or sum(run.replanned.preferences))
+        assert sum(again) > sum(kept)
+        assert trial.seconds
+        assert "on average" in str(trial) or "of what is preferred held" in str(trial)
+        told = json.loads(trial.to_json())["runs"][0]
+        assert {"kept_satisfaction", "kept_preferences"} & told.keys()
+
+
+def test_what_cannot_be_carried_out_is_refused() -> None:
+    text = MISSION.replace("availability, travel", "{satisfaction: depth}, travel")
+    mission = tsplan.mission_from_text(text.replace("F[14,24]", "G[0,2] F[14,24]"))
+    with pytest.raises(MissionError, match="windows in windows"):
+        tsplan.execute(mission, tsplan.plan(mission), runs=1)
+    with pytest.raises(MissionError, match="planned in pieces"):
+        tsplan.plan_in_pieces(mission, 8, 4)
 
 
 def test_what_is_seen_becomes_a_world() -> None:
@@ -321,3 +388,11 @@ def test_a_journal_of_something_else_is_refused(rounds, tmp_path) -> None:
 def test_what_nobody_can_have_seen_is_refused(data) -> None:
     with pytest.raises(ValueError, match=r"\w"):
         seen_from(data)
+
+
+def test_a_plan_that_nobody_has_judged_is_carried_out() -> None:
+    mission = tsplan.mission_from_text(MISSION)
+    plan = replace(tsplan.plan(mission), verified=False)
+    done = Execution(mission, plan, SimulatedFleet(mission, Chances(), 0)).run()
+    assert (done.met, done.plan.verified) == (True, True)
+    assert done.plan.value("travel") == plan.value("travel")

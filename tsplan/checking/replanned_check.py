@@ -70,7 +70,7 @@ def left_over(mission: Mission, plan: Plan) -> Left:
     return Left(rest, cut, problems)
 
 
-class _Whole(NamedTuple):
+class Whole(NamedTuple):
     """A mission with what has changed of its formula, and what has happened and is planned."""
 
     mission: Mission
@@ -82,14 +82,32 @@ class _Whole(NamedTuple):
         """That of the formula."""
         return float(robustness(self.mission.counting(self.formula), self.trace)[0])
 
-    def fractions(self) -> tuple[Fraction, ...]:
-        """How much holds of a formula that may hold in part, and of each preference."""
-        soft = [self.formula] if self.mission.partial else []
-        trees = map(self.mission.tree, [*soft, *(each.formula for each in self.mission.prefer)])
-        return tuple(shares(tree, self.trace)[tree][0].fraction for tree in trees)
+    @property
+    def satisfaction(self) -> Fraction | None:
+        """How much holds of a formula that may hold in part."""
+        return self._share(self.formula) if self.mission.partial else None
+
+    @property
+    def preferences(self) -> tuple[Fraction, ...]:
+        """How much holds of each preference."""
+        return tuple(self._share(each.formula) for each in self.mission.prefer)
+
+    def _share(self, formula: Formula) -> Fraction:
+        tree = self.mission.tree(formula)
+        return shares(tree, self.trace)[tree][0].fraction
+
+    def unfounded(self, plan: Plan) -> Iterator[str]:
+        """What a plan says of how much holds and is not so on the whole trace."""
+        soft = None if plan.satisfaction is None else plan.satisfaction.fraction
+        claims = [] if soft is None else [(soft, self.satisfaction)]
+        wishes = (wish.fraction for wish in plan.preferences)
+        for said, so in (*claims, *zip(wishes, self.preferences, strict=False)):
+            if said != so:
+                what = f"the plan says that {said} of a formula holds"
+                yield f"{what}, and on the whole trace {so} does"
 
 
-def _whole(mission: Mission, plan: Plan) -> _Whole:
+def whole(mission: Mission, plan: Plan) -> Whole:
     """The formula, on what has happened and what is planned."""
     formula = changed_formula(mission, plan.replanned)
     mission = on_named_states(mission, formula)
@@ -99,7 +117,7 @@ def _whole(mission: Mission, plan: Plan) -> _Whole:
     others = *swarms, *of_structures(plan.structures)
     where = mission.system, conjunction(every), robots_of(mission, plan), plan.horizon
     trace = path_trace(*where, others=others, executions=plan.executions)
-    return _Whole(mission, formula, trace)
+    return Whole(mission, formula, trace)
 
 
 def taken(plan: Plan) -> str:
@@ -109,33 +127,32 @@ def taken(plan: Plan) -> str:
 
 def ended(mission: Mission, plan: Plan) -> Report:
     """The report on a plan of which nobody is left, by what has happened."""
-    actual = _whole(mission, plan).availability
+    on_whole = whole(mission, plan)
+    actual = on_whole.availability
     problems = [
         f"the plan claims {item.name} {shown(item.value)}, and nobody is left"
         for item in plan.objective
         if item.value is not None
     ]
-    if actual < 0:
+    problems += on_whole.unfounded(plan)
+    if actual < 0 and not mission.partial:
         problems.append(f"the formula does not hold (its availability is {shown(actual)})")
     if plan.availability not in (None, actual):
         problems.append(f"the plan claims availability {plan.availability} and has {shown(actual)}")
-    held = f"nobody is left, and the formula holds with availability {shown(actual)}"
+    so = "the formula holds with" if actual >= 0 else "the formula has"
+    held = f"nobody is left, and {so} availability {shown(actual)}"
     return Report(findings_of(problems), () if problems else (taken(plan), held), actual)
 
 
 def on_whole_trace(mission: Mission, plan: Plan, availability: float) -> Iterator[str]:
     """Whether the formula has that availability on what has happened and what is planned."""
-    whole = _whole(mission, plan)
-    if whole.availability != availability:
+    on_whole = whole(mission, plan)
+    if on_whole.availability != availability:
         yield (
-            f"the formula has availability {shown(whole.availability)} on the whole trace, and "
+            f"the formula has availability {shown(on_whole.availability)} on the whole trace, and "
             f"what is left of it has {shown(availability)}"
         )
-    soft = [] if plan.satisfaction is None else [plan.satisfaction.fraction]
-    claimed = (*soft, *(each.fraction for each in plan.preferences))
-    for said, so in zip(claimed, whole.fractions(), strict=True):
-        if said != so:
-            yield f"the plan says that {said} of a formula holds, and on the whole trace {so} does"
+    yield from on_whole.unfounded(plan)
 
 
 def _first(path: Bundle) -> tuple[int, str] | None:

@@ -14,14 +14,13 @@ from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.picture_files import kind_of, save_picture
 from tsplan.draw.trial_chart import draw_trial
 from tsplan.errors import Finding, InputError, PlanError
-from tsplan.history.rest_mission import refuse_unknown_kinds
 from tsplan.milp.solver_choice import SolverChoice
 from tsplan.mission import Mission
 from tsplan.plans.plan_file import load_plan, save_plan
 from tsplan.process.interrupt import Requests
 from tsplan.replanning.execution import Executed, Execution
 from tsplan.replanning.execution_journal import ExecutionJournal, Kept
-from tsplan.replanning.execution_trial import SECONDS, execute, refuse_swarms
+from tsplan.replanning.execution_trial import SECONDS, execute, refuse_inexecutable
 from tsplan.replanning.robot_process import RobotProcess, RobotsError
 from tsplan.run.isolate import Order, Planning
 
@@ -45,8 +44,7 @@ def run(options: argparse.Namespace) -> Exit:
     if not isinstance(mission, Mission):
         what = "a mission over signals is carried out by a controller"
         raise InputError([Finding(what, "see tsplan.Controller in docs/signals.md")])
-    refuse_unknown_kinds(mission, whole=True)
-    refuse_swarms(mission)
+    refuse_inexecutable(mission)
     plan = load_plan(options.plan)
     try:
         refuse_misfit(plan, mission, str(options.plan))
@@ -149,9 +147,8 @@ def _told(done: Executed, options: argparse.Namespace) -> Exit:
     plan = replace(done.plan, notes=(*done.plan.notes, "this is what happened"))
     if options.output is not None:
         unwritten = attempted(lambda: save_plan(plan, options.output))
-    verdict = "the formula held" if done.met else "the formula did not hold"
     otherwise = f"{done.adapted} steps otherwise, planned again {len(done.replanned)} times"
-    say(f"{verdict}, with availability {done.availability:g}; {otherwise}")
+    say(f"{done.verdict}; {otherwise}")
     if unwritten is not None:
         raise unwritten
-    return Exit.DONE if done.met else Exit.REFUSED
+    return Exit.DONE if done.met or done.satisfaction is not None else Exit.REFUSED

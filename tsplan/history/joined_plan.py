@@ -214,6 +214,7 @@ def unjudged(plan: Plan) -> Plan:
         objective=tuple(ObjectiveValue(item.name, None) for item in plan.objective),
         availability=None,
         stocks=(),
+        satisfaction=None,
         preferences=(),
         notes=(),
         verified=False,

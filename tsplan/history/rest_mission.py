@@ -188,23 +188,11 @@ class _Left(NamedTuple):
         return path_trace(*where, others=others, executions=past.executions)
 
 
-def refuse_unknown_kinds(mission: Mission, *, whole: bool = False) -> None:
-    """Raise MissionError for missions of which no rest can be told yet.
-
-    With `whole` also for those whose formula need not hold as a whole.
-    """
-    kinds = {
-        "expected numbers": mission.expected is not None,
-        "a formula that may hold in part": whole and mission.partial,
-    }
-    done = "carried out or planned in pieces" if whole else "planned again"
-    findings = [
-        Finding(f"a mission with {kind} cannot be {done}", "plan its rest by hand")
-        for kind, there in kinds.items()
-        if there
-    ]
-    if findings:
-        raise MissionError(findings)
+def refuse_unknown_kinds(mission: Mission) -> None:
+    """Raise MissionError for missions of which no rest can be told."""
+    if mission.expected is not None:
+        what = "a mission with expected numbers cannot be planned again"
+        raise MissionError([Finding(what, "plan its rest by hand")])
 
 
 def _team(

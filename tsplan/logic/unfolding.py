@@ -39,6 +39,20 @@ def unfolded(tree: Formula, trace: CountTrace, *, levels: bool = False) -> Formu
     return _Unfolding(tree, trace, levels=levels).judged(tree, 0)
 
 
+def shares_steps(node: Formula) -> bool:
+    """Whether the depths of what holds of a node cannot be told once it has begun.
+
+    >>> from tsplan.logic import parse
+    >>> [shares_steps(parse(text)) for text in ("F[0,3] a", "G[0,3] F[0,2] a", "a U[0,2] b")]
+    [False, True, True]
+    """
+    if isinstance(node, nodes.Until):
+        return True
+    windows = nodes.Window | nodes.Until
+    within = walk(node.child) if isinstance(node, nodes.Window) else ()
+    return any(isinstance(each, windows) for each in within)
+
+
 class _Unfolding:
     """The first steps of a trace, and what is left of the parts of a tree judged at each."""
 
@@ -67,7 +81,7 @@ class _Unfolding:
             if first >= self._steps:
                 return _moved(node, step - self._steps)
             parts = [self.judged(node.child, first + n) for n in range(node.high - node.low + 1)]
-            if any(isinstance(each, nodes.Window | nodes.Until) for each in walk(node.child)):
+            if shares_steps(node):
                 self._refuse(node)
             if len(parts) == 1:
                 return replace(node, low=0, high=0, child=parts[0])

@@ -5,22 +5,21 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from fractions import Fraction
+from typing import TYPE_CHECKING, TypeAlias
 
 from tsplan.checking.plan_check import certify, with_values
-from tsplan.checking.replanned_check import left_over
+from tsplan.checking.replanned_check import left_over, whole
 from tsplan.errors import SolverError
+from tsplan.exact import digits
 from tsplan.history.changed_formula import changed_formula
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import ended_plan, joined_plan, unjudged
 from tsplan.history.module_places import bodies_now
-from tsplan.history.past_paths import Past, really, robots_of, whereabouts
-from tsplan.history.path_traces import path_trace
+from tsplan.history.past_paths import Past, really, whereabouts
 from tsplan.history.rest_mission import NobodyLeftError, accounted
-from tsplan.logic.evaluation import robustness
 from tsplan.name_runs import RunMap
 from tsplan.plans.outcomes import Status
-from tsplan.plans.structures import of_structures
 from tsplan.plans.worlds import OnEdge, World
 from tsplan.replanning.catching_up import catching_up
 from tsplan.replanning.orders import assembly, orders_at
@@ -40,20 +39,32 @@ Keep = Callable[[Seen, "Plan | None"], object]
 class Executed:
     """What came of carrying out a plan: the `plan` says where everybody was at every step.
 
-    `availability` is that of the formula on what happened. `replanned` has the seconds that each
-    time took at which the mission was planned again, and `stuck` says how often there was no plan.
+    `availability` is that of the formula on what happened, `satisfaction` how much of it held if it
+    may hold in part, and `preferences` how much of each formula that is preferred. `replanned` has
+    the seconds that each time took at which the mission was planned again, and `stuck` says how
+    often there was no plan.
     """
 
     plan: Plan
     availability: float
+    satisfaction: Fraction | None = None
+    preferences: tuple[Fraction, ...] = ()
     adapted: int = 0
     replanned: tuple[float, ...] = ()
     stuck: int = 0
 
     @property
     def met(self) -> bool:
-        """Whether the formula held."""
+        """Whether the formula held, as a whole."""
         return self.availability >= 0
+
+    @property
+    def verdict(self) -> str:
+        """What held, in words."""
+        if self.satisfaction is not None:
+            return f"{digits(self.satisfaction)} of the formula held"
+        held = "the formula held" if self.met else "the formula did not hold"
+        return f"{held}, with availability {self.availability:g}"
 
 
 @dataclass(eq=False)
@@ -61,7 +72,8 @@ class Execution:
     """Carries out a plan by a fleet; `planner`, if there is one, plans again where that is needed.
 
     What differs from the plan is taken in at once: everybody follows the plan as soon as it can,
-    and where the check says that this still works nothing else is done.
+    and where the check says that this still works nothing else is done, unless less would hold of
+    what may hold in part and of what is preferred.
     """
 
     mission: Mission
@@ -100,11 +112,16 @@ class Execution:
     def outcome(self) -> Executed:
         """What came of it."""
         plan = self.plan if self.plan.verified else self._as_it_was()
-        formula, agents = self.mission.counted, robots_of(self.mission, plan)
-        where, others = (self.mission.system, formula, agents), of_structures(plan.structures)
-        trace = path_trace(*where, plan.horizon, others=others, executions=plan.executions)
-        slack = float(robustness(formula, trace)[0])
-        return Executed(plan, slack, self._adapted, tuple(self._seconds), self._stuck)
+        held = whole(self.mission, plan)
+        return Executed(
+            plan,
+            held.availability,
+            held.satisfaction,
+            held.preferences,
+            self._adapted,
+            tuple(self._seconds),
+            self._stuck,
+        )
 
     def _as_it_was(self) -> Plan:
         """The plan with what was executed and carried of what it has, and what that is worth."""
@@ -114,11 +131,13 @@ class Execution:
         past, amounts = accounted(mission, Past.of(mission, plan, end), worlds, mission.formula)
         stocks = amounts.stocks
         plan = replace(plan, executions=past.executions, cargo=past.cargo, stocks=stocks)
-        left = left_over(mission, plan)
-        if left.rest is None:
+        if not plan.replanned:
+            plan = with_values(mission, unjudged(plan))
+        elif (left := left_over(mission, plan)).rest is not None:
+            made = with_values(left.rest.mission, unjudged(left.plan))
+            plan = joined_plan(left.rest, made, plan)
+        else:
             return plan
-        made = with_values(left.rest.mission, unjudged(left.plan))
-        plan = joined_plan(left.rest, made, plan)
         try:
             return certify(mission, plan)
         except SolverError:  # it has not met the formula
@@ -154,10 +173,14 @@ class Execution:
         followed = catching_up(rest, self.plan)
         self._adapted += 1
         try:
-            return joined_plan(rest, certify(rest.mission, followed), self.plan)
+            kept = joined_plan(rest, certify(rest.mission, followed), self.plan)
         except SolverError:  # it does not work any more
             made = self._replanned(found)
-        return joined_plan(rest, followed, self.plan) if made is None else made
+            return joined_plan(rest, followed, self.plan) if made is None else made
+        if _soft_worth(kept) >= _soft_worth(self.plan):
+            return kept
+        made = self._replanned(found)
+        return kept if made is None or _soft_worth(made) <= _soft_worth(kept) else made
 
     def _ended(self, world: World) -> Plan:
         """The plan where nobody is left: what has happened."""
@@ -183,3 +206,22 @@ class Execution:
         self._stuck += 1
         self._hopeless = made.status is Status.INFEASIBLE
         return None
+
+
+_Worth: TypeAlias = "tuple[int | Fraction, ...]"
+
+
+def _soft_worth(plan: Plan) -> tuple[_Worth, ...]:
+    """What a plan is worth by what may hold in part and what is preferred, more is better."""
+    found: list[_Worth] = []
+    for name in (item.name for item in plan.objective):
+        if name == "satisfaction" and plan.satisfaction is not None:
+            depths = [item.value for item in plan.satisfaction.depths]
+            while depths and not depths[-1]:  # deeper parts that there may or may not be
+                depths.pop()
+            found.append(tuple(depths) or (plan.satisfaction.worth or 0,))
+        if name == "preferences":
+            levels = sorted({wish.level for wish in plan.preferences}, reverse=True)
+            worth = [sum(w.worth for w in plan.preferences if w.level == n) for n in levels]
+            found.append(tuple(worth))
+    return tuple(found)

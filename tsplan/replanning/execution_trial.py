@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -16,6 +16,8 @@ from tsplan.errors import Finding, InputError, MissionError
 from tsplan.frequency import Frequency
 from tsplan.history.rest_mission import refuse_unknown_kinds
 from tsplan.limits import Range
+from tsplan.logic import walk
+from tsplan.logic.unfolding import shares_steps
 from tsplan.mission import Mission
 from tsplan.mission.read import load_mission
 from tsplan.parameters import refuse_options
@@ -75,10 +77,11 @@ class Trial(Told):
             f"{len(self.runs):,} runs ({seeds}), with these chances: {chances.delay:g} that a move",
             f"takes a step longer, {chances.loss:g} that an agent is lost at a step, and",
             f"{chances.close:g} that an edge closes at a step",
-            f"as planned, the formula held in {self.kept}",
+            f"as planned, the formula held in {self.kept}{_parts(run.kept for run in self.runs)}",
         ]
         if self.replanned is not None:
-            lines.append(f"planning again, it held in {self.replanned}")
+            parts = _parts(run.replanned for run in self.runs if run.replanned is not None)
+            lines.append(f"planning again, it held in {self.replanned}{parts}")
             lines.append(self._effort())
         return "\n".join(lines)
 
@@ -100,6 +103,7 @@ class Trial(Told):
             {
                 "seed": run.seed,
                 "kept": run.kept.met,
+                **_shares("kept", run.kept),
                 **({} if run.replanned is None else _told(run.replanned)),
             }
             for run in self.runs
@@ -108,9 +112,33 @@ class Trial(Told):
         return json.dumps({"chances": chances, "runs": runs}, indent=1) + "\n"
 
 
+def _parts(runs: Iterable[Executed]) -> str:
+    """How much held on average, where a formula may hold in part, and of what is preferred."""
+    every = list(runs)
+    said = []
+    shares = [run.satisfaction for run in every if run.satisfaction is not None]
+    if shares:
+        said.append(f"{float(sum(shares) / len(shares)):.1%} of it on average")
+    wishes = [share == 1 for run in every for share in run.preferences]
+    if wishes:
+        said.append(f"{sum(wishes) / len(wishes):.1%} of what is preferred held")
+    return "".join(f", {each}" for each in said)
+
+
 def _told(executed: Executed) -> dict[str, object]:
     seconds = [round(each, 4) for each in executed.replanned]
-    return {"replanned": executed.met, "seconds": seconds, "stuck": executed.stuck}
+    said = {"replanned": executed.met, "seconds": seconds, "stuck": executed.stuck}
+    return said | _shares("replanned", executed)
+
+
+def _shares(way: str, executed: Executed) -> dict[str, object]:
+    """How much of the formula and of each preference held, if that is asked."""
+    found: dict[str, object] = {}
+    if executed.satisfaction is not None:
+        found[f"{way}_satisfaction"] = float(executed.satisfaction)
+    if executed.preferences:
+        found[f"{way}_preferences"] = [float(share) for share in executed.preferences]
+    return found
 
 
 def execute(
@@ -148,8 +176,7 @@ def execute(
     chances = checked(Chances(delay, loss, close))
     mission = mission if isinstance(mission, Mission) else load_mission(mission)
     plan = plan if isinstance(plan, Plan) else load_plan(plan)
-    refuse_unknown_kinds(mission, whole=True)
-    refuse_swarms(mission)
+    refuse_inexecutable(mission)
     refuse_misfit(plan, mission)
     planner: Planner | None = partial(plan_mission, time_limit=time_limit) if replanning else None
     done: list[TrialRun] = []
@@ -164,11 +191,20 @@ def execute(
     return Trial(chances, tuple(done), tuple(seconds))
 
 
-def refuse_swarms(mission: Mission) -> None:
-    """Raise MissionError for missions of swarms, whose agents have no orders of their own."""
+def refuse_inexecutable(mission: Mission) -> None:
+    """Raise MissionError for missions that are not carried out.
+
+    These are those of swarms, whose agents have no orders of their own, of expected numbers, and
+    those that would be planned again by depths that cannot be told.
+    """
+    refuse_unknown_kinds(mission)
     if mission.swarm is not None:
         what = "agents of swarms are not told one by one where to go"
         raise MissionError([Finding(what, "see tsplan simulate, where they go by chance")])
+    by_depth = mission.partial and mission.satisfaction != "weighted"
+    if by_depth and any(map(shares_steps, walk(mission.tree(mission.formula)))):
+        what = "what holds of windows in windows is not told by its depth once they have begun"
+        raise MissionError([Finding(what, "ask for the weighted order")])
 
 
 def checked(chances: Chances) -> Chances:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from tsplan.checking.plan_check import certify
 from tsplan.clock import Clock
-from tsplan.errors import Finding, InputError
+from tsplan.errors import Finding, InputError, MissionError
 from tsplan.history.joined_plan import joined_plan
 from tsplan.history.joined_structures import modules_along
 from tsplan.history.past_paths import pace_of
@@ -88,7 +88,10 @@ def plan_in_pieces(
     be planned again.
     """
     pieces = Pieces(window, commit)
-    refuse_unknown_kinds(mission, whole=True)
+    refuse_unknown_kinds(mission)
+    if mission.partial:
+        what = "a mission with a formula that may hold in part cannot be planned in pieces"
+        raise MissionError([Finding(what, "plan it as a whole, or with a time limit")])
     return _Planning(mission, pieces, planner, on_piece, options).plan()
 
 
