@@ -151,3 +151,27 @@ def test_notebooks_show_modules(plan: Plan) -> None:
     shown = plan._repr_html_()
     assert "module-5" in shown
     assert "5 agents" in shown
+
+
+def test_strips_of_structures_hide_nothing_of_what_was_planned(
+    mission: Mission, plan: Plan
+) -> None:
+    _, ax = plan.plot(mission, view="timeline", executed=plan)
+    strips = [bar for bar in ax.patches if bar.get_gid() == "line-1"]
+    below = [bar for bar in ax.patches if str(bar.get_gid()).startswith("planned ")]
+    assert strips
+    assert below
+    for bar in strips:
+        row = round(bar.get_y() + bar.get_height() / 2)
+        starts = [b.get_y() for b in below if round(b.get_y() + b.get_height() / 2) == row]
+        assert bar.get_y() + bar.get_height() <= min(starts)
+
+
+def test_who_is_being_rebuilt_at_the_start_is_not_on_the_way() -> None:
+    team = (
+        "[{class: module, count: 3, at: {from: dock, to: dock, arrives: 2}, configuration: line}]"
+    )
+    plan = tsplan.plan(fence(team=team))
+    for row in rows_of(plan, tracks(plan, modules=True)):
+        assert row.stops[0].first == 2
+        assert all(left >= 2 for left, _ in row.journeys(plan.horizon))

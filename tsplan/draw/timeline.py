@@ -47,7 +47,7 @@ _BAND = 1.1  # inches of a class's band
 _LONGEST = 26  # characters of a row's name
 _MOST_ENTRIES = 20
 _THICK = 0.82  # of a row
-_STRIP = 0.22  # of a row, for the structure that a module is part of
+_STRIP = 0.27  # of a bar, for the structure that a module is part of
 _PALE = 0.45  # opacity of what was planned
 
 
@@ -56,6 +56,11 @@ class Slot(NamedTuple):
 
     middle: float
     height: float
+
+    @property
+    def strip(self) -> float:
+        """The height at their foot for the structure that a module is part of."""
+        return self.height * _STRIP
 
 
 _ALL = Slot(0.0, _THICK)
@@ -112,7 +117,7 @@ def prepare_timeline(plan: Plan, mission: Mission | None, ax: Any, focus: Focus)
     def fill() -> None:
         if rows:
             _draw_rows(ax, rows, keys, horizon)
-            _draw_lives(ax, [row.shown for row in rows], shapes, horizon)
+            _draw_lives(ax, rows, shapes, horizon)
         elif before:
             _draw_bands(ax, moving, keys, (horizon, _EXECUTED, False))
             _draw_bands(ax, before, keys, (horizon, _PLANNED, True))
@@ -193,13 +198,19 @@ def _draw_rows(ax: Any, rows: Sequence[Row], keys: Keys, horizon: int) -> None:
         ax.axhline(end - HALF, color=LINE, linewidth=0.5)
     tall = canvas.extent(ax)[1] / len(rows)
     for place, row in enumerate(rows):
-        slot = _ALL if row.planned is None else _EXECUTED
+        slot = _slot(row)
         if row.planned is not None:
             _draw_track(ax, row.planned, keys, (place, _PLANNED, horizon))
         size = min(SMALL, 0.75 * tall * slot.height / _THICK)
         _draw_track(ax, row.shown, keys, (place, slot, horizon))
         if size >= SMALL * 0.7:
-            _write_stays(ax, row.shown, keys, (place + slot.middle, size, horizon))
+            above = slot.strip / 2 if row.shown.lives else 0
+            _write_stays(ax, row.shown, keys, (place + slot.middle - above, size, horizon))
+
+
+def _slot(row: Row) -> Slot:
+    """Which part of a row the bars of what happened take."""
+    return _ALL if row.planned is None else _EXECUTED
 
 
 def _draw_track(ax: Any, row: Track, keys: Keys, where: tuple[int, Slot, int]) -> None:
@@ -248,8 +259,7 @@ def _write_stays(ax: Any, row: Track, keys: Keys, where: tuple[float, float, int
         if canvas.text_size(words, size)[0] < across * (end - begin) - 3:
             look = {"fontsize": size, "color": keys.get(state, IDLE).paint.ink}
             look |= {"ha": "center", "va": "center_baseline"}
-            above = place - _STRIP / 2 * bool(row.lives)
-            ax.text((begin + end) / 2, above, canvas.plain(words), **look)
+            ax.text((begin + end) / 2, place, canvas.plain(words), **look)
 
 
 def shapes_of(found: Iterable[Track], mission: Mission | None = None) -> Mapping[str, Paint]:
@@ -259,14 +269,16 @@ def shapes_of(found: Iterable[Track], mission: Mission | None = None) -> Mapping
     return {name: given[name] for name in names}
 
 
-def _draw_lives(ax: Any, rows: Sequence[Track], shapes: Mapping[str, Paint], horizon: int) -> None:
-    """A strip below each module's bars, in the colour of the structure that it is part of."""
+def _draw_lives(ax: Any, rows: Sequence[Row], shapes: Mapping[str, Paint], horizon: int) -> None:
+    """A strip at the foot of each module's bars, in the colour of the structure it is part of."""
     for place, row in enumerate(rows):
-        for life in row.lives:
-            paint, below = shapes[life.configuration], place + (_THICK - _STRIP) / 2
+        slot = _slot(row)
+        for life in row.shown.lives:
+            paint = shapes[life.configuration]
+            below = place + slot.middle + (slot.height - slot.strip) / 2
             begin = life.first - (DWELL if life.first else HALF)
             end = life.last + (DWELL if life.last < horizon else HALF)
-            _bar(ax, below, (begin, end), paint, life.id, height=_STRIP)
+            _bar(ax, below, (begin, end), paint, life.id, height=slot.strip)
 
 
 def _shape_entries(shapes: Mapping[str, Paint]) -> list[Entry]:

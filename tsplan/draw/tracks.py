@@ -146,7 +146,8 @@ class Track:
         One that is not over at the horizon ends after it.
         """
         last = min(self.end - 1, horizon)
-        if self.begun is not None and self.stops[0].first > 0:
+        rebuilt = self.lives and self.begun == self.stops[0].state
+        if self.begun is not None and self.stops[0].first > 0 and not rebuilt:
             yield 0, min(self.stops[0].first, horizon + 1)
         for here, there in pairwise(self.stops):
             gap = here.last + 1, there.first - 1
