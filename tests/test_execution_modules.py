@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
@@ -25,7 +26,7 @@ from tsplan.plans.outcomes import ObjectiveValue, Status
 from tsplan.plans.structures import Rebuilt, Structure
 from tsplan.replanning.execution import Executed, Execution
 from tsplan.replanning.replanner import replan
-from tsplan.replanning.robot_fleet import Assembly, MoveOrder, RebuildOrder, Seen
+from tsplan.replanning.robot_fleet import Assembly, MoveOrder, Order, RebuildOrder, Seen
 from tsplan.replanning.simulated_fleet import Chances, SimulatedFleet
 from tsplan.stopping import StoppedBy
 
@@ -252,3 +253,47 @@ def test_what_was_to_come_out_after_the_end_does_when_the_plan_goes_on() -> None
     assert (line.first, line.id in made.rebuilt[0].made) == (2, True)
     assert len(made.rebuilt) == 1
     assert tsplan.check(mission, Plan.from_json(made.to_json())).ok
+
+
+class Clumsy(Watched):
+    """A fleet in which what is to be rebuilt often does not begin: its parts are seen still."""
+
+    def advance(self, step: int, orders: Sequence[Order]) -> Seen:
+        kept = [o for o in orders if not isinstance(o, RebuildOrder) or not self._fails(o, step)]
+        return super().advance(step, kept)
+
+    def _fails(self, order: RebuildOrder, step: int) -> bool:
+        modules = sorted(module for name in order.parts for module in self._who(name))
+        return self._chance("fails", step, *modules) < 0.5
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(20, 1000), 20))
+def test_what_does_not_begin_to_be_rebuilt_is_begun_later(seeds: list[int]) -> None:
+    met = {False: 0, True: 0}
+    for seed in seeds:
+        mission = random_module_mission(seed, steps=6, modules=5)
+        plan = tsplan.plan(mission)
+        for again in met if plan.has_paths else ():
+            fleet = Clumsy(mission, Chances(0.1, 0.01, 0.0), seed)
+            done = carried_out(mission, plan, fleet, again=again)
+            for step, places in enumerate(fleet.states):
+                there = {name: state for name, state in places.items() if state}
+                assert was_there(done.plan, step) == there, (seed, step)
+            assert done.availability == slack(mission, fleet), seed
+            if done.met:
+                assert tsplan.check(mission, Plan.from_json(done.plan.to_json())).ok, seed
+            met[again] += done.met
+    assert met[True] >= met[False]
+
+
+def test_structures_are_told_of_as_they_are_at_the_step() -> None:
+    mission, plan = fence()
+    with pytest.raises(PlanError, match="single-9 has become line-1 at step 0"):
+        replan(mission, plan, 8, lost=["single-9"])
+    with pytest.raises(PlanError, match="ring-1 is not there, nor being made, at step 1"):
+        replan(mission, plan, 1, late={"ring-1": 1})
+    easy = replace(mission, formula=parse("F[0,18] sum(rail) >= 1"), text="", language="mtl")
+    made = replan(easy, plan, 1, lost=["single-9"])  # so the line is not being made
+    bodies = {each.id: each for each in made.structures}
+    assert (bodies["single-8"].last >= 1, "line-1" in bodies) == (True, False)
+    assert bodies["single-9"].last == 0

@@ -132,9 +132,12 @@ def structures_from(plan: Plan, rest: Rest) -> tuple[tuple[Structure, ...], tupl
     step = rest.step
     new = {old: name for name, old in modules_by_rest(rest).items()}
     making = {name for each in plan.rebuilt if each.step < step for name in each.made}
-    found = []
+    there = {each.id for each in rest.past.built.structures if each.last >= step}
+    waiting = [each for each in plan.rebuilt if each.step < step and there & {*each.parts}]
+    found = list(_waiting(plan, waiting, step, new))
+    told = {name for each in waiting for name in (*each.parts, *each.made)}
     for each in plan.structures:
-        if each.last < step or not all(module in new for module in each.modules):
+        if each.id in told or each.last < step or not all(module in new for module in each.modules):
             continue
         modules = tuple(new[module] for module in each.modules)
         stays = ahead(each.stays, step)
@@ -146,8 +149,27 @@ def structures_from(plan: Plan, rest: Rest) -> tuple[tuple[Structure, ...], tupl
         made = replace(each, modules=modules, stays=stays, coming=coming)
         found.append(replace(made, first=first, last=each.last - step))
     found += _beyond(rest, new, {module for each in found for module in each.modules})
-    rebuilt = (replace(r, step=r.step - step) for r in plan.rebuilt if r.step >= step)
-    return tuple(found), tuple(rebuilt)
+    rebuilt = [*waiting, *(each for each in plan.rebuilt if each.step >= step)]
+    return tuple(found), tuple(replace(each, step=max(each.step - step, 0)) for each in rebuilt)
+
+
+def _waiting(
+    plan: Plan, rebuilt: Iterable[Rebuilt], step: int, new: Mapping[str, str]
+) -> Iterator[Structure]:
+    """What should be being rebuilt at a step and is not, and what is to come of it."""
+    bodies = {each.id: each for each in plan.structures}
+    for item in rebuilt:
+        for each in (bodies[name] for name in (*item.parts, *item.made)):
+            if not all(module in new for module in each.modules):
+                continue
+            later = each.first - item.step if each.id in item.made else 0
+            stays = tuple(
+                (max(first - step, later), max(last - step, later), state)
+                for first, last, state in (each.stays if later else each.stays[-1:])
+            )
+            modules = tuple(new[module] for module in each.modules)
+            last = max(each.last - step, later)
+            yield replace(each, modules=modules, stays=stays, coming=None, first=later, last=last)
 
 
 def _left(each: Structure, step: int) -> str | None:

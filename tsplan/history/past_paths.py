@@ -134,13 +134,18 @@ def really(mission: Mission, plan: Plan, world: World, maps: Maps) -> Past:
 
 
 def _unknown(plan: Plan, world: World, before: Container[str]) -> Iterator[Finding]:
-    """Agents of which a world tells, and that the plan does not have, or not any more."""
+    """Agents of which a world tells, and that the plan does not have, or not any more or yet."""
+    known = {each.id for each in Built.of(plan, world.step).structures}
+    coming = {each.id for each in plan.structures} - known
     for name in told_of(world):
         if name not in plan.agent and all(name != each.id for each in plan.structures):
             remedy = "name agents as the plan does, such as scout-1"
             yield Finding(f"the plan has no agent '{name}'", remedy)
         elif name in before:
             yield Finding(f"agent {name} has been lost before")
+        elif name in coming:
+            what = f"structure {name} is not there, nor being made, at step {world.step}"
+            yield Finding(what, "tell of what its modules are now")
 
 
 def _able(mission: Mission, group: Newcomers) -> frozenset[str]:

@@ -40,15 +40,40 @@ class Built(NamedTuple):
             rebuilt,
         )
 
+    def under_way(self, step: int) -> tuple[Rebuilt, ...]:
+        """What has begun to be rebuilt before a step and is not over before it."""
+        first = {each.id: each.first for each in self.structures}
+        return tuple(
+            each
+            for each in self.rebuilt
+            if each.step < step and all(first[name] >= step for name in each.made)
+        )
+
+    def _begun(self, world: World) -> Built:
+        """The same without what cannot have begun, since a world tells of what was to go in."""
+        told = set(told_of(world))
+        off = [each for each in self.under_way(world.step) if told.intersection(each.parts)]
+        parts = {name for each in off for name in each.parts}
+        made = {name for each in off for name in each.made}
+        structures = (
+            _staying(each, world.step) if each.id in parts else each
+            for each in self.structures
+            if each.id not in made
+        )
+        return Built(tuple(structures), tuple(each for each in self.rebuilt if each not in off))
+
     def really(self, world: World, maps: Maps) -> Built:
         """The same as a world says that it was.
 
-        Raises PlanError for what it says of structures and cannot be.
+        Where it tells of a structure by its id that should have gone into another by then, that has
+        not begun to be made: its parts are still there. Raises PlanError for what it says of
+        structures and cannot be.
         """
-        findings: list[Finding] = []
+        begun = self._begun(world)
+        findings: list[Finding] = [*begun.strange(world)]
         found: list[Structure] = []
-        born = {name for each in self.rebuilt for name in each.made}
-        for each in self.structures:
+        born = {name for each in begun.rebuilt for name in each.made}
+        for each in begun.structures:
             over = each.last < world.step
             mine = [] if over else [n for n in told_of(world) if n in (each.id, *each.modules)]
             if len(mine) > 1:
@@ -63,7 +88,17 @@ class Built(NamedTuple):
                 found.append(seen)
         if findings:
             raise PlanError(findings)
-        return Built(tuple(found), tuple(_come_out(self.rebuilt, {each.id for each in found})))
+        return Built(tuple(found), tuple(_come_out(begun.rebuilt, {each.id for each in found})))
+
+    def strange(self, world: World) -> Iterator[Finding]:
+        """Structures of which a world tells that have become others before."""
+        lives = {each.id: each for each in self.structures}
+        into = {name: each for each in self.rebuilt for name in each.parts}
+        for name in told_of(world):
+            if name in lives and lives[name].last < world.step and name in into:
+                became = " and ".join(into[name].made) or "others"
+                what = f"structure {name} has become {became} at step {into[name].step}"
+                yield Finding(what, "tell of what it is now")
 
     def by(self, horizon: int) -> Built:
         """The same but for what is so late that it does not come to be by the end of a plan."""
@@ -117,6 +152,12 @@ def _made(each: Structure) -> Structure:
     """A structure that is still being made, as it will be first."""
     stays = ((each.first, each.first, each.stays[0][2]),)
     return replace(each, stays=stays, last=each.first, heading=None)
+
+
+def _staying(each: Structure, step: int) -> Structure:
+    """A structure that stays on where it was until a step."""
+    *before, (first, _, state) = each.stays
+    return replace(each, stays=(*before, (first, step, state)), last=step)
 
 
 def path_of(each: Structure) -> Bundle:

@@ -104,7 +104,9 @@ class Execution:
     def take(self, seen: Seen) -> None:
         """Take in what is seen at the next step."""
         self.step = seen.step
-        world = difference(seen.step, dict(self._places(seen.step)), seen)
+        built = Past.of(self.mission, self.plan, seen.step).built
+        parts = {name for each in built.under_way(seen.step) for name in each.parts}
+        world = difference(seen.step, dict(self._places(seen.step)), seen, parts)
         if world is not None:
             self.plan = self._adjusted(world)
             self.keep(seen, self.plan)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol, TypeAlias
 
@@ -75,18 +75,25 @@ class Fleet(Protocol):
         """There is nothing more to do."""
 
 
-def difference(step: int, planned: Mapping[str, str | OnEdge], seen: Seen) -> World | None:
+def difference(
+    step: int,
+    planned: Mapping[str, str | OnEdge],
+    seen: Seen,
+    rebuilt: Container[str] = frozenset(),
+) -> World | None:
     """How the world differs from what was planned for a step; None where it does not.
 
-    `planned` has everybody who is not lost.
+    `planned` has everybody who is not lost, and `rebuilt` are those that are part of others by
+    then: where they are seen, that has not begun.
     """
     lost: list[str] = []
     moved: dict[str, str | OnEdge] = {}
     late: dict[str, int] = {}
     for name, place in seen.places.items():
-        if name not in planned:
+        is_going_in = isinstance(place, tuple) and place[0] == place[1]
+        if name not in planned and (name not in rebuilt or is_going_in):
             continue
-        wanted = planned[name]
+        wanted = planned.get(name)
         if place is None:
             lost.append(name)
         elif isinstance(place, str):
