@@ -132,8 +132,9 @@ def _replan(commands: Commands) -> None:
         "deadline": ("PART=STEP", "the last step of the window of a part, counted as there"),
     }
     for name, (value, what) in told.items():
-        kind = values.names if name == "lost" else str
-        action = "extend" if name == "lost" else "append"
+        listed = name in ("lost", "moved", "late", "closed", "opened")
+        kind = values.names if listed else str
+        action = "extend" if listed else "append"
         how = {**many, "action": action, "help": f"{what}; may be repeated"}
         add(f"--{name}", type=kind, metavar=value, **how)
     add("--world", type=Path, metavar="FILE", help="the same and more from a file (YAML)")

@@ -39,8 +39,9 @@ def run(options: argparse.Namespace) -> Exit:
         what = "a mission over signals is carried out by a controller"
         raise InputError([Finding(what, "see tsplan.Controller in docs/signals.md")])
     plan = load_plan(options.plan)
+    world = world_given(options, given, plan)
     try:
-        return _replanned(given, plan, world_given(options, given, plan), choice, options)
+        return _replanned(given, plan, world, choice, options)
     except PlanError as error:
         raise PlanError(_named(error, options)) from None
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from tsplan.draw import canvas
+from tsplan.draw import canvas, closures
 from tsplan.draw.canvas import DARK, LINE, SMALL, SOFT, WHITE, Entry, Picture
 from tsplan.draw.edge_layout import Places, Point, spacing
 from tsplan.draw.layout import bounds, links, places, usual_duration
@@ -15,6 +15,7 @@ from tsplan.draw.matplotlib_loading import library
 from tsplan.draw.palette import Palette
 from tsplan.draw.state_labels import DOT, StateLabel, state_labels
 from tsplan.draw.text_placement import Box, Frame, Placement, direction, frame_of
+from tsplan.plans.worlds import World
 from tsplan.ts import TransitionSystem
 from tsplan.words import visible
 
@@ -73,13 +74,19 @@ def draw_map(system: TransitionSystem, ax: Any = None) -> Picture:
     return finish(base(Palette(system), ax, ()), system.name)
 
 
-def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> DrawnMap:
-    """Shapes, edges, states, what is written there, and a legend of entries and other labels."""
+def base(
+    palette: Palette, ax: Any, entries: Sequence[Entry], worlds: Iterable[World] = ()
+) -> DrawnMap:
+    """Shapes, edges, states, what is written there, and a legend of entries and other labels.
+
+    What is closed, by the map or by some `worlds`, is crossed out.
+    """
     system = palette.system
+    closed = closures.closures(system, worlds)
     where = places(system)
     box = _box(system, where)
     tall = height_of(system)
-    known = [*entries, *_unmarked(system)]
+    known = [*entries, *closures.entries(closed), *_unmarked(system)]
     figure, ax = canvas.axes(ax, WIDTH + canvas.legend_width(known, tall - _TITLE), tall)
     frame = frame_of(ax, box)
     chosen = state_labels(system, where, frame)
@@ -92,6 +99,7 @@ def base(palette: Palette, ax: Any, entries: Sequence[Entry]) -> DrawnMap:
     _draw_edges(drawn)
     _draw_dots(drawn)
     _draw_labels(drawn)
+    closures.draw_closures(drawn, closed)
     return drawn
 
 

@@ -60,7 +60,7 @@ def draw_paths(plan: Plan, mission: Mission, ax: Any = None, focus: Focus = WHOL
     palette = Palette.of(mission)
     drawing = drawing_of(plan, mission, palette, focus)
     strands, joined = drawing.strands, drawing.joined
-    drawn = base(palette, ax, _entries(drawing, focus))
+    drawn = base(palette, ax, _entries(drawing, focus), drawing.plan.replanned)
     now = focus.step is not None
     if now:
         _draw_now(drawn, mission, drawing, focus)
