@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from tsplan.draw import canvas, closures
+from tsplan.draw import canvas, crosses
 from tsplan.draw.canvas import DARK, LINE, SMALL, SOFT, WHITE, Entry, Picture
 from tsplan.draw.edge_layout import Places, Point, spacing
 from tsplan.draw.layout import bounds, links, places, usual_duration
@@ -82,11 +82,11 @@ def base(
     What is closed, by the map or by some `worlds`, is crossed out.
     """
     system = palette.system
-    closed = closures.closures(system, worlds)
+    closed = crosses.closures(system, worlds)
     where = places(system)
     box = _box(system, where)
     tall = height_of(system)
-    known = [*entries, *closures.entries(closed), *_unmarked(system)]
+    known = [*entries, *crosses.entries(closed), *_unmarked(system)]
     figure, ax = canvas.axes(ax, WIDTH + canvas.legend_width(known, tall - _TITLE), tall)
     frame = frame_of(ax, box)
     chosen = state_labels(system, where, frame)
@@ -99,7 +99,7 @@ def base(
     _draw_edges(drawn)
     _draw_dots(drawn)
     _draw_labels(drawn)
-    closures.draw_closures(drawn, closed)
+    _draw_crosses(drawn, crosses.crosses(closed, lambda state: drawn.frame.at(where[state])))
     return drawn
 
 
@@ -204,6 +204,13 @@ def _draw_dots(drawn: DrawnMap) -> None:
     drawn.ax.scatter(xs, ys, s=size**2, c=colours, zorder=3, gid="states", **edge)
     for name in () if drawn.dense else bare:
         drawn.placement.take(Box.around(drawn.frame.at(drawn.where[name]), size / 2, size / 2))
+
+
+def _draw_crosses(drawn: DrawnMap, found: Iterable[crosses.Cross]) -> None:
+    look: dict[str, Any] = {"color": crosses.COLOUR, "gid": "closed", "bbox": canvas.halo()}
+    for cross in found:
+        if not drawn.write_free(cross.words, cross.centres, SMALL, **look):
+            drawn.write(cross.sign, cross.centres[0], SMALL, **look)
 
 
 def _draw_labels(drawn: DrawnMap) -> None:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from tsplan.draw.canvas import SMALL, Entry, halo
+from tsplan.draw.canvas import Entry
 
 if TYPE_CHECKING:
-    from tsplan.draw.map import DrawnMap
     from tsplan.plans.worlds import Place, World
     from tsplan.ts import TransitionSystem
 
@@ -17,7 +16,7 @@ Spans: TypeAlias = "tuple[tuple[int, int | None], ...]"
 """First and last steps, the latter None where it goes on for good."""
 
 COLOUR = "#b3261e"
-_CROSS = "\u00d7"
+_SIGN = "\u00d7"
 _SHARES = (0.5, 0.4, 0.6, 0.3, 0.7)
 _POINTS = (9.0, 13.0, 18.0)  # from a state to its cross
 
@@ -31,7 +30,7 @@ def closures(system: TransitionSystem, worlds: Iterable[World] = ()) -> Mapping[
     >>> system = TransitionSystem.build([State("p"), State("q")], [edge])
     >>> shut = World(2, closed=(Closed(("p", "q")), Closed("q", 5)))
     >>> dict(closures(system, [shut, World(8, opened=(Opened("p", "q"),))]))
-    {('p', 'q'): ((4, 9), (2, 7)), 'q': ((2, 5),)}
+    {'q': ((2, 5),), ('p', 'q'): ((4, 9), (2, 7))}
     """
     found: dict[Place, list[tuple[int, int | None]]] = defaultdict(list)
     for name, state in system.states.items():
@@ -55,13 +54,21 @@ def entries(found: Mapping[Place, Spans]) -> list[Entry]:
     return [Entry.line("closed, at these steps", **look)]
 
 
-def draw_closures(drawn: DrawnMap, found: Mapping[Place, Spans]) -> None:
-    """A cross at every place that is closed, with its steps where there is room."""
-    look: dict[str, Any] = {"color": COLOUR, "gid": "closed", "bbox": halo()}
+class Cross(NamedTuple):
+    """What is written at a closed place: the `words`, or the `sign` where there is no room.
+
+    `centres` are places of the page for that, the best first.
+    """
+
+    words: str
+    centres: tuple[complex, ...]
+    sign: str = _SIGN
+
+
+def crosses(found: Mapping[Place, Spans], at: Callable[[str], complex]) -> Iterator[Cross]:
+    """A cross at every place that is closed, with its steps; `at` says where states are."""
     for ends, spans in _once(found):
-        words = f"{_CROSS} {_told(spans)}"
-        if not drawn.write_free(words, _centres(drawn, ends), SMALL, **look):
-            drawn.write(_CROSS, next(_centres(drawn, ends)), SMALL, **look)
+        yield Cross(f"{_SIGN} {_told(spans)}", tuple(_centres([at(state) for state in ends])))
 
 
 def _once(found: Mapping[Place, Spans]) -> Iterator[tuple[Sequence[str], Spans]]:
@@ -73,11 +80,10 @@ def _once(found: Mapping[Place, Spans]) -> Iterator[tuple[Sequence[str], Spans]]
             yield place, spans
 
 
-def _centres(drawn: DrawnMap, ends: Sequence[str]) -> Iterator[complex]:
-    """Places of the page for a cross, the best first."""
-    begin = drawn.frame.at(drawn.where[ends[0]])
-    if len(ends) > 1 and ends[0] != ends[1]:
-        way = drawn.frame.at(drawn.where[ends[1]]) - begin
+def _centres(ends: Sequence[complex]) -> Iterator[complex]:
+    """Places of the page for a cross at a state, or between two, the best first."""
+    begin, way = ends[0], ends[-1] - ends[0]
+    if way:
         yield from (begin + way * share for share in _SHARES)
     else:
         for far in _POINTS:
