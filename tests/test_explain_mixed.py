@@ -130,7 +130,7 @@ def random_mixed(seed: int) -> Mission | None:
         return None  # a start over a state's capacity, or where a robot may not be
 
 
-@pytest.mark.parametrize("seed", sampled(range(80), range(2)))
+@pytest.mark.parametrize("seed", sampled(range(80), range(1)))
 def test_random_missions_of_robots_and_swarms(seed: int) -> None:
     mission = random_mixed(seed)
     if mission is not None:

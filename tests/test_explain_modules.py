@@ -28,7 +28,7 @@ def only(mission: Mission) -> Fact:
     return fact
 
 
-@pytest.mark.parametrize("seeds", seed_blocks((3, 9, 16, 19, 27, 38), range(40, 2000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks([9, 16, 27, 38], [*range(40, 2000), 3, 19], 20))
 def test_what_is_said_of_modular_missions_is_so(seeds: list[int]) -> None:
     explained = 0
     for seed in seeds:

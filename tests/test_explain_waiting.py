@@ -91,7 +91,7 @@ def moving(seed: int) -> Mission:
     return replace(made, system=TransitionSystem.build(made.system.states.values(), edges))
 
 
-@pytest.mark.parametrize("seed", sampled([*range(6), *range(1000, 1200)], range(2)))
+@pytest.mark.parametrize("seed", sampled([*range(6), *range(1000, 1200)], range(1)))
 def test_random_missions_without_some_waits(seed: int) -> None:
     check_explanation(moving(seed), conflicts=2)
 

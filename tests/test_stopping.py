@@ -131,7 +131,7 @@ def test_every_stop_leaves_a_plan_that_stands(text: str, every: int, tmp_path: P
     assert stop_everywhere(load_mission(path), every) >= 5
 
 
-@pytest.mark.parametrize("seed", sampled(range(7000, 7012), range(7000, 7006)))
+@pytest.mark.parametrize("seed", sampled(range(7000, 7012), range(7000, 7002)))
 def test_every_stop_of_random_missions(seed: int) -> None:
     mission = random_mission(seed, states=4, most_agents=4, steps=8)
     stop_everywhere(replace(mission, objective=("agents", "availability", "cost", "makespan")))
