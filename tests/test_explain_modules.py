@@ -142,6 +142,7 @@ def test_a_reconfiguration_is_offered_at_more_places_or_in_fewer_steps() -> None
         assert "single: {modules: 1, capabilities: [look]}" in text  # the rest stays as it was
 
 
+@pytest.mark.long
 def test_no_reconfiguration_is_offered_where_none_helps() -> None:
     made = check_explanation(fence(formula="F[0,12] T(2, wall, {(lift,3)})"))
     assert "reconfigure" not in {change.kind for change in made.changes}

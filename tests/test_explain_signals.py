@@ -138,6 +138,7 @@ def test_a_goal_that_is_too_far() -> None:
     )
 
 
+@pytest.mark.long
 def test_two_places_exclude_each_other() -> None:
     made = check_explanation(free("G[0,3] x + y >= 12 && F[0,2] x <= 1"), conflicts=9)
     parts = [set(item) for item in texts(made)]
@@ -328,7 +329,7 @@ def test_random_missions(language: Any, seeds: list[int]) -> None:
         check_explanation(random_signal_mission(seed, language=language), conflicts=2)
 
 
-@pytest.mark.parametrize(("language", "seed"), [long("stl", 260), ("wstl", 248)])
+@pytest.mark.parametrize(("language", "seed"), [long("stl", 260), long("wstl", 248)])
 def test_random_missions_that_went_wrong(language: Any, seed: int) -> None:
     """Both ends of a window move together, past each other."""
     check_explanation(random_signal_mission(seed, language=language), conflicts=2)

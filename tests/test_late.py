@@ -230,7 +230,7 @@ def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> N
     assert 3 <= sum(planned) <= len(planned) - 3
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", sampled(range(40), range(14)))
 def test_who_came_last_leaves_first(seed: int) -> None:
     mission = late_swarms(2 * seed)
     on_time = replace(mission, delay=0, objective=("travel",))

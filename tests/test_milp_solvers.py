@@ -191,7 +191,7 @@ def test_solvers_agree_on_random_models(any_solver: Solver, highs: Solver, seed:
         assert model.violation(found.values) <= 1e-5
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", sampled(range(40), range(15)))
 def test_highs_agrees_with_enumeration(highs: Solver, seed: int) -> None:
     model = random_model(seed)
     model = model.with_integrality(np.ones_like(model.integer))

@@ -31,7 +31,7 @@ def compare(seed: int, **others: Any) -> None:
         assert tsplan.Plan.from_json(plan.to_json()) == plan
 
 
-@pytest.mark.parametrize("seeds", seed_blocks([1, 4, 5, 6, 7], range(2000), 8))
+@pytest.mark.parametrize("seeds", seed_blocks([1, 4, 5], range(2000), 8))
 def test_structures_are_planned_as_well_as_by_trying_everything(seeds: list[int]) -> None:
     for seed in seeds:
         compare(seed)
