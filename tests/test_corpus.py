@@ -36,7 +36,6 @@ COMMANDS = (
     "partial_depth",
     "partial_swarm",
     "preferences_team",
-    "site_wall",
     "linear",
     "too_late",
 )
