@@ -24,7 +24,7 @@ def browser_path():
 class Browser:
     """One browser with one page; everything it reports is kept in `events`."""
 
-    def __init__(self, profile, size=(1280, 800)):
+    def __init__(self, profile):
         to_browser, our_end = os.pipe()
         their_end, from_browser = os.pipe()
         self._write, self._read = our_end, their_end
@@ -40,7 +40,7 @@ class Browser:
                 "--headless=new",
                 "--remote-debugging-pipe",
                 f"--user-data-dir={profile}",
-                f"--window-size={size[0]},{size[1]}",
+                "--window-size=1280,800",
                 "--no-sandbox",
                 "--no-first-run",
                 "--disable-gpu",
@@ -69,7 +69,7 @@ class Browser:
         self._session = attached["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(f"{domain}.enable")
-        self.resize(*size)
+        self.resize()
 
     def ask(self, method, **parameters):
         """Send one command and return its result."""
@@ -149,7 +149,7 @@ class Browser:
         )
         self.click(*middle)
 
-    def resize(self, width, height):
+    def resize(self, width=1280, height=800):
         """Give the page another size."""
         self.ask(
             "Emulation.setDeviceMetricsOverride",

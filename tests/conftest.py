@@ -49,9 +49,9 @@ def folder(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.M
     return tmp_path
 
 
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
-    """A headless browser for the tests of a module; skipped where there is none."""
+@pytest.fixture(scope="session")
+def chromium(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
+    """A headless browser, started once; skipped where there is none."""
     from tests.browser import Browser, browser_path  # noqa: PLC0415  (as above)
 
     if browser_path() is None:
@@ -62,6 +62,14 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
     running = Browser(tmp_path_factory.mktemp("profile"))
     yield running
     running.close()
+
+
+@pytest.fixture(scope="module")
+def browser(chromium: Browser) -> Browser:
+    """The headless browser for the tests of a module, as it is when it is started."""
+    chromium.resize()
+    chromium.prefer()
+    return chromium
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:

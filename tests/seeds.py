@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from tsplan.logic import LANGUAGES
 
-FEW, MANY = 20, 200  # examples of hypothesis
+FEW, MANY = 10, 200  # examples of hypothesis
 whole = False  # whether the run asks for what is marked `long`: `conftest.py` says so
 seeds = st.integers(0, 2**32 - 1)
 languages = st.sampled_from(LANGUAGES)

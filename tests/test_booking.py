@@ -131,7 +131,7 @@ def test_sets_of_capabilities_that_say_nothing_more_are_left_out():
 # --- all joint plans ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(4), range(500), 4))
+@pytest.mark.parametrize("seeds", seed_blocks(range(2), range(500), 4))
 @pytest.mark.parametrize("booking", BOOKINGS)
 def test_tiny_missions_are_planned_as_well_as_by_all_joint_plans(seeds, booking):
     for seed in seeds:
@@ -140,7 +140,7 @@ def test_tiny_missions_are_planned_as_well_as_by_all_joint_plans(seeds, booking)
             compare(made, 1.0)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(500, 504), range(500, 700), 4))
+@pytest.mark.parametrize("seeds", seed_blocks(range(500, 502), range(500, 700), 4))
 def test_a_flow_says_the_same_as_sets_of_capabilities(monkeypatch, seeds):
     written = []
     flow = bookings._assigned

@@ -51,7 +51,7 @@ def compare(mission: Mission, *ways: dict[str, object]) -> None:
 
 @pytest.mark.parametrize(
     "seeds",
-    seed_blocks(range(10_000, 10_020), [*range(10_000, 10_080), *range(11_000, 12_000)], 10),
+    seed_blocks(range(10_000, 10_010), [*range(10_000, 10_080), *range(11_000, 12_000)], 10),
 )
 def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(small_team, seeds):
@@ -61,7 +61,7 @@ def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> No
 
 @pytest.mark.parametrize(
     "seeds",
-    seed_blocks(range(30_000, 30_010), [*range(30_000, 30_120), *range(31_000, 33_000)], 20),
+    seed_blocks(range(30_000, 30_005), [*range(30_000, 30_120), *range(31_000, 33_000)], 20),
 )
 def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(small_swarms, seeds):
@@ -70,7 +70,7 @@ def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> N
 
 @pytest.mark.parametrize(
     "seeds",
-    seed_blocks(range(30_200, 30_210), [*range(30_200, 30_240), *range(33_000, 34_000)], 10),
+    seed_blocks(range(30_200, 30_205), [*range(30_200, 30_240), *range(33_000, 34_000)], 10),
 )
 def test_swarms_do_as_well_by_the_reference_and_without_ideas(seeds: list[int]) -> None:
     for mission in map(small_swarms, seeds):
@@ -79,7 +79,7 @@ def test_swarms_do_as_well_by_the_reference_and_without_ideas(seeds: list[int]) 
 
 @pytest.mark.parametrize(
     "seeds",
-    seed_blocks(range(50_000, 50_010), [*range(50_000, 50_120), *range(51_000, 53_000)], 20),
+    seed_blocks(range(50_000, 50_005), [*range(50_000, 50_120), *range(51_000, 53_000)], 20),
 )
 def test_robots_and_a_swarm_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(small_mixed, seeds):

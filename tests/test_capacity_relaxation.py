@@ -36,7 +36,7 @@ def values(mission: Mission, **how: object) -> tuple[str, list[tuple[str, float 
     return str(plan.status), [(item.name, item.value) for item in plan.objective]
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(3_000), 30))
+@pytest.mark.parametrize("seeds", seed_blocks(range(10), range(3_000), 30))
 def test_teams_in_narrow_places_do_as_well_as_all_joint_plans(seeds: list[int]) -> None:
     for seed in seeds:
         mission = narrow_mission(seed, states=4, most_agents=3, steps=5)
@@ -44,7 +44,7 @@ def test_teams_in_narrow_places_do_as_well_as_all_joint_plans(seeds: list[int]) 
             compare(mission, {})
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(5_000, 5_006), range(5_000, 6_000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(5_000, 5_002), range(5_000, 6_000), 20))
 def test_larger_teams_do_as_well_by_the_reference(seeds: list[int]) -> None:
     for seed in seeds:
         mission = narrow_mission(seed, states=4, most_agents=7, steps=10)
@@ -52,7 +52,7 @@ def test_larger_teams_do_as_well_by_the_reference(seeds: list[int]) -> None:
             assert values(mission) == values(mission, **REFERENCE)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(5), range(2_000), 8))
+@pytest.mark.parametrize("seeds", seed_blocks(range(3), range(2_000), 8))
 def test_robots_that_make_room_for_each_other_do_as_well_by_the_reference(seeds: list[int]) -> None:
     for mission in map(sliding, seeds):
         assert values(mission) == values(mission, **REFERENCE)

@@ -152,7 +152,7 @@ def test_json(folder, capsys):
     [
         long("farm_overbooked", "scarcity"),
         long("office_closed", "contradiction"),
-        ("office_double", "timing"),
+        long("office_double", "timing"),
         long("office_lift", None),
         long("reef_thin", "swarm"),
         long("rescue_late", "reach"),

@@ -50,7 +50,7 @@ def test_why_needs_a_plan_and_its_mission(folder, capsys):
 VIEWS = ("page", "paths", "timeline", "requirements", "flow", "map")
 
 
-@pytest.mark.parametrize("view", sampled(VIEWS, ["paths", "requirements", "flow", "map"]))
+@pytest.mark.parametrize("view", sampled(VIEWS, ["paths", "flow"]))
 def test_every_view_can_be_written(folder, view):
     assert main(["show", "plan.json", "--view", view, "-o", f"{view}.svg"]) == 0
     drawn = (folder / f"{view}.svg").read_text(encoding="utf-8")

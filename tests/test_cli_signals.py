@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.seeds import long
 from tests.walks import walking
 from tsplan import load_mission, load_signal_mission, load_trajectory, save_plan
 from tsplan.cli import main
@@ -146,18 +147,26 @@ def test_show_why(planned, folder, capsys):
     assert "critical: " in tree.splitlines()[0]
 
 
-def test_pictures_of_missions_and_trajectories(planned, folder, capsys):
-    pytest.importorskip("matplotlib")
-    for file, view, wanted, absent in (
-        ("found.json", "page", ("path:", "chosen", "region:goal"), ()),
-        ("found.json", "signals", ("chosen", "threshold"), ("path:",)),
+@pytest.mark.parametrize(
+    ("file", "view", "wanted", "absent"),
+    [
+        long("found.json", "page", ("path:", "chosen", "region:goal"), ()),
+        long("found.json", "signals", ("chosen", "threshold"), ("path:",)),
         ("found.json", "plane", ("path:", "region:wall"), ("threshold",)),
         ("reach.yaml", "page", ("start", "window", "region:goal"), ("chosen",)),
-    ):
-        assert main(["show", file, "--view", view, "-o", "drawn.svg"]) == 0
-        drawn = (folder / "drawn.svg").read_text(encoding="utf-8")
-        assert all(f'id="{name}' in drawn for name in wanted)
-        assert not any(f'id="{name}' in drawn for name in absent)
+    ],
+)
+@pytest.mark.usefixtures("planned")
+def test_pictures_of_missions_and_trajectories(folder, file, view, wanted, absent):
+    pytest.importorskip("matplotlib")
+    assert main(["show", file, "--view", view, "-o", "drawn.svg"]) == 0
+    drawn = (folder / "drawn.svg").read_text(encoding="utf-8")
+    assert all(f'id="{name}' in drawn for name in wanted)
+    assert not any(f'id="{name}' in drawn for name in absent)
+
+
+def test_a_trajectory_is_drawn_without_its_mission(planned, folder, capsys):
+    pytest.importorskip("matplotlib")
     assert main(["show", "found.json", "--view", "flow", "-o", "drawn.svg"]) == 2
     assert "there is no view 'flow' of signals" in capsys.readouterr().err
     (folder / "reach.yaml").unlink()

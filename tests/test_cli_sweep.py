@@ -16,7 +16,6 @@ import pytest
 from tests.command_line import (
     MISTAKES,
     PATIENCE,
-    command,
     here,
     linux,
     on_terminal,
@@ -36,7 +35,7 @@ repeat: 400
 
 
 def test_a_table_is_printed_and_each_run_told(folder):
-    done = command("sweep", "sweep.yaml", "-o", "out.csv", folder=folder)
+    done = here("sweep", "sweep.yaml", "-o", "out.csv", folder=folder)
     assert done.code == 0, done.err
     assert not any(word in done.out + done.err for word in MISTAKES)
     told = done.err.splitlines()

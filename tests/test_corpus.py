@@ -36,7 +36,6 @@ COMMANDS = (
     "partial_depth",
     "partial_swarm",
     "preferences_team",
-    "site_wall",
     "linear",
     "too_late",
 )
@@ -44,6 +43,7 @@ ON_TERMINALS = ("swarm_splits",)
 OBJECTIVES = (*SENSE, "satisfaction", "preferences")
 # take half a second or more
 SLOW = (
+    "farm_shortage",
     "keys",
     "meeting",
     "office_delivery",
@@ -57,6 +57,7 @@ LARGE = "tasks"  # has too many joint plans to look at
 MANY = (
     "swarms_together",
     "mixed_availability",
+    "swarm_moves",
     "team_agents",
 )  # joint plans, so that it takes long
 

@@ -45,7 +45,7 @@ from matplotlib.figure import Figure  # noqa: E402
 
 ENVIRONMENTS = Path(__file__).parents[1] / "environments"
 MISSIONS = sorted(path.stem for path in ENVIRONMENTS.glob("*_*.yaml"))
-QUICK = ("farm_harvest", "office_cleaning")
+QUICK = ("farm_harvest",)
 
 
 def face(artist):

@@ -212,6 +212,7 @@ tried("gif", lambda: animate(chosen, made, Path("p.gif")))
 """
 
 
+@pytest.mark.long
 def test_without_matplotlib_every_picture_says_what_to_install() -> None:
     assert printed(WITHOUT) == ""
 

@@ -31,7 +31,7 @@ def agree(seed: int) -> None:
     assert answer(tsplan.plan(mission)) == expected
 
 
-@pytest.mark.parametrize("seed", sampled(range(2060), range(20)))
+@pytest.mark.parametrize("seed", sampled(range(2060), range(10)))
 def test_tight_and_reference_agree(seed: int) -> None:
     agree(seed)
 
@@ -43,7 +43,7 @@ def all_switched_on(seed: int) -> tuple[object, ...]:
 
 @pytest.mark.parametrize("switch", list(Switch))
 @pytest.mark.parametrize(
-    "seeds", seed_blocks(range(100, 104), [*range(100, 112), *range(3000, 3200)], 12)
+    "seeds", seed_blocks(range(100, 102), [*range(100, 112), *range(3000, 3200)], 12)
 )
 def test_switching_a_switch_off_changes_no_answer(switch: Switch, seeds: list[int]) -> None:
     for seed in seeds:

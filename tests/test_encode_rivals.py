@@ -90,7 +90,7 @@ def agree(seed: int) -> None:
     assert [item.value for item in tightly.objective] == [item.value for item in plainly.objective]
 
 
-@pytest.mark.parametrize("seed", sampled(range(400), range(4)))
+@pytest.mark.parametrize("seed", sampled(range(400), range(2)))
 def test_rival_tasks_agree_with_the_reference(seed: int) -> None:
     agree(seed)
 
@@ -199,7 +199,7 @@ def agree_on_modules(seeds: list[int]) -> int:
     return refuted
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(6), range(6, 300), 6))
+@pytest.mark.parametrize("seeds", seed_blocks(range(2), range(300), 6))
 def test_rival_tasks_of_modules_agree_with_the_reference(seeds: list[int]) -> None:
     agree_on_modules(seeds)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import tsplan
-from tests.command_line import command
+from tests.command_line import here
 from tsplan.mission import load_mission
 from tsplan.signals.signal_files import load_signal_mission, signal_mission_from_text
 from tsplan.ts.io.map_files import load_map
@@ -86,7 +86,7 @@ def test_every_kind_of_mission_over_signals_is_shown():
 @pytest.mark.parametrize("limit", ["0.6"])
 def test_a_short_limit_gives_a_verified_plan_or_none(limit, tmp_path):
     arguments = ["plan", str(FOLDER / "office_wishes.yaml"), "--json", "--time-limit", limit]
-    code, out, err = command(*arguments, folder=tmp_path)
+    code, out, err = here(*arguments, folder=tmp_path)
     assert code in (0, 4), err
     plan = json.loads(out, parse_constant=pytest.fail)
     assert (plan["status"], plan["verified"]) in (

@@ -138,7 +138,7 @@ def compare(seed: int) -> str:
 
 
 def test_values_are_exact() -> None:
-    seen = [compare(seed) for seed in range(50_000, 50_040)]
+    seen = [compare(seed) for seed in range(50_000, 50_038)]
     assert seen.count("optimal") >= 12
     assert "feasible" in seen  # where arithmetic is too coarse
 
@@ -149,7 +149,7 @@ def test_a_found_point_bounds_the_tree_where_arithmetic_is_coarse() -> None:
 
 
 @pytest.mark.parametrize(
-    "seeds", seed_blocks((), [*range(50_040, 50_100), *range(51_000, 56_000)], 20)
+    "seeds", seed_blocks((), [*range(50_038, 50_100), *range(51_000, 56_000)], 20)
 )
 def test_values_are_exact_on_many(seeds: list[int]) -> None:
     for seed in seeds:

@@ -108,6 +108,7 @@ def words(mission: Mission) -> list[str]:
     return [change.text for change in made.changes]
 
 
+@pytest.mark.long
 def test_swarms_may_divide_further() -> None:
     assert words(swarm("F[2,6] (A && B && C)"))[0] == "raise max_subswarms from 2 to 3"
 
@@ -134,6 +135,7 @@ def test_of_a_share_hundredths_are_given_up() -> None:
     )
 
 
+@pytest.mark.long
 def test_several_changes_where_one_does_not_do() -> None:
     mission = row("F[0,1] sum(C) >= 1 && F[4,9] sum(A) >= 4 && G[2,3] sum(B) >= 3", language="mtl")
     found = explain(mission).changes
@@ -193,6 +195,7 @@ def test_a_class_that_cannot_be_somewhere_is_not_added_there() -> None:
     assert not any("class a" in text for text in found)
 
 
+@pytest.mark.long
 def test_deadlines_of_short_missions_are_first_moved_a_little(monkeypatch) -> None:
     asked: list[int] = []
 

@@ -39,7 +39,7 @@ def texts(mission: Mission) -> list[list[str]]:
     return [[part.text for part in conflict.parts] for conflict in made.conflicts]
 
 
-@pytest.mark.parametrize("seed", sampled(range(3), range(1, 3)))
+@pytest.mark.parametrize("seed", sampled(range(3), range(1, 2)))
 def test_tasks(seed: int) -> None:
     check_explanation(random_task_mission(seed + 200), conflicts=2)
 
@@ -50,7 +50,7 @@ def test_counts(seed: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "seeds", seed_blocks(range(60_000, 60_003), [*range(60_000, 60_012), *range(61_000, 61_400)], 6)
+    "seeds", seed_blocks(range(60_000, 60_001), [*range(60_000, 60_012), *range(61_000, 61_400)], 6)
 )
 def test_swarms(seeds: list[int]) -> None:
     for seed in seeds:
@@ -74,7 +74,7 @@ def test_many_counts(block: int) -> None:
         check_explanation(random_mission(seed, states=4, most_agents=4, steps=8), conflicts=2)
 
 
-@pytest.mark.parametrize("seed", sampled([200, 1389], [200]))
+@pytest.mark.parametrize("seed", sampled([200, 1389], []))
 def test_tasks_that_went_wrong(seed: int) -> None:
     """A robot that cannot wait needs others in its place; a program that HiGHS cannot solve."""
     check_explanation(random_task_mission(seed), conflicts=2)

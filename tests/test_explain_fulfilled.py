@@ -56,7 +56,7 @@ def answers_more(seed: int) -> bool:
     return broken < gone
 
 
-@pytest.mark.parametrize("seed", sampled(range(1200), range(15)))
+@pytest.mark.parametrize("seed", sampled(range(1200), range(8)))
 def test_what_a_plan_keeps_can_be_met_beside_the_rest(seed: int) -> None:
     answers_more(seed)
 

@@ -28,7 +28,7 @@ def only(mission: Mission) -> Fact:
     return fact
 
 
-@pytest.mark.parametrize("seeds", seed_blocks((3, 9, 16, 19, 27, 38), range(40, 2000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks([9, 16, 27, 38], [*range(40, 2000), 3, 19], 20))
 def test_what_is_said_of_modular_missions_is_so(seeds: list[int]) -> None:
     explained = 0
     for seed in seeds:
@@ -142,6 +142,7 @@ def test_a_reconfiguration_is_offered_at_more_places_or_in_fewer_steps() -> None
         assert "single: {modules: 1, capabilities: [look]}" in text  # the rest stays as it was
 
 
+@pytest.mark.long
 def test_no_reconfiguration_is_offered_where_none_helps() -> None:
     made = check_explanation(fence(formula="F[0,12] T(2, wall, {(lift,3)})"))
     assert "reconfigure" not in {change.kind for change in made.changes}

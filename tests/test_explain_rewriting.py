@@ -154,13 +154,13 @@ def test_a_bound_of_a_swarm_is_exchanged_in_place():
     assert text == original.origin.content.replace("max_subswarms: 2", "max_subswarms: 3", 1)
 
 
-def test_missions_that_come_from_python_are_written_whole():
-    for seed in range(200, 203):
-        original = random_task_mission(seed)
-        for change in explain(original).changes:
-            text, lost = rewritten(original, change.mission, Path(), Path())
-            assert not lost
-            assert same(mission_from_text(text), change.mission), (seed, change.text)
+@pytest.mark.parametrize("seed", sampled(range(200, 203), [201]))
+def test_missions_that_come_from_python_are_written_whole(seed):
+    original = random_task_mission(seed)
+    for change in explain(original).changes:
+        text, lost = rewritten(original, change.mission, Path(), Path())
+        assert not lost
+        assert same(mission_from_text(text), change.mission), change.text
 
 
 WISHES = {

@@ -34,7 +34,7 @@ def edits(mission: Mission, kind: str) -> list[Edit]:
     return [edit for edit in every if edit.kind == kind and not subject.rank(edit.number)]
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(300, 305), range(305, 500), 5))
+@pytest.mark.parametrize("seeds", seed_blocks(range(300, 303), range(300, 500), 5))
 def test_the_mission_can_be_met_by_the_least_shortage(seeds: list[int]) -> None:
     short = 0
     for seed in seeds:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import tsplan
-from tests.seeds import seed_blocks
+from tests.seeds import long, seed_blocks
 from tsplan import SignalMission
 from tsplan.explanation import Change, Conflict, Explanation, SoftConstraint, Status, explain
 from tsplan.explanation.report import lines_of
@@ -138,6 +138,7 @@ def test_a_goal_that_is_too_far() -> None:
     )
 
 
+@pytest.mark.long
 def test_two_places_exclude_each_other() -> None:
     made = check_explanation(free("G[0,3] x + y >= 12 && F[0,2] x <= 1"), conflicts=9)
     parts = [set(item) for item in texts(made)]
@@ -321,20 +322,20 @@ def test_borders_that_solvers_cannot_tell_are_admitted() -> None:
 
 @pytest.mark.parametrize("language", ["stl", "wstl"])
 @pytest.mark.parametrize(
-    "seeds", seed_blocks(range(15, 17), [*range(15, 27), *range(1000, 1400)], 6)
+    "seeds", seed_blocks(range(15, 16), [*range(15, 27), *range(1000, 1400)], 6)
 )
 def test_random_missions(language: Any, seeds: list[int]) -> None:
     for seed in seeds:
         check_explanation(random_signal_mission(seed, language=language), conflicts=2)
 
 
-@pytest.mark.parametrize(("language", "seed"), [("stl", 260), ("wstl", 248)])
+@pytest.mark.parametrize(("language", "seed"), [long("stl", 260), long("wstl", 248)])
 def test_random_missions_that_went_wrong(language: Any, seed: int) -> None:
     """Both ends of a window move together, past each other."""
     check_explanation(random_signal_mission(seed, language=language), conflicts=2)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks([7, 15], range(100, 160), 2))
+@pytest.mark.parametrize("seeds", seed_blocks([15], [*range(100, 160), 7], 2))
 def test_all_conflicts_of_random_missions_are_found(seeds: list[int]) -> None:
     """Every subset of the constraints of small missions is asked."""
     for seed in seeds:

@@ -37,7 +37,7 @@ def test_slack_is_only_looked_for_where_it_is_asked_for() -> None:
     assert said(row("F[0,9] C"), "slack", slack=False) == []
 
 
-@pytest.mark.parametrize("seed", sampled(range(6), range(2)))
+@pytest.mark.parametrize("seed", sampled(range(6), range(1)))
 def test_a_deadline_a_step_sooner_than_said_cannot_be_met(seed: int) -> None:
     mission = row(f"F[0,{3 + seed}] C && F[{seed},9] G[0,{seed}] sum(A) >= 1 && F[0,9] B")
     first = mission.formula.children[0]

@@ -68,6 +68,7 @@ def test_staying_where_nobody_can_wait_is_a_fact_unless_others_take_turns() -> N
     assert tsplan.plan(mission(CIRCLE, "F[0,8] G[0,2] R", 3)).status == "optimal"
 
 
+@pytest.mark.long
 def test_waiting_at_several_states_is_found_together() -> None:
     made = check_explanation(mission(CIRCLE, "F[2,6] G[0,3] Q && F[9,12] G[0,3] R"))
     assert "let agents wait at every state (`waiting: true` in the map)" in {
@@ -91,7 +92,7 @@ def moving(seed: int) -> Mission:
     return replace(made, system=TransitionSystem.build(made.system.states.values(), edges))
 
 
-@pytest.mark.parametrize("seed", sampled([*range(6), *range(1000, 1200)], range(2)))
+@pytest.mark.parametrize("seed", sampled([*range(6), *range(1000, 1200)], range(1)))
 def test_random_missions_without_some_waits(seed: int) -> None:
     check_explanation(moving(seed), conflicts=2)
 
@@ -122,7 +123,7 @@ spec: {language: mtl, formula: "F[0,9] sum(out) >= 2"}
 """
 
 
-@pytest.mark.parametrize("fix", ["1", "2", "3"])
+@pytest.mark.parametrize("fix", sampled(["1", "2", "3"], ["1"]))
 def test_the_mended_mission_is_written_and_has_a_plan(fix: str, tmp_path, capsys) -> None:
     (tmp_path / "m.yaml").write_text(TEXT)
     target = tmp_path / "fixed.yaml"

@@ -55,6 +55,10 @@ LATE = frozenset(
 )
 
 
+Statement = ast.Import | ast.ImportFrom
+Modules = dict[str, list[tuple[Statement, bool]]]  # the statements, and whether in a function
+
+
 @dataclass(frozen=True)
 class Import:
     """One import of a module: who imports what, and whether inside a function."""
@@ -76,28 +80,39 @@ def files() -> dict[str, Path]:
     }
 
 
-def sources() -> dict[str, ast.Module]:
-    """The package's own modules, parsed."""
-    return {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in files().items()}
+def sources() -> Modules:
+    """The import statements of the package's own modules."""
+    return {name: statements(path.read_text(encoding="utf-8")) for name, path in files().items()}
 
 
-def imports(modules: dict[str, ast.Module]) -> Iterator[Import]:
-    """Every import statement of a module of the package, or of another package."""
-    for name, tree in modules.items():
-        late = {
-            id(node)
-            for function in ast.walk(tree)
-            if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
-            for node in ast.walk(function)
-        }
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Import | ast.ImportFrom):
-                for imported in named(node, modules):
-                    if imported != name:
-                        yield Import(name, imported, id(node) in late)
+def imports(modules: Modules) -> Iterator[Import]:
+    """Every import of a module of the package, or of another package."""
+    for name, found in modules.items():
+        for node, late in found:
+            for imported in named(node, modules):
+                if imported != name:
+                    yield Import(name, imported, late)
 
 
-def named(node: ast.Import | ast.ImportFrom, modules: dict[str, ast.Module]) -> set[str]:
+def statements(text: str) -> list[tuple[Statement, bool]]:
+    """The import statements of a text, each with whether it is inside a function.
+
+    Expressions, which are most of a tree, have no statements and are not looked into. The tree is
+    not kept: many of them slow down whatever is done, since garbage is sought in them again.
+    """
+    found: list[tuple[Statement, bool]] = []
+    left: list[tuple[ast.AST, bool]] = [(ast.parse(text), False)]
+    while left:
+        node, late = left.pop()
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            found.append((node, late))
+        late = late or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        for name in ("body", "orelse", "finalbody", "handlers", "cases"):
+            left += [(each, late) for each in getattr(node, name, ())]
+    return found
+
+
+def named(node: Statement, modules: Modules) -> set[str]:
     """The modules that a statement imports; those of the package by their names here."""
     if isinstance(node, ast.Import):
         return {resolved(alias.name, modules) for alias in node.names}
@@ -109,7 +124,7 @@ def named(node: ast.Import | ast.ImportFrom, modules: dict[str, ast.Module]) -> 
     return found | ({resolved(base, modules)} if inner - below else set())
 
 
-def resolved(full: str, modules: dict[str, ast.Module]) -> str:
+def resolved(full: str, modules: Modules) -> str:
     """The name of a module or package here; another package's first name as it is."""
     own = full.removeprefix("tsplan").removeprefix(".")
     if full != "tsplan" and not full.startswith("tsplan."):
@@ -166,7 +181,7 @@ def late_imports(found: list[Import]) -> set[str]:
     }
 
 
-def same_names(modules: dict[str, ast.Module]) -> set[str]:
+def same_names(modules: Modules) -> set[str]:
     """Modules of one base name, which nobody can tell apart in a list of files."""
     bases = Counter(module.split(".")[-1] for module in modules)
     return {
@@ -177,14 +192,14 @@ def same_names(modules: dict[str, ast.Module]) -> set[str]:
     }
 
 
-def violations(modules: dict[str, ast.Module]) -> set[str]:
+def violations(modules: Modules) -> set[str]:
     found = list(imports(modules))
     return arrows_up(found) | circles(found) | late_imports(found) | same_names(modules)
 
 
-def package(**texts: str) -> dict[str, ast.Module]:
+def package(**texts: str) -> Modules:
     """Modules from their texts; `__` in their names stands for a dot."""
-    return {name.replace("__", ".", 1): ast.parse(text) for name, text in texts.items()}
+    return {name.replace("__", ".", 1): statements(text) for name, text in texts.items()}
 
 
 def test_what_stands_on_its_floor_is_accepted():

@@ -198,14 +198,14 @@ def replay(mission: Mission, plan: Plan, times: int = 20) -> None:
     assert holds(mission.counted, CountTrace(counts, labels))[..., 0].all()
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(3000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(10), range(3000), 20))
 def test_teams_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     made = [delayed(seed, states=4, most_agents=3, steps=6) for seed in seeds]
     planned = [compare(mission) for mission in made if small_enough(mission)]
     assert 3 <= sum(planned) <= len(planned) - 3
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(15), range(1500), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(11), range(1500), 20))
 def test_agents_may_be_as_late_as_in_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     made = [wanting(seed) for seed in seeds]
     planned = [compare(mission) for mission in made if small_enough(mission)]
@@ -224,13 +224,13 @@ def late_swarms(seed: int) -> Mission:
     return replace(mission, objective=tuple(aims), delay=min(1 + seed % 3, mission.horizon))
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(2000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(7), range(2000), 20))
 def test_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     planned = [compare(mission) for mission in map(late_swarms, seeds) if small_enough(mission)]
     assert 3 <= sum(planned) <= len(planned) - 3
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", sampled(range(40), range(14)))
 def test_who_came_last_leaves_first(seed: int) -> None:
     mission = late_swarms(2 * seed)
     on_time = replace(mission, delay=0, objective=("travel",))
@@ -276,7 +276,7 @@ def test_paths_by_which_others_leave_are_refused() -> None:
         certify(mission, forged)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(3), range(200), 6))
+@pytest.mark.parametrize("seeds", seed_blocks(range(2), range(200), 6))
 def test_what_may_hold_in_part_is_told_by_the_counts(seeds: list[int]) -> None:
     kinds = (
         (team_in_part, compare_satisfaction),
@@ -289,7 +289,7 @@ def test_what_may_hold_in_part_is_told_by_the_counts(seeds: list[int]) -> None:
             judge(replace(mission, delay=min(1 + seed % 2, mission.horizon)))
 
 
-@pytest.mark.parametrize("seed", sampled(range(7000, 9060), range(7000, 7020)))
+@pytest.mark.parametrize("seed", sampled(range(7000, 9060), range(7000, 7010)))
 def test_tight_and_reference_agree(seed: int) -> None:
     mission = delayed(seed)
     plan = tsplan.plan(mission)
@@ -304,7 +304,7 @@ def all_switched_on(seed: int) -> tuple[object, ...]:
 
 
 @pytest.mark.parametrize("switch", list(Switch))
-@pytest.mark.parametrize("seeds", seed_blocks(range(7100, 7102), range(7100, 7106), 6))
+@pytest.mark.parametrize("seeds", seed_blocks(range(7100, 7101), range(7100, 7106), 6))
 def test_switching_a_switch_off_changes_no_answer(switch: Switch, seeds: list[int]) -> None:
     for seed in seeds:
         switched = tsplan.plan(delayed(seed), without=(switch.value,))

@@ -7,6 +7,7 @@ import pickle
 import numpy as np
 import pytest
 
+from tests.seeds import sampled
 from tsplan.errors import Finding, FormulaError, SolverUnavailableError
 from tsplan.milp.highs import Highs
 from tsplan.milp.model import Draft, Model
@@ -40,7 +41,7 @@ def test_entries_at_one_place_add_up_and_rows_are_tagged() -> None:
     assert model.violation(np.array([2.0])) == 3.0
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", sampled(range(2), [0]))
 def test_solvers_agree_on_random_knapsacks(any_solver: Solver, seed: int) -> None:
     model = knapsack(18, seed)
     expected = Highs().solve(model, Options())

@@ -179,7 +179,7 @@ def test_whole_numbers_are_whole(any_solver: Solver) -> None:
     assert (solution.values == np.round(solution.values)).all()
 
 
-@pytest.mark.parametrize("seed", sampled([*range(15), *range(100, 600)], range(6)))
+@pytest.mark.parametrize("seed", sampled([*range(15), *range(100, 600)], range(3)))
 def test_solvers_agree_on_random_models(any_solver: Solver, highs: Solver, seed: int) -> None:
     model = random_model(seed)
     expected, found = highs.solve(model, Options()), any_solver.solve(model, Options())
@@ -191,7 +191,7 @@ def test_solvers_agree_on_random_models(any_solver: Solver, highs: Solver, seed:
         assert model.violation(found.values) <= 1e-5
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", sampled(range(40), range(15)))
 def test_highs_agrees_with_enumeration(highs: Solver, seed: int) -> None:
     model = random_model(seed)
     model = model.with_integrality(np.ones_like(model.integer))

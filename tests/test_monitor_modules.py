@@ -226,7 +226,7 @@ def judge_early(bodies: Bodies, goal: tsplan.Formula, random: Random, *, truth: 
         assert bool(holds(goal, other.trace)[0]) is truth
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(40), range(40, 2000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(14), range(2000), 20))
 def test_verdicts_are_those_of_whole_traces_and_never_too_early(seeds: list[int]) -> None:
     for seed in seeds:
         mission = random_module_mission(seed, steps=6, modules=5)
@@ -238,7 +238,7 @@ def test_verdicts_are_those_of_whole_traces_and_never_too_early(seeds: list[int]
 POSTS = "F[0,14] sum(north,set) >= 1 && F[0,18] sum(rail,lift) >= 1 && F[6,16] G[0,3] gate"
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(5), range(5, 200), 5))
+@pytest.mark.parametrize("seeds", seed_blocks(range(2), range(200), 5))
 def test_long_ways_over_several_structures(seeds: list[int]) -> None:
     fence = tsplan.load_mission(ROOT / "environments" / "fence_build.yaml")
     formula = parse(POSTS)

@@ -299,7 +299,7 @@ def agrees(seed: int) -> None:
     assert plan.objective[0].value == travel, seed
 
 
-@pytest.mark.parametrize("seed", sampled([*range(40), *range(100, 1100)], range(40)))
+@pytest.mark.parametrize("seed", sampled([*range(40), *range(100, 1100)], range(14)))
 def test_random_constraints_agree_with_brute_force(seed: int) -> None:
     agrees(seed)
 

@@ -11,6 +11,7 @@ import pytest
 import tsplan
 from tests.deliveries import building
 from tests.legible import assert_legible
+from tests.seeds import long
 from tests.walks import walking, wandering, write_walks
 from tests.yards import bars, named, texts, yard
 from tsplan import InputError, load_mission, save_picture
@@ -267,7 +268,7 @@ def test_mirrored_colours_keep_order_and_hue():
 
 @pytest.mark.parametrize(
     ("view", "size"),
-    [("page", (5.0, 4.0)), ("timeline", (12.0, 2.0)), ("requirements", (4.0, 2.0))],
+    [long("page", (5.0, 4.0)), ("timeline", (12.0, 2.0)), ("requirements", (4.0, 2.0))],
 )
 def test_pictures_of_a_given_size_are_legible(view, size):
     mission = load_mission(ENVIRONMENTS / "farm_harvest.yaml")

@@ -163,12 +163,12 @@ def judge(folder, seed, capsys, *, pictures, form=""):
         assert code != 2 or told.strip(), (seed, command)
 
 
-@pytest.mark.parametrize("seed", sampled([*range(60), *range(1000, 4000)], range(5)))
+@pytest.mark.parametrize("seed", sampled([*range(60), *range(1000, 4000)], range(2)))
 def test_forged_plans_end_in_findings_or_a_verdict(folder, seed, capsys):
     judge(folder, seed, capsys, pictures=seed % (10 if seed < 60 else 5) == 0)
 
 
-@pytest.mark.parametrize("seed", sampled([*range(40), *range(7000, 9000)], range(6)))
+@pytest.mark.parametrize("seed", sampled([*range(40), *range(7000, 9000)], range(3)))
 def test_forged_bundles_end_in_findings_or_a_verdict(folder, seed, capsys):
     judge(folder, seed, capsys, pictures=seed % 10 == 0, form="-bundles")
 

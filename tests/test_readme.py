@@ -8,6 +8,7 @@ import pytest
 
 from tests.command_line import here, python
 from tests.page_blocks import ROOT, blocks, commands, is_shown, run_command
+from tests.seeds import long
 from tsplan import sweep, synthesise
 from tsplan.signals.signal_files import signal_mission_from_text
 
@@ -19,11 +20,15 @@ def texts(language: str, page: str = README) -> list[str]:
     return [block.text for block in blocks(page, language)]
 
 
-def test_the_python_example_runs():
+@pytest.mark.parametrize(("name", "availability"), [("office_late", 0), long("office_delivery", 1)])
+def test_the_python_example_runs(name, availability):
+    """By default with a smaller mission than the one that is named there."""
     [text] = texts("python")
+    assert "office_delivery" in text
+    text = text.replace("office_delivery", name)
     answer = python("-W", "error", "-c", text, folder=ROOT, PYTHONUTF8="1")
     assert (answer.code, answer.err) == (0, "")
-    assert re.match(r"optimal 1(\.0)? \(\(0, \d+, '", answer.out)
+    assert re.match(rf"optimal {availability}(\.0)? \(\(0, \d+, '", answer.out)
 
 
 @pytest.mark.long

@@ -195,7 +195,7 @@ def comparable(mission: Mission) -> bool:
     return not (mission.delay or "delay" in mission.objective or mission.partial or mission.prefer)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(4000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(10), range(4000), 20))
 def test_what_is_planned_again_is_the_best_of_all_continuations(seeds: list[int]) -> None:
     for seed in seeds:
         mission = small(seed)
@@ -237,7 +237,7 @@ def changed(plan: Plan, made: Plan, past: Past) -> int:
     )
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(2000), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(10), range(2000), 20))
 def test_as_few_as_can_be_go_on_otherwise(seeds: list[int]) -> None:
     for seed in seeds:
         mission = replace(small(seed), objective=("stability",))
@@ -296,7 +296,7 @@ def fewest_changes(past: Past, system: tsplan.TransitionSystem, plan: Plan):
     return found
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(20_000, 20_012), range(20_000, 20_800), 30))
+@pytest.mark.parametrize("seeds", seed_blocks(range(20_000, 20_006), range(20_000, 20_800), 30))
 def test_swarms_go_on_as_well_as_planned(seeds: list[int]) -> None:
     for seed in seeds:
         mission = random_swarm_mission(seed)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 import pytest
@@ -137,7 +138,7 @@ def disturbed(mission: Mission, plan: Plan, seed: int) -> tuple[Past, tsplan.Tra
     return past, mission.system.rebuilt(mission.system.states.values(), edges.values())
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(20, 2000), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(7), range(2000), 10))
 def test_structures_go_on_as_well_as_can_be(seeds: list[int]) -> None:
     for seed in seeds:
         compare(random_module_mission(seed), seed)
@@ -215,16 +216,20 @@ def test_what_structures_bring_from_the_start_goes_on(seeds: list[int]) -> None:
             assert tsplan.check(mission, Plan.from_json(made.to_json())).ok, (seed, step)
 
 
-def test_a_fence_is_built_on() -> None:
+@cache
+def fence() -> tuple[Mission, Plan]:
     mission = load_mission("environments/fence_build.yaml")
-    plan = tsplan.plan(mission)
+    return mission, tsplan.plan(mission)
+
+
+def test_a_fence_is_built_on() -> None:
+    mission, plan = fence()
     energy = [replan(mission, plan, step).value("energy") for step in (0, 5, 9, 15)]
     assert energy == [32, 21, 11, 0]
 
 
 def test_what_is_told_of_modules_and_cannot_be_is_refused() -> None:
-    mission = load_mission("environments/fence_build.yaml")
-    plan = tsplan.plan(mission)
+    mission, plan = fence()
     made = next(each for each in plan.structures if each.first)
     with pytest.raises(PlanError, match="no agent 'line-99'"):
         replan(mission, plan, 3, lost=["line-99"])

@@ -304,7 +304,7 @@ def test_forged_plans_are_refused(how, words):
 # --- both encodings ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(5000, 5004), range(5000, 6000), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(5000, 5002), range(5000, 6000), 10))
 @pytest.mark.parametrize("parted", [False, True])
 def test_both_encodings_agree_on_random_missions(seeds: list[int], parted: bool) -> None:
     for seed in seeds:
@@ -362,7 +362,7 @@ objective: [travel]
     assert values(plan)["travel"] == 4
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(8000, 8010), range(8000, 8400), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(8000, 8005), range(8000, 8400), 10))
 def test_what_must_be_moved_at_all_bounds_what_is_moved(seeds: list[int]) -> None:
     reached = []
     for seed in seeds:

@@ -42,7 +42,7 @@ def test_whole_pieces_are_planned_as_well_as_by_all_joint_plans(seeds: list[int]
             compare(mission, 1.0)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(2000, 2005), range(2000, 2500), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(2000, 2003), range(2000, 2500), 10))
 def test_any_amounts_are_planned_as_well_as_by_all_joint_plans(seeds: list[int]) -> None:
     for seed in seeds:
         mission = random_resource_mission(seed, most=2, parted=True)
@@ -50,7 +50,7 @@ def test_any_amounts_are_planned_as_well_as_by_all_joint_plans(seeds: list[int])
             compare(mission, 0.5)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(3010, 3015), range(3010, 3500), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(3010, 3012), range(3010, 3500), 10))
 def test_robots_that_cannot_wait_everywhere_are_planned_as_well(seeds: list[int]) -> None:
     for seed in seeds:
         mission = random_resource_mission(seed, most=2, restless=True)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tsplan
-from tests.seeds import long, seed_blocks
+from tests.seeds import long, sampled, seed_blocks
 from tsplan.errors import InputError, MissionError, PlanError, SolverError
 from tsplan.logic import parse
 from tsplan.logic.evaluation import SignalTrace, holds, robustness
@@ -197,8 +197,9 @@ def test_what_the_past_has_lost_does_not_hide_what_can_be_kept():
     assert controller.trajectory["x"][-1] <= 4 + 1e-6
 
 
-def test_formulas_that_may_hold_in_part():
-    mission = plane_mission(objective=["satisfaction", "robustness"])
+@pytest.mark.parametrize("steps", sampled([8, 12], [8]))
+def test_formulas_that_may_hold_in_part(steps):
+    mission = plane_mission(steps, objective=["satisfaction", "robustness"])
     assert mission.satisfaction is not None
     steps = steered(tsplan.Controller(mission), PLANE, START, noise=0.02)
     assert all(step.holds for step in steps)
@@ -286,7 +287,7 @@ def _holds(formula, values):
     return bool(holds(formula, SignalTrace(values))[0])
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(15), range(1000), 40))
+@pytest.mark.parametrize("seeds", seed_blocks(range(5), range(1000), 40))
 def test_a_step_is_worth_as_much_as_planning_anew(seeds):
     """The past as equations, without a start: the same optimum, where the controls are random."""
     for seed in seeds:
@@ -338,7 +339,7 @@ def _compare(mission, rng):
             assert mine == pytest.approx(anew.objective[0].value, abs=1e-5)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(6), range(600), 30))
+@pytest.mark.parametrize("seeds", seed_blocks(range(2), range(600), 30))
 def test_disturbed_steps_are_judged_alike_by_both_encodings(seeds):
     for seed in seeds:
         mission = random_signal_mission(seed, language=("stl", "wstl")[seed % 2])

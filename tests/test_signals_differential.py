@@ -94,7 +94,7 @@ def judged(seeds: Sequence[int], language: str, **options: str) -> Counter[str]:
 
 
 @pytest.mark.parametrize("language", ["stl", "wstl"])
-@pytest.mark.parametrize("seeds", seed_blocks(range(20), range(10_000), 100))
+@pytest.mark.parametrize("seeds", seed_blocks(range(12), range(10_000), 100))
 def test_synthesis_finds_what_the_reference_finds(seeds: list[int], language: str) -> None:
     seen = judged(seeds, language)
     assert min(seen["found"], seen["infeasible"]) >= len(seeds) * 15 // 100, seen
@@ -102,13 +102,13 @@ def test_synthesis_finds_what_the_reference_finds(seeds: list[int], language: st
 
 
 @pytest.mark.parametrize("language", ["stl", "wstl"])
-@pytest.mark.parametrize("seeds", seed_blocks(range(20_000, 20_010), range(20_000, 20_500), 20))
+@pytest.mark.parametrize("seeds", seed_blocks(range(20_000, 20_005), range(20_000, 20_500), 20))
 def test_the_plain_encoding_finds_it_too(seeds: list[int], language: str) -> None:
     assert judged(seeds, language, encoding="reference")["found"] >= len(seeds) // 4
 
 
 @pytest.mark.parametrize("name", ["gurobi", "pulp:PULP_CBC_CMD"])
-@pytest.mark.parametrize("seeds", seed_blocks(range(30_000, 30_005), range(30_005, 30_065), 5))
+@pytest.mark.parametrize("seeds", seed_blocks(range(30_000, 30_003), range(30_000, 30_065), 5))
 def test_solvers_agree(seeds: list[int], name: str) -> None:
     try:
         solver(name)

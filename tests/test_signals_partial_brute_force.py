@@ -166,19 +166,19 @@ def preferring(seed: int) -> str:
     return "all" if sum(best) == sum(wish.weight for wish in prefer) else "some"
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(100, 105), range(100, 1000), 15))
+@pytest.mark.parametrize("seeds", seed_blocks(range(100, 103), range(100, 1000), 15))
 def test_as_much_of_a_formula_holds_as_can(seeds: list[int]) -> None:
     seen = Counter(map(in_part, seeds))
     assert min(seen["part"], seen["whole"]) >= min(2, len(seeds) // 5), seen
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(100, 104), range(100, 1000), 15))
+@pytest.mark.parametrize("seeds", seed_blocks(range(100, 103), range(100, 1000), 15))
 def test_as_much_holds_as_can_where_parts_count_as_a_whole(seeds: list[int]) -> None:
     seen = Counter(in_part(seed, wholes=True) for seed in seeds)
     assert min(seen["part"], seen["whole"]) >= 1, seen
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(100, 105), range(100, 1000), 15))
+@pytest.mark.parametrize("seeds", seed_blocks(range(100, 102), range(100, 1000), 15))
 def test_preferences_are_met_as_far_as_they_can_be(seeds: list[int]) -> None:
     seen = Counter(map(preferring, seeds))
     assert min(seen["some"], seen["all"]) >= min(2, len(seeds) // 5), seen

@@ -123,7 +123,7 @@ def stop_everywhere(mission: Mission, every: int = 1) -> int:
     return len(events)
 
 
-@pytest.mark.parametrize("every", sampled([1, 4], [4]))
+@pytest.mark.parametrize("every", sampled([1, 4, 10], [10]))
 @pytest.mark.parametrize("text", [CROWD, SHARED, WISHES], ids=["team", "swarm", "wishes"])
 def test_every_stop_leaves_a_plan_that_stands(text: str, every: int, tmp_path: Path) -> None:
     path = tmp_path / "mission.yaml"
@@ -131,7 +131,7 @@ def test_every_stop_leaves_a_plan_that_stands(text: str, every: int, tmp_path: P
     assert stop_everywhere(load_mission(path), every) >= 5
 
 
-@pytest.mark.parametrize("seed", sampled(range(7000, 7012), range(7000, 7006)))
+@pytest.mark.parametrize("seed", sampled(range(7000, 7012), range(7000, 7002)))
 def test_every_stop_of_random_missions(seed: int) -> None:
     mission = random_mission(seed, states=4, most_agents=4, steps=8)
     stop_everywhere(replace(mission, objective=("agents", "availability", "cost", "makespan")))

@@ -31,13 +31,13 @@ def compare(seed: int, **others: Any) -> None:
         assert tsplan.Plan.from_json(plan.to_json()) == plan
 
 
-@pytest.mark.parametrize("seeds", seed_blocks([1, 4, 5, 6, 7], range(2000), 8))
+@pytest.mark.parametrize("seeds", seed_blocks([1, 4, 5], range(2000), 8))
 def test_structures_are_planned_as_well_as_by_trying_everything(seeds: list[int]) -> None:
     for seed in seeds:
         compare(seed)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(3000, 3003), range(3003, 3300), 8))
+@pytest.mark.parametrize("seeds", seed_blocks(range(3000, 3002), range(3000, 3300), 8))
 def test_structures_perform_as_well_as_by_trying_everything(seeds: list[int]) -> None:
     for seed in seeds:
         compare(seed, steps=3, performance=PERFORMANCE)

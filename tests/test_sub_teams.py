@@ -9,6 +9,7 @@ import pytest
 
 import tsplan
 from tests.many_tasks import mission
+from tests.seeds import sampled
 from tsplan.clock import Clock
 from tsplan.encode.assemble import tight
 from tsplan.encode.encoded import Encoded
@@ -30,7 +31,7 @@ def by_teams(encoded: Encoded, executor: Executor | None = None, size: int = 3) 
     return teams.flows(encoded, Clock())
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", sampled(range(2), [0]))
 def test_what_teams_find_is_a_plan_of_the_whole_and_no_better_than_the_best(seed: int) -> None:
     encoded = tight(prepare(mission(seed)))
     flows = by_teams(encoded)
@@ -93,7 +94,7 @@ def test_goals_of_which_teams_can_not_see_to_parts_are_left_whole(formula: str) 
     assert parts_of(prepare(made)) == ()
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", sampled(range(2), [0]))
 def test_plans_with_and_without_teams_agree(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Large models begin with teams; here all of them do."""
     asked = []

@@ -69,7 +69,7 @@ def test_no_plan_has_fewer_splits_than_tokens_say(block: int) -> None:
         assert bound - 1e-6 <= (np.inf if expected is None else expected[0])
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_015), range(40_000, 40_050), 50))
+@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_008), range(40_000, 40_050), 50))
 def test_bounds_are_met_and_infinite_often(seeds: list[int]) -> None:
     met = infinite = 0
     for seed in seeds:
@@ -98,7 +98,7 @@ def test_where_merging_costs_a_split_the_whole_problem_decides() -> None:
     assert best(mission) == (2.0,)
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_018), range(40_000, 40_060), 60))
+@pytest.mark.parametrize("seeds", seed_blocks(range(40_000, 40_009), range(40_000, 40_060), 60))
 def test_what_is_found_along_their_ways_is_a_point_of_the_whole_problem(seeds: list[int]) -> None:
     seen = 0
     for seed in seeds:

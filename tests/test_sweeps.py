@@ -14,6 +14,7 @@ import pytest
 import tsplan
 from tests.command_line import posix
 from tests.missions import FILES as MISSION_FILES
+from tests.seeds import sampled
 from tests.sweeping import ENDS, FILES, lines, table
 from tsplan.errors import InputError, SolverError
 from tsplan.signals.signal_files import signal_mission_from_text
@@ -187,7 +188,8 @@ def test_errors_of_solvers_and_of_the_program_are_rows(folder, monkeypatch):
     assert row["error"].startswith("internal error in broken, line ")
 
 
-def test_missions_of_both_kinds_are_swept_by_threads():
+@pytest.mark.parametrize("threads", sampled([False, True], [False]))
+def test_missions_of_both_kinds_are_swept(threads):
     team = tsplan.Mission.of(
         map=tsplan.TransitionSystem.build([tsplan.State("p")], [tsplan.Edge("p", "p", 1)]),
         team=[{"class": "a", "at": "p"}],
@@ -196,7 +198,7 @@ def test_missions_of_both_kinds_are_swept_by_threads():
     )
     text = 'format: tsplan-signals/1\nname: wave\nsignals: {x: [0, 9]}\nspec: "F[0,3] x >= 5"\n'
     wave = signal_mission_from_text(text)
-    with ThreadPoolExecutor(2) as executor:
+    with ThreadPoolExecutor(2) if threads else Told(done) as executor:
         rows = tsplan.sweep([team, wave], executor=executor)
     assert [(row["mission"], row["status"]) for row in rows] == [
         ("team", "optimal"),

@@ -83,7 +83,7 @@ def zoned(seed: int, *, swarms: bool = False) -> Mission | None:
         return None  # more start in the zone than it holds
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(10), range(400), 10))
+@pytest.mark.parametrize("seeds", seed_blocks(range(5), range(400), 10))
 def test_zones_of_swarms_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for seed in seeds:
         mission = zoned(seed, swarms=True)
@@ -96,7 +96,7 @@ def zones_matter(mission: Mission) -> bool:
     return best(mission) != best(replace(mission, system=without))
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(15), range(1500), 15))
+@pytest.mark.parametrize("seeds", seed_blocks(range(8), range(1500), 15))
 def test_zones_do_as_well_as_the_best_of_all_joint_plans(seeds: list[int]) -> None:
     for mission in map(zoned, seeds):
         if mission is not None and small_enough(mission):
@@ -127,7 +127,7 @@ def crossing(seed: int) -> Mission:
     )
 
 
-@pytest.mark.parametrize("seeds", seed_blocks(range(8), range(800), 15))
+@pytest.mark.parametrize("seeds", seed_blocks(range(4), range(800), 15))
 def test_robots_that_cross_a_zone_do_as_well_as_can_be(seeds: list[int]) -> None:
     for mission in map(crossing, seeds):
         if small_enough(mission):
