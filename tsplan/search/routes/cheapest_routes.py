@@ -84,14 +84,14 @@ class CheapestRoutes:
         shape = graph.horizon + 1, int(graph.base[-1])
         gain = (rewards.whole @ (prices.first + prices.last + prices.each)).reshape(shape)
         parts = [self._worth(part.counts, prices).reshape(shape) for part in rewards.parts]
-        solved = Solved(self, fees, gain, parts)
+        solved = Solved(self, prices, fees, gain, parts)
         solved.fill()
         return solved
 
     def _worth(self, counts: Sequence[sparse.csr_array], prices: Prices) -> Ints:
         first, last, steps = counts
-        step = prices.each // self.rewards.stays
-        return np.asarray(first @ prices.first + last @ prices.last + steps @ step)
+        ends = np.maximum(first @ prices.first, last @ prices.last)
+        return np.asarray(ends + steps @ (prices.each // self.rewards.stays))
 
 
 class Solved:
@@ -100,12 +100,13 @@ class Solved:
     def __init__(
         self,
         routes: CheapestRoutes,
+        prices: Prices,
         fees: Ints,
         gain: Ints,
         parts: Sequence[Ints],
     ) -> None:
         self._routes, self._graph, self._rewards = routes, routes.graph, routes.rewards
-        self._fees, self._gain, self._parts = fees, gain, parts
+        self._prices, self._fees, self._gain, self._parts = prices, fees, gain, parts
         count, steps = int(self._graph.memory[-1]), self._graph.horizon + 1
         self._come = np.full(gain.shape, _FAR)
         self._whole = np.full(gain.shape, _FAR)
@@ -212,8 +213,9 @@ class Solved:
         width = int(self._graph.base[-1])
         for part, origin in self._in_parts(step, state):
             state = origin
-            for way, counts in enumerate(part.counts):
-                for number, value in _row(counts, step * width + state):
+            row = step * width + state
+            for way in (self._dearer(part, row), EACH):
+                for number, value in _row(part.counts[way], row):
                     stay = self._rewards.errands[number].stay if way == EACH else 1
                     given[way, number] += value / stay
         states, become = self._rewards.after[step]
@@ -226,6 +228,14 @@ class Solved:
             for way in (FIRST, LAST, EACH):
                 given[way, number] += 1.0
         return origin
+
+    def _dearer(self, part: Part, row: int) -> int:
+        """Whether the first step or the last one is worth more of what was run in part."""
+        first, last = (
+            sum(value * int(self._prices[way][k]) for k, value in _row(part.counts[way], row))
+            for way in (FIRST, LAST)
+        )
+        return FIRST if first >= last else LAST
 
     def _in_parts(self, step: int, state: int) -> list[tuple[Part, int]]:
         """What was run in part at a step, the last one first, with the states before each."""
