@@ -113,8 +113,11 @@ def test_no_random_mission_has_a_plan_below_its_bound(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", sampled(range(20), range(1)))
-def test_routes_are_plans_of_the_whole_each_better_than_before(seed: int) -> None:
+def test_routes_are_plans_of_the_whole_each_better_than_before(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     made = mission(seed, tasks=7)
+    monkeypatch.setattr(route_plans, "shifted_plans", lambda *_: None)
     encoded = encoded_of(made)
     routes = plans(encoded)
     search = Search(encoded, routes.target, routes.effort, Clock(), lambda *_: None)
@@ -132,6 +135,7 @@ def test_routes_are_plans_of_the_whole_each_better_than_before(seed: int) -> Non
 def test_where_routes_are_fractions_their_steps_make_a_plan(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(route_plans, "shifted_plans", lambda *_: None)
     monkeypatch.setattr(RouteProgram, "flows", lambda *_: None)
     encoded = encoded_of(mission(1, tasks=6))
     routes = plans(encoded)

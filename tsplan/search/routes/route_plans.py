@@ -26,6 +26,7 @@ from tsplan.search.rounding import Rounding
 from tsplan.search.routes.errands import Errand, errands_of
 from tsplan.search.routes.narrowing import Narrowing, Settled
 from tsplan.search.routes.route_program import SCALE, RouteProgram
+from tsplan.search.routes.shifted_plans import shifted_plans
 
 MANY = 30
 """Errands from which on routes are looked for."""
@@ -89,6 +90,10 @@ class RoutePlans:
         if self._loose is None:
             return
         narrowing, loose = self._loose
+        shifted = shifted_plans(self.encoded, self.target, self.effort, self.clock)
+        if shifted is not None:
+            yield from shifted.flows()
+            return
         found = narrowing.settled(loose)
         if found is None:
             return
@@ -121,14 +126,18 @@ class RoutePlans:
         """A program in a part of the time; with what is `known` to be remembered, of a bound."""
         if len(errands) < self.many or not self.possible:
             return None
-        left = self.clock.left
-        clock = self.clock if left is None else self.clock.within(share * left)
+        clock = self._part(share)
         kept = [{node: list(own) for node, own in of.items()} for of in known or ()]
         parts = known is not None
         program = RouteProgram(
             self.encoded.network, self.target.vector, errands, clock, parts, kept
         )
         return program if program.widest <= _WIDEST and program.size <= _MOST else None
+
+    def _part(self, share: float) -> Clock:
+        """The clock of a part of the time that is left."""
+        left = self.clock.left
+        return self.clock if left is None else self.clock.within(share * left)
 
     def _plan(self, program: RouteProgram, found: Settled) -> Iterator[Floats]:
         """The flows of settled routes, or of a plan with the same steps."""
