@@ -57,6 +57,9 @@ class Guide(Protocol):
     def flows(self) -> Iterator[Floats]:
         """Flows of plans, one after the other."""
 
+    def raised(self, enough: Callable[[], float]) -> Iterator[int]:
+        """Better bounds, one after the other, as far as they are below what is `enough`."""
+
 
 class Search:
     """One search for the least value of a target on one model.
@@ -146,6 +149,10 @@ class Search:
             self.know(float(bound))
         for flows in () if self.done else guide.flows():
             self.adopt(flows)
+            if self.done:
+                break
+        for better in () if self.done else guide.raised(lambda: self._known.value):
+            self.know(float(better))
             if self.done:
                 break
 
