@@ -21,10 +21,10 @@ from tsplan.milp.what_if import Answer, WhatIf
 from tsplan.search.routes.errand_steps import Steps
 from tsplan.search.routes.link_program import LinkProgram
 
-_TURNS = 150  # shifts that are tried for each errand while it grows cold
+_TURNS = 250  # shifts that are tried for each errand while it grows cold
 _HOT, _COLD = 0.3, 0.015  # parts of what an errand costs that a change for the worse may cost
-_AGAIN = 0.5  # the heat of all rounds but the first, as a part of the first one's
-_LINKED = 0.3  # of the shifts are such that a link can be made
+_AGAIN = 0.15  # the heat of all rounds but the first, as a part of the first one's
+_LINKED = 0.5  # of the shifts are such that a link can be made
 _DRAGGED = 0.8  # of the shifts drag others along
 _NEAR = 4  # steps of a small shift
 _SMALL = 0.6  # of the other shifts are small

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
+from typing import NamedTuple
 
 import numpy as np
 
@@ -35,6 +36,39 @@ class _Part:
     routed: Routed = field(compare=False)
 
 
+class _Split(NamedTuple):
+    """An errand whose window is halved, the last step of the early half, and what that may gain."""
+
+    errand: int
+    step: int
+    worth: float
+
+
+@dataclass(eq=False)
+class _Learnt:
+    """What halving each errand was thought to gain so far, and what it did gain.
+
+    Both begin with what is usual of all errands.
+    """
+
+    thought: dict[int, float] = field(default_factory=dict)
+    gained: dict[int, float] = field(default_factory=dict)
+
+    def hear(self, split: _Split, gain: float) -> None:
+        """What the lesser half of a split has gained."""
+        self.thought[split.errand] = self.thought.get(split.errand, 0.0) + split.worth
+        self.gained[split.errand] = self.gained.get(split.errand, 0.0) + gain
+
+    def share(self, errand: int) -> float:
+        """What halving an errand gains, as a part of what it is thought to gain."""
+        if not self.thought:
+            return 1.0
+        usual = sum(self.gained.values()) / sum(self.thought.values())
+        trust = sum(self.thought.values()) / len(self.thought)
+        thought, gained = self.thought.get(errand, 0.0), self.gained.get(errand, 0.0)
+        return (gained + usual * trust) / (thought + trust)
+
+
 @dataclass(eq=False)
 class WindowTree:
     """Raises the bound of a program, of which no more than `most` values may be remembered."""
@@ -42,6 +76,7 @@ class WindowTree:
     program: RouteProgram
     most: int
     _number: int = field(default=0, init=False)
+    _learnt: _Learnt = field(default_factory=_Learnt, init=False)
 
     def raised(self, routed: Routed, enough: Callable[[], float]) -> Iterator[int]:
         """Better bounds than that of what the program has come to, up to what is `enough`."""
@@ -49,12 +84,14 @@ class WindowTree:
         parts = [_Part(routed.bound, 0, self.program.errands, routed)]
         while parts and parts[0].bound < min(closed, enough()) and not self.program.clock.over:
             part = heappop(parts)
-            place = _split(part)
-            if place is None:  # all may be run together
+            split = _split(part, self._learnt)
+            if split is None:  # all may be run together
                 closed = min(closed, part.bound)
                 continue
-            for half in _halves(part.errands, *place):
-                heappush(parts, self._solved(part, half, enough()))
+            halves = [self._solved(part, half, enough()) for half in _halves(part.errands, split)]
+            self._learnt.hear(split, min(half.bound for half in halves) - part.bound)
+            for half in halves:
+                heappush(parts, half)
             yield int(min(parts[0].bound, closed))
 
     def _solved(self, part: _Part, errands: tuple[Errand, ...], enough: float) -> _Part:
@@ -77,19 +114,35 @@ def _kept(routed: Routed) -> list[Route]:
 
 
 def _halves(
-    errands: tuple[Errand, ...], number: int, step: int
+    errands: tuple[Errand, ...], split: _Split
 ) -> tuple[tuple[Errand, ...], tuple[Errand, ...]]:
     """The errands with one that begins by a step, and with one that begins after it."""
-    before, errand, after = errands[:number], errands[number], errands[number + 1 :]
+    number, errand = split.errand, errands[split.errand]
+    before, after = errands[:number], errands[number + 1 :]
     low, high = errand.ends
     return (
-        (*before, errand.within(low, step), *after),
-        (*before, errand.within(step + 1, high), *after),
+        (*before, errand.within(low, split.step), *after),
+        (*before, errand.within(split.step + 1, high), *after),
     )
 
 
-def _split(part: _Part) -> tuple[int, int] | None:
-    """The errand whose window is halved, and the last step of the early half; None for none."""
+def _split(part: _Part, learnt: _Learnt) -> _Split | None:
+    """What seems to gain most; None where all errands may be run together."""
+    early, late = _run(part)
+    best, found = 0.0, None
+    for number, errand in enumerate(part.errands):
+        worth = _lacking(errand.amount, early[number], late[number]) * part.routed.prices[number]
+        if len(worth) and worth.max() > _LITTLE:
+            gain = float(worth.max()) * (learnt.share(number) + _LITTLE)
+            if gain > best:
+                best = gain
+                step = errand.ends[0] + int(worth.argmax())
+                found = _Split(number, step, float(worth.max()))
+    return found
+
+
+def _run(part: _Part) -> tuple[list[Floats], list[Floats]]:
+    """For each errand how many run it so far, and beyond, for each step of its window."""
     early, late = ([np.zeros(max(e.ends[1] - e.ends[0], 0)) for e in part.errands] for _ in "el")
     routed = part.routed
     for place in np.flatnonzero(routed.used > _LITTLE).tolist():
@@ -102,16 +155,10 @@ def _split(part: _Part) -> tuple[int, int] | None:
             soonest, latest = _span(errand, route)
             early[number][max(soonest - errand.ends[0], 0) :] += used * share
             late[number][: max(latest - errand.ends[0], 0)] += used * share
-    best, found = _LITTLE, None
-    for number, errand in enumerate(part.errands):
-        worth = _worth(errand.amount, early[number], late[number]) * routed.prices[number]
-        if len(worth) and worth.max() > best:
-            best = float(worth.max())
-            found = number, errand.ends[0] + int(worth.argmax())
-    return found
+    return early, late
 
 
-def _worth(amount: int, early: Floats, late: Floats) -> Floats:
+def _lacking(amount: int, early: Floats, late: Floats) -> Floats:
     """How many agents are lacking in the half that lacks less, for each place to halve at."""
     count = len(early)
     side = int(_MIDDLE * count)
