@@ -202,3 +202,53 @@ def test_where_more_than_the_formula_has_to_be_kept_there_are_no_errands() -> No
     encoded = encoded_of(mission(0))
     assert errands_of(encoded)
     assert not errands_of(replace(encoded, setting=replace(encoded.setting, delay=1)))
+
+
+@pytest.mark.parametrize("seed", sampled(range(60), range(3)))
+def test_bounds_by_halves_of_windows_rise_and_are_true(seed: int) -> None:
+    made = mission(seed)
+    routes = plans(encoded_of(made))
+    first, optimum = routes.bound(), best(made)
+    assert first is not None
+    bounds = [first, *islice(routes.raised(lambda: optimum), 12)]
+    assert bounds == sorted(bounds)
+    assert bounds[-1] <= optimum
+
+
+def test_agents_who_have_to_be_together_lift_the_bound_in_halves() -> None:
+    """One of them comes by early, the other late; one has to come again for them to meet."""
+    names = ["p", "w", "e"]
+    edges = [Edge(name, name, 1) for name in names]
+    for one, other in (("p", "w"), ("p", "e")):
+        edges += [Edge(one, other, 4), Edge(other, one, 4)]
+    formula = (
+        "F[4,16] T(0,p,{(x,2)}) && F[9,10] T(1,e,{(y,1)}) && F[9,10] T(1,e,{(z,1)})"
+        " && F[19,20] T(1,w,{(z,1)})"
+    )
+    made = Mission.of(
+        map=TransitionSystem.build([State(n, labels=frozenset([n])) for n in names], edges),
+        team=[Group.of("one", {"w": 1}, {"x", "y"}), Group.of("other", {"e": 1}, {"x", "z"})],
+        formula=formula,
+        objective=["travel"],
+    )
+    routes = plans(encoded_of(made))
+    first, optimum = routes.bound(), best(made)
+    assert first is not None
+    bounds = [first, *routes.raised(lambda: optimum)]
+    assert first < bounds[-1] == optimum == 20
+
+
+def test_routes_are_credited_in_narrower_windows_with_what_they_still_run() -> None:
+    encoded = encoded_of(mission(1, tasks=8, agents=40))
+    target = Travel().target(encoded.setting, encoded)
+    errands = errands_of(encoded)
+    program = RouteProgram(encoded.network, target.vector, errands, Clock(20.0))
+    routed = program.solve(0.5)
+    low, high = errands[0].ends
+    narrow = (errands[0].within(low, (low + high) // 2), *errands[1:])
+    program.narrowed(narrow, routed.routes, errands)
+    for before, after in zip(routed.routes, program.pool, strict=True):
+        assert {part for key, part in after.credits.items() if not key[1]} <= {1.0}
+        others = {key: part for key, part in before.credits.items() if key[1]}
+        assert others == {key: part for key, part in after.credits.items() if key[1]}
+    assert program.solve(0.5).bound >= routed.bound

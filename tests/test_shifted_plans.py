@@ -34,6 +34,12 @@ from tsplan.search.search import Search
 EFFORT = Effort(solver("highs"))
 
 
+@pytest.fixture(autouse=True)
+def few_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+    """These missions are small."""
+    monkeypatch.setattr(shifting, "_TURNS", 60)
+
+
 def made(plan: Mission) -> tuple[Encoded, Target, ShiftedPlans | None]:
     encoded = tight(prepare(plan))
     target = Travel().target(encoded.setting, encoded)

@@ -23,6 +23,7 @@ from tsplan.search.routes.route_program import Routed, RouteProgram
 _NEAR = 5e-4  # of its value, between a program and its bound
 _MIDDLE = 0.25  # of a window is left on each side of where it is halved, at least
 _POOL = 3_000  # routes that a part goes on with
+_FREE = 0.01  # what an agent counts for an errand that costs nothing yet
 _LITTLE = 1e-6
 
 
@@ -131,7 +132,8 @@ def _split(part: _Part, learnt: _Learnt) -> _Split | None:
     early, late = _run(part)
     best, found = 0.0, None
     for number, errand in enumerate(part.errands):
-        worth = _lacking(errand.amount, early[number], late[number]) * part.routed.prices[number]
+        price = float(part.routed.prices[number]) + _FREE
+        worth = _lacking(errand.amount, early[number], late[number]) * price
         if len(worth) and worth.max() > _LITTLE:
             gain = float(worth.max()) * (learnt.share(number) + _LITTLE)
             if gain > best:
