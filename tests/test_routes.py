@@ -54,7 +54,7 @@ def test_the_bound_is_below_the_best_plan_and_above_the_linear_program(seed: int
     found = plans(encoded_of(made)).bound()
     optimum = best(made)
     assert found is not None
-    assert 0.9 * optimum <= found <= optimum
+    assert 0.8 * optimum <= found <= optimum
 
 
 TRICKY = {
@@ -72,7 +72,8 @@ def test_whatever_is_asked_for_the_bound_is_true(formula: str) -> None:
     made = mission(3, tasks=3, formula=formula, agents=12)
     encoded = encoded_of(made)
     plan = tsplan.plan(made)
-    found = plans(encoded).bound() or 0
+    routes = plans(encoded)
+    found = max([routes.bound() or 0, *islice(routes.raised(lambda: np.inf), 8)])
     if plan.objective:
         assert found <= float(plan.objective[0].value or 0)
 
@@ -104,7 +105,8 @@ def test_no_random_mission_has_a_plan_below_its_bound(seed: int) -> None:
     if encoded.refuted or not errands_of(encoded):
         return
     target = Travel().target(encoded.setting, encoded)
-    found = RoutePlans(encoded, target, Effort(solver("highs")), Clock(20.0), many=1).bound()
+    routes = RoutePlans(encoded, target, Effort(solver("highs")), Clock(20.0), many=1)
+    found = max([routes.bound(), *islice(routes.raised(lambda: np.inf), 8)], key=lambda b: b or 0)
     asked = encoded.model.with_objective(target.vector)
     solution = solver("highs").solve(asked, Options(time_limit=10.0, seed=0))
     if found is not None and solution.status is Status.OPTIMAL:

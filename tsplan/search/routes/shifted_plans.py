@@ -23,8 +23,7 @@ from tsplan.search.routes.links import links_of
 from tsplan.search.routes.shifting import Shifting
 
 _MOST = 60_000  # links: programs of more take too long each
-_IDLE = 2  # rounds in a row that gain nothing
-_SHARE = 0.5  # of the time that is left
+_SHARE = 0.35  # of the time that is left
 _WHOLE = 5.0  # seconds for whole agents at given steps
 
 
@@ -40,18 +39,16 @@ class ShiftedPlans:
     steps: Steps
 
     def flows(self) -> Iterator[Floats]:
-        """Flows of plans, each mostly better than the ones before."""
+        """Flows of plans, each mostly better than the ones before, until a round gains nothing."""
         left = self.clock.left
         clock = self.clock if left is None else self.clock.within(_SHARE * left)
         shifting = Shifting(self.program, self.steps, clock, self.steps.middle)
-        idle = 0
-        for better in shifting.rounds():
-            idle = 0 if better else idle + 1
-            found = self._plan(self.steps.begins(shifting.steps)) if better else None
+        for turn, better in enumerate(shifting.rounds()):
+            if turn and not better:
+                break
+            found = self._plan(self.steps.begins(shifting.steps))
             if found is not None:
                 yield found[self.encoded.flows]
-            if idle >= _IDLE:
-                break
 
     def _plan(self, begins: Ints) -> Floats | None:
         """The columns of the network in a plan of whole agents with these steps."""
