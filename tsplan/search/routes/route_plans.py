@@ -106,8 +106,11 @@ class RoutePlans:
             return
         narrowing, loose = self._loose
         shifted = shifted_plans(self.encoded, self.target, self.effort, self.clock)
-        if shifted is not None:
-            yield from shifted.flows()
+        told = False
+        for plan in () if shifted is None else shifted.flows():
+            told = True
+            yield plan
+        if told:
             return
         found = narrowing.settled(loose)
         if found is None:
