@@ -37,8 +37,8 @@ class WhatIf:
 
     def __init__(self, model: Model) -> None:
         self._highs = load(model, relaxed=True)
-        for name, value in {"solver": "simplex", "presolve": "off", "threads": 1}.items():
-            set_option(self._highs, name, value)
+        set_option(self._highs, "solver", "simplex")
+        set_option(self._highs, "presolve", "off")
         # what is changed is small: perturbed costs would take more iterations to be taken back
         set_option(self._highs, "dual_simplex_cost_perturbation_multiplier", 0.0)
         self.open: Bools = np.ones(model.size.columns, dtype=np.bool_)
