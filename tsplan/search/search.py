@@ -29,6 +29,7 @@ from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
 from tsplan.search.dive import Earliest, Picker, dive, fractional, largest, plunge
 from tsplan.search.effort import Effort
+from tsplan.search.in_turns import in_turns
 from tsplan.search.lexicographic import Found
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.rounding import Rounding
@@ -147,12 +148,12 @@ class Search:
         bound = guide.bound()
         if bound is not None:
             self.know(float(bound))
-        for flows in () if self.done else guide.flows():
-            self.adopt(flows)
-            if self.done:
-                break
-        for better in () if self.done else guide.raised(lambda: self._known.value):
-            self.know(float(better))
+        turns = in_turns(guide.flows(), guide.raised(lambda: self._known.value))
+        for found in () if self.done else turns:
+            if isinstance(found, int):
+                self.know(float(found))
+            else:
+                self.adopt(found)
             if self.done:
                 break
 

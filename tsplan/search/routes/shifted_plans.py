@@ -23,7 +23,7 @@ from tsplan.search.routes.links import links_of
 from tsplan.search.routes.shifting import Shifting
 
 _MOST = 60_000  # links: programs of more take too long each
-_SHARE = 0.35  # of the time that is left
+_SHARE = 0.8  # of the time that is left
 _WHOLE = 5.0  # seconds for whole agents at given steps
 
 
