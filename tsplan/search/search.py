@@ -29,6 +29,7 @@ from tsplan.milp.target import Target
 from tsplan.search.branch_and_bound import BranchAndBound, Explored
 from tsplan.search.dive import Earliest, Picker, dive, fractional, largest, plunge
 from tsplan.search.effort import Effort
+from tsplan.search.in_turns import in_turns
 from tsplan.search.lexicographic import Found
 from tsplan.search.neighbourhood import Improving
 from tsplan.search.rounding import Rounding
@@ -56,6 +57,9 @@ class Guide(Protocol):
 
     def flows(self) -> Iterator[Floats]:
         """Flows of plans, one after the other."""
+
+    def raised(self, enough: Callable[[], float]) -> Iterator[int]:
+        """Better bounds, one after the other, as far as they are below what is `enough`."""
 
 
 class Search:
@@ -144,8 +148,12 @@ class Search:
         bound = guide.bound()
         if bound is not None:
             self.know(float(bound))
-        for flows in () if self.done else guide.flows():
-            self.adopt(flows)
+        turns = in_turns(guide.flows(), guide.raised(lambda: self._known.value))
+        for found in () if self.done else turns:
+            if isinstance(found, int):
+                self.know(float(found))
+            else:
+                self.adopt(found)
             if self.done:
                 break
 

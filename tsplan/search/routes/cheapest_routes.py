@@ -69,6 +69,27 @@ class CheapestRoutes:
         """What columns cost, in parts of one."""
         return np.rint(self._vector[columns]).astype(np.int64) * self._scale
 
+    @cached_property
+    def waits(self) -> list[tuple[Ints, Ints, Ints | None]]:
+        """Who can stand from each step to the next, what that leads to, and its cost if any."""
+        graph, (before, after) = self.graph, self.graph.standing
+        known: dict[bytes, tuple[Ints, Ints]] = {}  # at most steps they are the same
+        found = []
+        for step in range(graph.horizon):
+            waits = graph.waits_at(step)
+            if waits.tobytes() not in known:
+                some = waits[graph.place[before]]
+                known[waits.tobytes()] = before[some], after[some]
+            origin, become = known[waits.tobytes()]
+            paid = np.zeros(len(graph.places), dtype=np.int64)
+            paid[waits] = self.cost(graph.wait_column(np.flatnonzero(waits), step))
+            found.append((origin, become, paid[graph.place[origin]] if paid.any() else None))
+        return found
+
+    def paid(self, column: int) -> int:
+        """What one column costs, in parts of one."""
+        return round(float(self._vector[column])) * self._scale
+
     def whole_cost(self, columns: Ints) -> int:
         """What a route along some columns costs."""
         return round(float(self._vector[columns].sum()))
@@ -83,15 +104,19 @@ class CheapestRoutes:
         graph, rewards = self.graph, self.rewards
         shape = graph.horizon + 1, int(graph.base[-1])
         gain = (rewards.whole @ (prices.first + prices.last + prices.each)).reshape(shape)
-        parts = [self._worth(part.counts, prices).reshape(shape) for part in rewards.parts]
-        solved = Solved(self, fees, gain, parts)
+        parts = [self._worth(part, prices) for part in rewards.parts]
+        solved = Solved(self, prices, fees, gain, parts)
         solved.fill()
         return solved
 
-    def _worth(self, counts: Sequence[sparse.csr_array], prices: Prices) -> Ints:
-        first, last, steps = counts
-        step = prices.each // self.rewards.stays
-        return np.asarray(first @ prices.first + last @ prices.last + steps @ step)
+    def _worth(self, part: Part, prices: Prices) -> list[Ints]:
+        """What it is worth at each step to be in each of the states in which errands are in part.
+
+        Nobody is there at both ends of a stay who is not there for all of it.
+        """
+        step = (prices.each // self.rewards.stays)[part.errand]
+        ends = part.first * prices.first[part.errand], part.last * prices.last[part.errand]
+        return np.split(np.maximum(*ends) + part.inside * step, part.begin[1:])
 
 
 class Solved:
@@ -100,12 +125,13 @@ class Solved:
     def __init__(
         self,
         routes: CheapestRoutes,
+        prices: Prices,
         fees: Ints,
         gain: Ints,
-        parts: Sequence[Ints],
+        parts: Sequence[list[Ints]],
     ) -> None:
         self._routes, self._graph, self._rewards = routes, routes.graph, routes.rewards
-        self._fees, self._gain, self._parts = fees, gain, parts
+        self._prices, self._fees, self._gain, self._parts = prices, fees, gain, parts
         count, steps = int(self._graph.memory[-1]), self._graph.horizon + 1
         self._come = np.full(gain.shape, _FAR)
         self._whole = np.full(gain.shape, _FAR)
@@ -131,15 +157,9 @@ class Solved:
             cost = self._left.ravel()[move.source] + self._routes.costs[step]
             values[graph.come[move.target[move.first]]] = np.minimum.reduceat(cost, move.first)
         if step:
-            before, after = graph.standing
-            waits = graph.waits_at(step - 1)
-            paid = np.zeros(len(graph.places), dtype=np.int64)
-            columns = graph.wait_column(np.flatnonzero(waits), step - 1)
-            paid[waits] = self._routes.cost(columns)
-            some = waits[graph.place[before]]
-            before, after = before[some], after[some]
-            stood = self._done[step - 1, before] + paid[graph.place[before]]
-            np.minimum.at(values, after, stood)
+            before, after, paid = self._routes.waits[step - 1]
+            stood = self._done[step - 1, before]
+            np.minimum.at(values, after, stood if paid is None else stood + paid)
 
     def _credit(self, step: int) -> None:
         values = self._come[step] - self._gain[step]
@@ -153,7 +173,7 @@ class Solved:
         for bit, (part, worth) in enumerate(zip(self._rewards.parts, self._parts, strict=True)):
             some = part.states[step]
             after = some + (1 << bit)
-            done[after] = np.minimum(done[after], done[some] - worth[step, some])
+            done[after] = np.minimum(done[after], done[some] - worth[step])
 
     # --- what comes of it ------------------------------------------------------------------------
 
@@ -209,13 +229,17 @@ class Solved:
 
     def _credited(self, step: int, state: int, given: dict[tuple[int, int], float]) -> int:
         """The state before everything that was credited at a step, which is added to `given`."""
+        if self._come[step, state] == self._done[step, state]:
+            return state
         width = int(self._graph.base[-1])
         for part, origin in self._in_parts(step, state):
             state = origin
-            for way, counts in enumerate(part.counts):
-                for number, value in _row(counts, step * width + state):
-                    stay = self._rewards.errands[number].stay if way == EACH else 1
-                    given[way, number] += value / stay
+            place = part.place(step, state)
+            number = int(part.errand[place])
+            first, last = int(part.first[place]), int(part.last[place])
+            dear = first * self._prices.first[number] >= last * self._prices.last[number]
+            given[FIRST if dear else LAST, number] += float(first if dear else last)
+            given[EACH, number] += float(part.inside[place]) / self._rewards.errands[number].stay
         states, become = self._rewards.after[step]
         some = states[become == state]
         if state not in states:
@@ -236,7 +260,7 @@ class Solved:
         for bit, (part, worth) in enumerate(parts):
             some, now = part.states[step], values[-1].copy()
             after = some + (1 << bit)
-            now[after] = np.minimum(now[after], values[-1][some] - worth[step, some])
+            now[after] = np.minimum(now[after], values[-1][some] - worth[step])
             values.append(now)
         found = []
         for bit, (part, _) in reversed(list(enumerate(parts))):
@@ -249,11 +273,10 @@ class Solved:
         """The step and state from which somebody came, and the column."""
         graph, value = self._graph, self._come[step, state]
         place = int(graph.place[state])
-        if graph.waits_at(step - 1)[place]:
-            column = int(graph.wait_column(place, step - 1))
-            paid = int(self._routes.cost(np.array([column]))[0])
-            before, after = graph.standing
-            for origin in before[after == state].tolist():
+        column = graph.stood_column(place, step - 1)
+        if column >= 0:
+            paid = self._routes.paid(column)
+            for origin in graph.stood_from[state]:
                 if self._done[step - 1, origin] + paid == value:
                     return step - 1, origin, column
         move = graph.moves[step]

@@ -31,12 +31,20 @@ class Prices(NamedTuple):
 class Part(NamedTuple):
     """Errands that are run in part: one bit of the memories.
 
-    By step the states in which they can be, and by step and state, as rows, the matrices of what
-    that is: at a first step, at a last one, and the number of steps.
+    By step the states in which they can be. Of all these, one step after the other from `begin` on:
+    the errand, whether that is at a first step and at a last one, and the number of steps.
     """
 
     states: list[Ints]
-    counts: tuple[sparse.csr_array, sparse.csr_array, sparse.csr_array]
+    begin: Ints
+    errand: Ints
+    first: Ints
+    last: Ints
+    inside: Ints
+
+    def place(self, step: int, state: int) -> int:
+        """Where a state of a step is among all."""
+        return int(self.begin[step] + np.searchsorted(self.states[step], state))
 
 
 class Rewards:
@@ -121,11 +129,8 @@ class Rewards:
         order = np.argsort(row)
         begin = np.searchsorted(row[order], np.arange(self._graph.horizon + 2) * self._width)
         by_step = [part % self._width for part in np.split(row[order], begin[1:-1])]
-        first, last, each = (
-            self._matrix(row, column, np.concatenate(values))
-            for values in (firsts, lasts, inside_of)
-        )
-        return Part(by_step, (first, last, each))
+        counts = (np.concatenate(values)[order] for values in (firsts, lasts, inside_of))
+        return Part(by_step, begin[:-1], column[order], *counts)
 
     def _own(self) -> list[tuple[int, int, Ints]]:
         """Every errand at a place: its number, its bit there, and the states of the place."""

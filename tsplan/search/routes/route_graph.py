@@ -146,6 +146,8 @@ class RouteGraph:
 
     def waits_at(self, step: int) -> Bools:
         """At which places agents can stand from a step to the next."""
+        if not len(self.item.first):
+            return np.zeros(len(self.wait), dtype=np.bool_)
         first, last = self.item.first[self.wait], self.item.last[self.wait]
         return (self.wait >= 0) & (first <= step) & (step <= last)
 
@@ -153,6 +155,31 @@ class RouteGraph:
         """The columns of waits."""
         edge = self.wait[place]
         return np.asarray(self.item.offset[edge] + step - self.item.first[edge])
+
+    @cached_property
+    def stood_from(self) -> list[list[int]]:
+        """For each state those in which agents can stand for a step and come to be in it."""
+        found: list[list[int]] = [[] for _ in range(int(self.base[-1]))]
+        for before, after in zip(*(part.tolist() for part in self.standing), strict=True):
+            found[after].append(before)
+        return found
+
+    @cached_property
+    def _stood(self) -> list[tuple[int, int, int]]:
+        """The first and last step and the column of step 0 of waits at each place; none of -1."""
+        item, found = self.item, []
+        for edge in self.wait.tolist():
+            span = (
+                (item.first[edge], item.last[edge], item.offset[edge]) if edge >= 0 else (0, -1, 0)
+            )
+            first, last, offset = map(int, span)
+            found.append((first, last, offset - first))
+        return found
+
+    def stood_column(self, place: int, step: int) -> int:
+        """The column of standing at a place from a step to the next, or -1."""
+        first, last, column = self._stood[place]
+        return column + step if first <= step <= last else -1
 
     # --- moves -----------------------------------------------------------------------------------
 

@@ -8,8 +8,8 @@ for every task, and steps at which their agents are together are soon found
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -25,7 +25,9 @@ from tsplan.search.effort import Effort
 from tsplan.search.rounding import Rounding
 from tsplan.search.routes.errands import Errand, errands_of
 from tsplan.search.routes.narrowing import Narrowing, Settled
-from tsplan.search.routes.route_program import SCALE, RouteProgram
+from tsplan.search.routes.route_program import SCALE, Routed, RouteProgram
+from tsplan.search.routes.shifted_plans import shifted_plans
+from tsplan.search.routes.window_tree import WindowTree
 
 MANY = 30
 """Errands from which on routes are looked for."""
@@ -34,6 +36,7 @@ _MOST = 10_000_000  # values of all routes: some hundred megabytes
 _WIDEST = 12  # errands at one place, whose memories are told apart
 _EXACT = 2.0**58  # sums up to this are whole in 64 bits
 _BOUND, _PLANS = 0.3, 0.5  # of the time that is left; the latter for the bound, too
+_RAISING = 0.8  # of the time that is left, for better bounds once there are plans
 _CLOSE = 1e-4  # of its value, between a program and its bound
 _NEAR = 1.0  # between a small program and its bound: plans differ by whole numbers
 _MEMORIES = 25  # times that more is remembered before windows are narrowed
@@ -68,6 +71,21 @@ class RoutePlans:
 
     def bound(self) -> int | None:
         """What the target comes to at least; None where that is not told."""
+        return None if self._bounded is None else self._bounded[1].bound
+
+    def raised(self, enough: Callable[[], float]) -> Iterator[int]:
+        """Better and better bounds, up to what is `enough`."""
+        if self._bounded is None:
+            return
+        program, routed = self._bounded
+        spent = self.clock.elapsed
+        left = spent if self.clock.left is None else _RAISING * self.clock.left
+        program.clock = self.clock.within(left)
+        yield from WindowTree(program, _MOST).raised(routed, enough)
+
+    @cached_property
+    def _bounded(self) -> tuple[RouteProgram, Routed] | None:
+        """The program in which agents may be relieved, and what it comes to."""
         if self._loose is None:
             return None
         # routes forget the same whether they count in parts or not
@@ -75,20 +93,25 @@ class RoutePlans:
         program = self._program(errands_of(self.encoded), share=_BOUND, known=known)
         if program is None:
             return None
-        best, near = 0, _NEAR
-        while not program.clock.over:
-            routed = program.solve(near)
-            best = max(best, routed.bound)
-            near = max(_NEAR, _CLOSE * best)
-            if not program.remember(routed, _MOST):
-                break
-        return best
+        routed = program.solve(_NEAR)
+        while not program.clock.over and program.remember(routed, _MOST):
+            near = max(_NEAR, _CLOSE * routed.bound)
+            better = program.solve(near)
+            routed = replace(better, bound=max(better.bound, routed.bound))
+        return program, routed
 
     def flows(self) -> Iterator[Floats]:
         """Flows of plans, each better than the ones before."""
         if self._loose is None:
             return
         narrowing, loose = self._loose
+        shifted = shifted_plans(self.encoded, self.target, self.effort, self.clock)
+        told = False
+        for plan in () if shifted is None else shifted.flows():
+            told = True
+            yield plan
+        if told:
+            return
         found = narrowing.settled(loose)
         if found is None:
             return
@@ -121,14 +144,18 @@ class RoutePlans:
         """A program in a part of the time; with what is `known` to be remembered, of a bound."""
         if len(errands) < self.many or not self.possible:
             return None
-        left = self.clock.left
-        clock = self.clock if left is None else self.clock.within(share * left)
+        clock = self._part(share)
         kept = [{node: list(own) for node, own in of.items()} for of in known or ()]
         parts = known is not None
         program = RouteProgram(
             self.encoded.network, self.target.vector, errands, clock, parts, kept
         )
         return program if program.widest <= _WIDEST and program.size <= _MOST else None
+
+    def _part(self, share: float) -> Clock:
+        """The clock of a part of the time that is left."""
+        left = self.clock.left
+        return self.clock if left is None else self.clock.within(share * left)
 
     def _plan(self, program: RouteProgram, found: Settled) -> Iterator[Floats]:
         """The flows of settled routes, or of a plan with the same steps."""

@@ -11,7 +11,7 @@ steadies them (Wentges, 1997).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -122,15 +122,26 @@ class RouteProgram:
             found.append(CheapestRoutes(group, graph, rewards, self.vector, SCALE))
         return found
 
-    def narrowed(self, errands: tuple[Errand, ...], routes: Sequence[Route]) -> None:
-        """The same errands in narrower windows; only routes that run them whole are credited."""
-        self.errands = errands
-        self.pool = tuple(self._credited(route) for route in routes)
+    def narrowed(
+        self,
+        errands: tuple[Errand, ...],
+        routes: Sequence[Route],
+        before: Sequence[Errand] = (),
+    ) -> None:
+        """The same errands in other windows; only routes that run them whole are credited.
 
-    def _credited(self, route: Route) -> Route:
-        given: dict[tuple[int, int], float] = {}
+        Routes keep what they are credited with for errands that are the same as `before`.
+        """
+        same = {
+            k for k, pair in enumerate(zip(errands, before, strict=False)) if pair[0] is pair[1]
+        }
+        self.errands = errands
+        self.pool = tuple(self._credited(route, same) for route in routes)
+
+    def _credited(self, route: Route, same: Collection[int]) -> Route:
+        given = {key: part for key, part in route.credits.items() if key[1] in same}
         for number, errand in enumerate(self.errands):
-            if route.group in errand.classes and self._runs(route, errand):
+            if number not in same and route.group in errand.classes and self._runs(route, errand):
                 given |= {(way, number): 1.0 for way in range(_WAYS)}
         return replace(route, credits=given)
 
@@ -143,10 +154,11 @@ class RouteProgram:
 
     # --- column generation -----------------------------------------------------------------------
 
-    def solve(self, near: float) -> Routed:
+    def solve(self, near: float, enough: float = np.inf) -> Routed:
         """The program's value and bound, which are less than `near` apart if there is time.
 
-        Routes may run errands again that are forgotten on the way.
+        Routes may run errands again that are forgotten on the way. A bound that is `enough` need
+        not become better.
         """
         cheapest = self._cheapest()
         lp, routes = self._dual(), list(self.pool)
@@ -157,7 +169,7 @@ class RouteProgram:
             if result.status != "optimal" or result.values is None:
                 break
             value = -result.objective
-            if value - best < near:
+            if value - best < near or best >= enough:
                 break
             found, bound = self._priced(cheapest, result, best)
             best = max(best, bound)
