@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -56,3 +58,18 @@ def test_without_any_idea() -> None:
     for seed in range(120, 140):
         mission = random_mission(seed)
         assert answer(tsplan.plan(mission, without=names)) == answer(tsplan.plan(mission))
+
+
+@pytest.mark.parametrize("seeds", seed_blocks(range(12), range(12, 400), 12))
+def test_a_map_in_another_order_is_planned_as_well(seeds: list[int]) -> None:
+    """Arrays of maps are kept, and are those of their own order."""
+    for seed in seeds:
+        mission, draw = random_mission(seed, states=4, most_agents=4, steps=6), random.Random(seed)
+        system = mission.system
+        states, edges = (list(each.values()) for each in (system.states, system.edges))
+        draw.shuffle(states)
+        draw.shuffle(edges)
+        other = replace(mission, system=system.rebuilt(states, edges))
+        alike = [*other.system.states, *other.system.edges] == [*system.states, *system.edges]
+        assert (other.system == system) is alike
+        assert answer(tsplan.plan(mission)) == answer(tsplan.plan(other)), seed
