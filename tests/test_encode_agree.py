@@ -70,6 +70,5 @@ def test_a_map_in_another_order_is_planned_as_well(seeds: list[int]) -> None:
         draw.shuffle(states)
         draw.shuffle(edges)
         other = replace(mission, system=system.rebuilt(states, edges))
-        alike = [*other.system.states, *other.system.edges] == [*system.states, *system.edges]
-        assert (other.system == system) is alike
+        assert other.system == system
         assert answer(tsplan.plan(mission)) == answer(tsplan.plan(other)), seed

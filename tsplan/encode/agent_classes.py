@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from tsplan.encode.class_graph import ClassGraph, Outcomes
+from tsplan.encode.map_memory import kept
 from tsplan.exact import exact
 from tsplan.milp.model import Bools, Floats, Ints
 from tsplan.mission import Group, SwarmBounds, UnderWay
@@ -88,7 +88,7 @@ def arrays_of(system: TransitionSystem, team: Iterable[Group]) -> MapArrays:
     return replace(arrays, names=names, number=number, coming=tuple(coming))
 
 
-@lru_cache(maxsize=16)
+@kept(16)
 def map_arrays(system: TransitionSystem) -> MapArrays:
     """The arrays of a map; kept, since several problems may be posed on one map."""
     names = tuple(system.states)
@@ -123,14 +123,14 @@ def map_arrays(system: TransitionSystem) -> MapArrays:
     )
 
 
-@lru_cache(maxsize=64)
+@kept(64)
 def _durations(system: TransitionSystem, class_name: str) -> Ints:
     """Duration of every edge for one class name; 0 where the class cannot go."""
     edges = system.edges.values()
     return np.array([edge.duration_for(class_name) or 0 for edge in edges], dtype=np.int64)
 
 
-@lru_cache(maxsize=64)
+@kept(64)
 def _costs(system: TransitionSystem, class_name: str, unit: Fraction) -> Floats:
     """Cost of every edge for one class name, as a whole number of units."""
     able = (edge.duration_for(class_name) is not None for edge in system.edges.values())
@@ -143,7 +143,7 @@ def _costs(system: TransitionSystem, class_name: str, unit: Fraction) -> Floats:
     )
 
 
-@lru_cache(maxsize=64)
+@kept(64)
 def allowed_edges(system: TransitionSystem, capabilities: frozenset[str]) -> Bools:
     """Which edges agents with these capabilities may use, by the needs of edges and states."""
     closed = {s.name for s in system.states.values() if s.needs and not s.needs <= capabilities}

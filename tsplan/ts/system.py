@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
@@ -48,11 +48,10 @@ class TransitionSystem(display.Displayed):
     """States and directed edges, at most one edge for each ordered pair of states.
 
     Build one with `TransitionSystem.build`, which checks it. States and edges keep the order in
-    which they were given; in another order it is another system, of which other plans may be found
-    among those that are as good. `places` says where a file gives the costs of edges. Where
-    outcomes are uncertain there are `actions`, by state and name, and the edges say what these may
-    lead to. `zones` bound how many agents are at their states and on their edges at once, by their
-    names. Of a map that was converted, `step_seconds` says how long a step is, `frame` what its
+    which they were given. `places` says where a file gives the costs of edges. Where outcomes are
+    uncertain there are `actions`, by state and name, and the edges say what these may lead to.
+    `zones` bound how many agents are at their states and on their edges at once, by their names.
+    Of a map that was converted, `step_seconds` says how long a step is, `frame` what its
     coordinates refer to, and `notes` what was dropped or chosen; of those with a remedy missions
     warn.
 
@@ -82,18 +81,6 @@ class TransitionSystem(display.Displayed):
         object.__setattr__(self, "actions", MappingProxyType(dict(self.actions)))
         object.__setattr__(self, "states", MappingProxyType(dict(self.states)))
         object.__setattr__(self, "edges", MappingProxyType(dict(self.edges)))
-
-    def __eq__(self, other: object) -> bool:
-        """Whether everything is alike, in the same order: arrays are made of it, and kept."""
-        if not isinstance(other, TransitionSystem):
-            return NotImplemented
-        compared = [item.name for item in fields(self) if item.compare]
-        mine, others = ([getattr(each, name) for name in compared] for each in (self, other))
-        return mine == others and all(
-            [*one] == [*two]
-            for one, two in zip(mine, others, strict=True)
-            if isinstance(one, Mapping)
-        )
 
     def __hash__(self) -> int:
         return hash((self.name, len(self.states), len(self.edges), next(iter(self.states), "")))
