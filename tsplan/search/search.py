@@ -315,16 +315,16 @@ class Search:
 
         Either may be many times faster than the other. Each turn of the solver is as long as all
         that went before, and each of the tree four times its last one, so that neither costs more
-        than about the time that the other takes.
+        than about the time that the other takes. After so many `seconds` the solver has a last one.
         """
         most = max(_FEW, self._model.matrix.nnz // _EACH)
         while self._model.matrix.nnz <= _SMALL and not self._clock.over:
             self._climb(tree, seconds, most)
             spent = self._clock.elapsed - self._began
-            if self.done or self._shared or spent > seconds:
+            if self.done or self._shared:
                 return
-            self._by_solver(self._clock.within(max(spent, _SPRINT)))
-            if self.done:
+            self._by_solver(self._clock.within(max(min(spent, seconds), _SPRINT)))
+            if self.done or spent > seconds:
                 return
             most *= 4
 
