@@ -232,7 +232,7 @@ def test_of_very_many_stays_only_the_beginnings_are_calls() -> None:
 
 def test_of_several_trees_the_highest_bound_counts() -> None:
     trees = [iter([1.0, 5.0]), iter([3.0]), iter([2.0, 4.0, 6.0])]
-    bounds = list(highest(trees, Clock()))
+    bounds = list(highest(trees))
     assert bounds == sorted(bounds)
     assert (len(bounds), bounds[-1]) == (6, 6.0)
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from tsplan.checking.check_report import Report, findings_of
 from tsplan.checking.claimed_values import shown
 from tsplan.errors import InputError
-from tsplan.history.changed_formula import changed_formula, on_named_states
+from tsplan.history.changed_formula import changed_mission
 from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import rest_of_plan
 from tsplan.history.past_moves import presences
@@ -74,18 +74,17 @@ class Whole(NamedTuple):
     """A mission with what has changed of its formula, and what has happened and is planned."""
 
     mission: Mission
-    formula: Formula
     trace: CountTrace
 
     @property
     def availability(self) -> float:
         """That of the formula."""
-        return float(robustness(self.mission.counting(self.formula), self.trace)[0])
+        return float(robustness(self.mission.counted, self.trace)[0])
 
     @property
     def satisfaction(self) -> Fraction | None:
         """How much holds of a formula that may hold in part."""
-        return self._share(self.formula) if self.mission.partial else None
+        return self._share(self.mission.formula) if self.mission.partial else None
 
     @property
     def preferences(self) -> tuple[Fraction, ...]:
@@ -109,15 +108,14 @@ class Whole(NamedTuple):
 
 def whole(mission: Mission, plan: Plan) -> Whole:
     """The formula, on what has happened and what is planned."""
-    formula = changed_formula(mission, plan.replanned)
-    mission = on_named_states(mission, formula)
-    every = (formula, *(each.formula for each in mission.prefer))
+    mission = changed_mission(mission, plan.replanned)
+    every = (mission.formula, *(each.formula for each in mission.prefer))
     maps = Maps(mission.system, plan.replanned)
     swarms = presences(mission, plan.moves, maps, plan.horizon)
     others = *swarms, *of_structures(plan.structures)
     where = mission.system, conjunction(every), robots_of(mission, plan), plan.horizon
     trace = path_trace(*where, others=others, executions=plan.executions)
-    return Whole(mission, formula, trace)
+    return Whole(mission, trace)
 
 
 def taken(plan: Plan) -> str:

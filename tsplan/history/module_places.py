@@ -5,12 +5,11 @@ Who is being rebuilt is on the way from a state to itself, as what it will be.
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.history.past_amounts import Load
 from tsplan.history.past_paths import Now, way_from_start
-from tsplan.history.past_structures import path_of
+from tsplan.history.past_structures import path_of, structure_pace
 from tsplan.history.told_paths import Whereabouts, place_of
 from tsplan.name_runs import Run
 from tsplan.plans.bundles import Bundle
@@ -88,7 +87,6 @@ def _begun(mission: Mission, each: Structure, maps: Maps) -> OnEdge | None:
         return None
     if each.stays:
         _, depart, state = each.stays[-1]
-        shape = mission.modular.of[each.configuration]
-        pace = partial(shape.steps, class_name=each.class_name)
+        pace = structure_pace(mission, each)
         return maps.ride(f"structure {each.id}", pace, (state, each.heading), depart)
     return way_from_start(mission, each.modules[0])

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from tsplan.errors import Finding, PlanError
@@ -16,7 +17,8 @@ from tsplan.plans.structures import Rebuilt, Structure
 from tsplan.plans.worlds import World
 
 if TYPE_CHECKING:
-    from tsplan.history.changed_map import Maps
+    from tsplan.history.changed_map import Maps, Pace
+    from tsplan.mission import Mission
     from tsplan.plans.plan import Plan
 
 
@@ -164,3 +166,9 @@ def path_of(each: Structure) -> Bundle:
     """The path of a structure."""
     own = each.class_name, each.capabilities, each.stays, each.heading
     return Bundle(*own, coming=each.coming)
+
+
+def structure_pace(mission: Mission, each: Structure) -> Pace:
+    """How long edges take a structure."""
+    shape = mission.modular.of[each.configuration]
+    return partial(shape.steps, class_name=each.class_name)

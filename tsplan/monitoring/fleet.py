@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tsplan.errors import Finding, InputError, nearest
+from tsplan.history.past_structures import path_of
 from tsplan.limits import clipped
 from tsplan.monitoring.agent_tracks import (
     ON_ITS_WAY,
@@ -319,8 +320,7 @@ class Fleet:
 def _bundle(each: Structure) -> Bundle:
     """The path of a structure; one that is made of others comes from where that is done."""
     coming = each.stays[0][2] if each.first else each.coming
-    own = each.class_name, each.capabilities, each.stays, each.heading, (each.id,)
-    return Bundle(*own, coming=coming)
+    return replace(path_of(each), agents=(each.id,), coming=coming)
 
 
 def _position(code: int, states: Sequence[str]) -> Position | OnItsWay:

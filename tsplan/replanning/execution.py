@@ -17,6 +17,7 @@ from tsplan.history.changed_map import Maps
 from tsplan.history.joined_plan import ended_plan, joined_plan, unjudged
 from tsplan.history.module_places import bodies_now
 from tsplan.history.past_paths import Past, really, whereabouts
+from tsplan.history.past_structures import Built
 from tsplan.history.rest_mission import NobodyLeftError, accounted
 from tsplan.name_runs import RunMap
 from tsplan.plans.outcomes import Status
@@ -104,7 +105,7 @@ class Execution:
     def take(self, seen: Seen) -> None:
         """Take in what is seen at the next step."""
         self.step = seen.step
-        built = Past.of(self.mission, self.plan, seen.step).built
+        built = Built.of(self.plan, seen.step)
         parts = {name for each in built.under_way(seen.step) for name in each.parts}
         world = difference(seen.step, dict(self._places(seen.step)), seen, parts)
         if world is not None:
@@ -162,7 +163,7 @@ class Execution:
 
     def _built(self) -> list[Assembly]:
         """The structures that there are, or that are being made."""
-        built = Past.of(self.mission, self.plan, self.step).built
+        built = Built.of(self.plan, self.step)
         return [assembly(each) for each in built.structures if each.last >= self.step]
 
     def _adjusted(self, world: World) -> Plan:

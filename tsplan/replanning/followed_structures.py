@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from tsplan.plans.bundles import Bundle
+from tsplan.history.past_structures import path_of, structure_pace
 from tsplan.replanning.followed_path import Beginning, Followed, Follower
 
 if TYPE_CHECKING:
@@ -53,10 +52,8 @@ class _Following:
     def follow(self, each: Structure, begin: Beginning, first: int = 0) -> None:
         """Let a structure go its way, from its first step on."""
         mission = self.mission
-        shape = mission.modular.of[each.configuration]
-        pace = partial(shape.steps, class_name=each.class_name)
-        way = Bundle(each.class_name, each.capabilities, each.stays, each.heading)
-        made = Follower(mission.system, mission.horizon).follow(way, way, begin, pace)
+        follower, way = Follower(mission.system, mission.horizon), path_of(each)
+        made = follower.follow(way, way, begin, structure_pace(mission, each))
         self._ways[each.id] = made
         self._bodies[each.id] = replace(
             each,

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from tsplan.history.changed_map import Maps
 from tsplan.history.past_paths import pace_of, robots_of
-from tsplan.history.past_structures import path_of
+from tsplan.history.past_structures import path_of, structure_pace
 from tsplan.replanning.robot_fleet import Assembly, MoveOrder, Order, RebuildOrder
 
 if TYPE_CHECKING:
@@ -28,8 +27,7 @@ def orders_at(step: int, mission: Mission, plan: Plan) -> Iterator[Order]:
     for bundle in robots_of(mission, plan).bundles:
         yield from _moves(step, bundle, bundle.agents, pace_of(bundle), maps)
     for each in plan.structures:
-        shape = mission.modular.of[each.configuration]
-        pace = partial(shape.steps, class_name=each.class_name)
+        pace = structure_pace(mission, each)
         yield from _moves(step, path_of(each), (each.id,), pace, maps)
     bodies = {each.id: each for each in plan.structures}
     for rebuilt in plan.rebuilt:

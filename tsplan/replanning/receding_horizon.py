@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tsplan.checking.plan_check import certify
@@ -22,7 +21,7 @@ from tsplan.errors import Finding, InputError, MissionError
 from tsplan.history.joined_plan import joined_plan
 from tsplan.history.joined_structures import modules_along
 from tsplan.history.past_paths import pace_of
-from tsplan.history.past_structures import path_of
+from tsplan.history.past_structures import path_of, structure_pace
 from tsplan.history.rest_mission import refuse_unknown_kinds
 from tsplan.limits import MOST_STEPS, Range
 from tsplan.logic.first_steps import within
@@ -196,8 +195,7 @@ def _lasting(mission: Mission, each: Structure, end: int) -> Structure:
     """A structure that was there at a step lasts until the end of the mission."""
     if each.last < end:
         return each
-    shape = mission.modular.of[each.configuration]
-    path = _staying(mission, path_of(each), partial(shape.steps, class_name=each.class_name))
+    path = _staying(mission, path_of(each), structure_pace(mission, each))
     return replace(each, stays=path.stays, heading=path.heading, last=mission.horizon)
 
 

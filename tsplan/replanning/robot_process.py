@@ -59,7 +59,7 @@ class RobotProcess:
         assert self._process.stdout is not None
         threading.Thread(target=self._listen, args=(self._process.stdout,), daemon=True).start()
         agents = {name: _place(place) for name, place in places.items()}
-        structures = {"structures": list(map(_assembly, built))} if built else {}
+        structures = {"structures": [each._asdict() for each in built]} if built else {}
         self._say({"type": "begin", "format": FORMAT, "step": step, "agents": agents, **structures})
         answer = self._answer("begin")
         if answer.get("type") != "ready":
@@ -135,16 +135,7 @@ class RobotProcess:
 
 
 def _rebuild(order: RebuildOrder) -> dict[str, Any]:
-    made = [_assembly(each) for each in order.made]
-    return {"state": order.state, "parts": list(order.parts), "made": made, "done": order.done}
-
-
-def _assembly(each: Assembly) -> dict[str, Any]:
-    return {
-        "structure": each.structure,
-        "configuration": each.configuration,
-        "modules": list(each.modules),
-    }
+    return {**order._asdict(), "made": [each._asdict() for each in order.made]}
 
 
 def _place(place: str | OnEdge) -> Any:

@@ -120,7 +120,7 @@ class AppointedPlans:
             quick = RouteBound(self.agenda, self._distances, self._room, self._unit, ends=False)
             quick.begin_with(tours)
             trees.append(RouteTree(quick, self._tree.windows))
-        self._bounds = highest([tree.raised(clock, self._enough) for tree in trees], clock)
+        self._bounds = highest([tree.raised(clock, self._enough) for tree in trees])
 
     @property
     def _fresh(self) -> bool:

@@ -1,4 +1,4 @@
-"""Two searches that take turns, so that neither waits for the other to end."""
+"""Searches that take turns, so that none waits for another to end."""
 
 from __future__ import annotations
 
@@ -6,14 +6,13 @@ import time
 from collections.abc import Iterator
 from typing import TypeVar
 
-One = TypeVar("One")
-Other = TypeVar("Other")
+Found = TypeVar("Found")
 
 
-def in_turns(one: Iterator[One], other: Iterator[Other]) -> Iterator[One | Other]:
-    """What both find; it is the turn of that which has taken less time, at first of the one."""
-    waiting: list[Iterator[One | Other]] = [one, other]
-    spent = [0.0, 0.0]
+def in_turns(*searches: Iterator[Found]) -> Iterator[Found]:
+    """What all find; it is the turn of that which has taken least time, at first of the first."""
+    waiting = list(searches)
+    spent = [0.0] * len(waiting)
     while waiting:
         place = spent.index(min(spent))
         began = time.perf_counter()

@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
+from itertools import accumulate
 
 import numpy as np
 
 from tsplan.clock import Clock
 from tsplan.milp.model import Floats
+from tsplan.search.in_turns import in_turns
 from tsplan.search.route_bound import Key, RouteBound, Stops, Windows
 
 _PLUNGE = 8  # of so many parts one is split until its routes meet
@@ -98,19 +100,9 @@ class RouteTree:
             yield _Part(bound, self._number, windows, self.routes.used)
 
 
-def highest(trees: Sequence[Iterator[float]], clock: Clock) -> Iterator[float]:
+def highest(trees: Sequence[Iterator[float]]) -> Iterator[float]:
     """The highest bound so far of several trees, each of which gets as much time as the others."""
-    best, spent = 0.0, dict.fromkeys(range(len(trees)), 0.0)
-    while spent:
-        number = min(spent, key=spent.__getitem__)
-        began = clock.elapsed
-        bound = next(trees[number], None)
-        if bound is None:
-            del spent[number]
-            continue
-        spent[number] += clock.elapsed - began
-        best = max(best, bound)
-        yield best
+    return accumulate(in_turns(*trees), max)
 
 
 def split(windows: Windows, routes: Sequence[Stops]) -> tuple[Windows, Windows] | None:

@@ -148,7 +148,8 @@ class Search:
         bound = guide.bound()
         if bound is not None:
             self.know(float(bound))
-        turns = in_turns(guide.flows(), guide.raised(lambda: self._known.value))
+        flows: Iterator[Floats | int] = guide.flows()
+        turns = in_turns(flows, guide.raised(lambda: self._known.value))
         for found in () if self.done else turns:
             if isinstance(found, int):
                 self.know(float(found))
